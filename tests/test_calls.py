@@ -192,6 +192,7 @@ def test_what_is_no_path_and_no_result_gets_a_sentence(record, call, message):
         call(record)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_what_takes_a_design_or_a_run_takes_its_name_or_folder(tmp_path, record):
     assert ff.scale_design("letter-fold", 0.5) == ff.scale_design(ff.load_design("letter-fold"), 0.5)
     ff.save(record, tmp_path / "there")

@@ -139,21 +139,16 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_a_landscape_of_plates_leaves_what_there_is(in_an_empty_folder, call):
+def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     output = call("landscape", "letter-fold", "--no-simulation", "--out", "there")
     assert output.out.startswith("letter-fold: rests stably: flat, closed, opened (as flat); ")
+    assert "simulated" not in output.out + output.err
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
     found = everything_in(in_an_empty_folder / "there")
     assert found == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
-
-
-@pytest.mark.usefixtures("no_figures")
-def test_a_landscape_needs_no_simulation(in_an_empty_folder, call):
-    output = call("landscape", "binder2025", "--no-simulation", "--out", "there")
-    assert "simulated" not in output.out + output.err
     content = json.loads((in_an_empty_folder / "there" / "landscape.json").read_text())
     assert content["simulation"] is None
-    assert ff.load_design(in_an_empty_folder / "there" / "design.toml").hash == ff.load_design("binder2025").hash
+    assert ff.load_design(in_an_empty_folder / "there" / "design.toml").hash == ff.load_design("letter-fold").hash
 
 
 def test_a_pattern_is_written_by_the_ending_of_its_file(in_an_empty_folder, call):
@@ -552,7 +547,7 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     study_file(TENDONS)
     for arguments, said in (
-        (("landscape", "wing.toml", "--no-simulation"), "a: replaces the landscape of wing there\n"),
+        (("landscape", "letter-fold", "--no-simulation"), "a: replaces the landscape of letter-fold there\n"),
         (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
         (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
     ):

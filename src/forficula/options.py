@@ -306,16 +306,30 @@ def read_settings(
     import tomllib
 
     values: dict[str, object] = {}
+    for key, text in setting_texts(settings, option, example).items():
+        try:
+            values[key] = tomllib.loads(f"value = {text}")["value"]
+        except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
+            values[key] = text
+    return values
+
+
+def setting_texts(
+    settings: Sequence[str] | None, option: str = "--set", example: str = 'tendon.stiffness="20 N/cm"'
+) -> dict[str, str]:
+    """Turn key=value texts into texts by dotted key.
+
+    Raises:
+        InputError: one is no such text, or a key is given twice.
+    """
+    texts: dict[str, str] = {}
     for setting in settings or ():
         if re.search("[\ud800-\udfff]", setting):
             raise InputError(f"{option}: need text in UTF-8, got {as_written(setting)}")
         key, equals, text = (part.strip() for part in setting.partition("="))
         if not equals or not key:
             raise InputError(f"{option}: need KEY=VALUE such as {example}, got {as_written(setting)}")
-        if key in values:
+        if key in texts:
             raise InputError(f"{option}: {key} is given twice")
-        try:
-            values[key] = tomllib.loads(f"value = {text}")["value"]
-        except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
-            values[key] = text
-    return values
+        texts[key] = text
+    return texts

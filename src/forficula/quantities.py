@@ -226,17 +226,27 @@ def _angle_power(unit_text: str) -> float:
 
 
 def _factor(unit_text: str, unit: Unit, text: object) -> float:
+    """The factor from a unit to that of SI; raises InputError, which names the text that the unit stands in."""
+    if len(unit_text) > _LONGEST_UNIT or not _UNIT.fullmatch(unit_text):
+        raise InputError(_no_unit(unit_text, unit, text))
+    try:
+        factor = _conversion(unit_text, unit.si)
+    except _pint_raises():
+        raise InputError(_no_unit(unit_text, unit, text)) from None
+    if factor is None:
+        raise InputError(_no_unit(unit_text, unit, text, " of the right kind"))
+    return factor
+
+
+def _no_unit(unit_text: str, unit: Unit, text: object, kind: str = "") -> str:
+    return f'{as_written(unit_text)} is not a unit{kind}; write it such as "{unit.example}", got {as_written(text)}'
+
+
+def _pint_raises() -> tuple[type[Exception], ...]:
+    """What pint raises of text that is no unit."""
     from tokenize import TokenError
 
     from pint.errors import PintError
 
-    given, rest = as_written(unit_text), f'write it such as "{unit.example}", got {as_written(text)}'
-    if len(unit_text) > _LONGEST_UNIT or not _UNIT.fullmatch(unit_text):
-        raise InputError(f"{given} is not a unit; {rest}")
-    try:
-        factor = _conversion(unit_text, unit.si)
-    except (PintError, TokenError, ValueError, TypeError, AttributeError, ArithmeticError, LookupError, AssertionError):
-        raise InputError(f"{given} is not a unit; {rest}") from None
-    if factor is None:
-        raise InputError(f"{given} is not a unit of the right kind; {rest}")
-    return factor
+    own = (ValueError, TypeError, AttributeError, ArithmeticError, LookupError, AssertionError)
+    return (PintError, TokenError, *own)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -13,8 +14,10 @@ from forficula.errors import InputError
 from forficula.statics import landscape_summary
 
 
-def surveyed(**settings):
-    return ff.energy_landscape(ff.load_design("binder2025", settings), points=61)
+@cache
+def surveyed(settings=()):
+    """Of the reference with some settings, pairs of a key and a value; once for all that ask for the same."""
+    return ff.energy_landscape(ff.load_design("binder2025", dict(settings)), points=61)
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +61,7 @@ def test_opening_slowly_takes_the_peak_moment_of_a_tendon(landscape):
 
 def test_levels_of_independent_tendons_are_those_of_the_paper():
     """About 18, 12, 6 and 0 J for 10 N/cm and no resting length (Binder et al. 2025, section 3.1)."""
-    levels = surveyed(**{"tendon.rest_length": "0 cm"}).levels
+    levels = surveyed((("tendon.rest_length", "0 cm"),)).levels
     at_stop = 0.5 * 1000 * (0.11 * math.cos(math.radians(1.5))) ** 2
     assert levels == pytest.approx([3 * at_stop, 2 * at_stop, at_stop, 0], abs=1e-12)
 
@@ -75,13 +78,13 @@ def test_levels_of_independent_tendons_are_those_of_the_paper():
     ],
 )
 def test_what_does_not_exist_is_a_sentence_and_no_nan(settings, sentence):
-    found = surveyed(**settings)
+    found = surveyed(tuple(settings.items()))
     assert any(sentence in remark for remark in found.remarks)
     json.dumps(landscape_summary(found), allow_nan=False)
 
 
 def test_a_wing_whose_veins_stop_early_is_never_called_folded():
-    names = [state.name for state in ff.stable_states(surveyed(**{"hinge.turn_limit": "60 deg"}))]
+    names = [state.name for state in ff.stable_states(surveyed((("hinge.turn_limit", "60 deg"),)))]
     assert names == ["flat", "partly folded"]
 
 
@@ -92,7 +95,7 @@ def test_a_state_that_is_none_is_told_with_the_nearest(landscape):
 
 def test_a_path_without_a_barrier_says_why():
     with pytest.raises(InputError, match="hub_radius is 0"):
-        ff.barrier(surveyed(**{"pattern.hub_radius": "0 cm"}), "flat", "folded")
+        ff.barrier(surveyed((("pattern.hub_radius", "0 cm"),)), "flat", "folded")
 
 
 def test_the_summary_has_units_in_its_keys(landscape):

@@ -149,6 +149,7 @@ def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
     assert count_all(table) is None
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_out(gridded, tmp_path, capsys):
     study, table, folder = gridded
     # three dampings, four tendons, two torques, and a release where one folds

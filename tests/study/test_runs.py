@@ -55,6 +55,7 @@ def test_the_record_of_a_run_has_the_step_that_was_found_and_running_that_again_
         assert values.tobytes() == record.series[name].tobytes()
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_design_file_of_a_run_holds_the_step_that_auto_chose(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     limit = {"protocol.stages.0.time_limit": "10 ms", "protocol.stages.1.time_limit": "20 ms"}

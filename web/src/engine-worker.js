@@ -11,6 +11,7 @@ const FRAME = 16; // ms
 const BUDGET = 12; // ms of them in which it steps
 const AFTER = 10; // seconds for which it goes on when nothing is done to it any more
 
+let engine = null;
 let live = null;
 let wing = null;
 let tracker = null;
@@ -20,10 +21,13 @@ let debt = 0; // simulated seconds that are to be made up
 let last = 0;
 let quiet = 0; // seconds since something was done to it
 
-/** Start the engine and build what the page has; says what there is, or why there is nothing. */
+/** Start the engine, once, and build what the page has; says what there is, or why there is nothing. */
 async function load({ program, text }) {
+  pause();
+  wing?.dispose();
+  wing = null;
+  engine ??= await startEngine(program);
   live = JSON.parse(text);
-  const engine = await startEngine(program);
   wing = makeWing(engine, live, await buildModel(engine, live));
   tracker = makeTracker(wing, live.protocol);
   return { said: "loaded", version: engine.mj_versionString(), frame: frame() };
@@ -181,6 +185,8 @@ const ACTS = {
 };
 
 self.onmessage = async ({ data }) => {
+  // between two structures nothing moves
+  if (wing === null && data.act !== "load") return;
   try {
     const answer = await ACTS[data.act](data);
     if (answer) self.postMessage({ ...answer, to: data.number });

@@ -10,7 +10,8 @@ export function hasEngine() {
 /**
  * Start it with what the page has of a structure; what it tells beside its answers goes to `hear`.
  *
- * Returns {first, ask, tell, end}: the first frame, and ways to ask it and to tell it something.
+ * Returns {first, ask, tell, take, end}: the first frame, and ways to ask it, to tell it something, and to have it take
+ * another structure, which gives the same again.
  */
 export async function startEngine(text, hear) {
   const packed = new Blob([unpack(document.getElementById("engine-script").textContent, Uint8Array)]).stream();
@@ -52,7 +53,14 @@ export async function startEngine(text, hear) {
   try {
     const program = document.getElementById("engine-program").textContent;
     const { frame, version } = await ask({ act: "load", program, text });
-    return { first: frame, version, ask, tell: (message) => worker.postMessage(message), end };
+    const engine = { first: frame, version, ask, tell: (message) => worker.postMessage(message), take, end };
+    return engine;
+
+    async function take(another, listen) {
+      const { frame: begun } = await ask({ act: "load", text: another });
+      hear = listen;
+      return { ...engine, first: begun };
+    }
   } catch (error) {
     end();
     throw error;

@@ -2,6 +2,7 @@
 
 import "./page.css";
 import "./try.css";
+import "./bench.css";
 import { make } from "./elements.js";
 import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
@@ -10,6 +11,7 @@ import { showGoals } from "./page-goals.js";
 import { showParts } from "./page-parts.js";
 import { showRun } from "./page-run.js";
 import { showStudy } from "./page-study.js";
+import { showWorkbench } from "./page-workbench.js";
 import { watchTables } from "./tables.js";
 
 const PAGES = {
@@ -20,6 +22,7 @@ const PAGES = {
   goals: showGoals,
   parts: showParts,
   bench: showBench,
+  workbench: showWorkbench,
 };
 
 const data = JSON.parse(document.getElementById("data").textContent);

@@ -10,6 +10,12 @@ export function designText(live, changes) {
   return lines.join("\n");
 }
 
+/** The text of a value, SI, of what can be changed. */
+export function valueText({ knobs }, key, value) {
+  const { unit, factor } = knobs.find((knob) => knob.key === key);
+  return quantity(value, unit, factor);
+}
+
 /** A value as a design file has it. */
 function quantity(value, unit, factor) {
   return `${Number((factor * value).toPrecision(12))} ${unit}`;

@@ -7,7 +7,8 @@ import { makeLive } from "./live-clip.js";
 import { mountStill } from "./player.js";
 import { mountReadout } from "./readout.js";
 import { watchTables } from "./tables.js";
-import { makeDesignLink } from "./try-design.js";
+import { makeDesignLink, valueText } from "./try-design.js";
+import { makePushKeys } from "./try-push-keys.js";
 import { listenToPushes } from "./try-push.js";
 import { makeSliders } from "./try-sliders.js";
 
@@ -27,10 +28,15 @@ const ENERGIES = [
   ["nJ", 1e9, 0],
 ];
 
-/** A panel of a page's clip and of what it has of the structure; `start` starts the engine. */
-export async function makePanel(clip, data, text, start) {
+/**
+ * A panel of a page's clip and of what it has of the structure; `start` starts the engine.
+ *
+ * look: of a camera, and pace, of another panel whose place this one takes; set: told the key of every value that is
+ * changed, and its text in a design file, by a page that keeps the design itself.
+ */
+export async function makePanel(clip, data, text, start, { look: seen, pace = PACE, set } = {}) {
   const own = JSON.parse(text);
-  const panel = { frame: null, engine: null };
+  const panel = { frame: null, engine: null, pace };
   const engine = await start(text, (message) => hear(message));
   const live = makeLive(clip, own, engine.first);
   const said = make("p", { className: "verdict", role: "status" });
@@ -44,8 +50,9 @@ export async function makePanel(clip, data, text, start) {
     engine.tell({ act: "set", values: { [key]: value } });
     sliders.refresh();
     design.refresh(sliders.changes);
+    set?.(key, valueText(own, key, value));
   });
-  const buttons = makeButtons(own, engine, () => {
+  const buttons = makeButtons(own, engine, panel, () => {
     said.textContent = "";
     advice.textContent = "";
   });
@@ -81,28 +88,30 @@ export async function makePanel(clip, data, text, start) {
     "div",
     { className: "trial" },
     make("div", { className: "seen" }, make("div", { className: "choices" }, ...buttons), make("div", { className: "told" }, moment, account), said, advice, picture, readout),
-    make("div", { className: "hands" }, sliders.element, design.element),
+    make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
   );
 
   /** What needs its place in the page. */
   panel.begin = () => {
     // framed so that all that the run shows is in the picture; where it begins alone, with room to move
-    const look = { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
+    const look = seen ?? { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
     const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: data.text.replace("which moves with the time", "live") }, look);
     panel.stage = stage;
     mountReadout(readout, live.clip, live.clock, data.energy);
     watchTables(panel.element);
     if (stage) {
       live.movable = own.anchors.bodies.map((body) => body > 0);
-      listenToPushes(stage, live, clip.mesh.span_m, strongest(own, clip.mesh.span_m), (point, force) =>
-        engine.tell({ act: "push", point, force }),
-      );
+      const most = strongest(own, clip.mesh.span_m);
+      const push = (point, force) => engine.tell({ act: "push", point, force });
+      listenToPushes(stage, live, clip.mesh.span_m, most, push);
+      picture.querySelector(".picture").after(makePushKeys(stage, live, own.anchors.names, most, push));
     }
     show(engine.first);
-    engine.tell({ act: "pace", value: PACE });
+    engine.tell({ act: "pace", value: panel.pace });
     engine.tell({ act: "restart", through: false });
     if (data.kind !== "bench") buttons[0].focus();
   };
+  panel.leave = () => panel.stage?.dispose();
   return Object.assign(panel, { engine, live, sliders, design, own });
 }
 
@@ -116,7 +125,7 @@ function strongest({ protocol, motors }, span) {
 }
 
 /** Start again, the driven stages of the protocol, let go, all of it, and how fast. */
-function makeButtons({ protocol }, engine, before) {
+function makeButtons({ protocol }, engine, panel, before) {
   const button = (text, message, title) => {
     const made = make("button", { type: "button", title });
     made.append(text);
@@ -132,8 +141,11 @@ function makeButtons({ protocol }, engine, before) {
     const to = (next < 0 ? protocol.stages.length : next) - 1;
     return [button(capital(name), { act: "stages", from, to }, `the stage "${name}" of the protocol, and what follows without a drive`)];
   });
-  const paces = make("select", {}, ...PACES.map(([name, value]) => make("option", { value, selected: value === PACE }, name)));
-  paces.addEventListener("change", () => engine.tell({ act: "pace", value: Number(paces.value) }));
+  const paces = make("select", {}, ...PACES.map(([name, value]) => make("option", { value, selected: value === panel.pace }, name)));
+  paces.addEventListener("change", () => {
+    panel.pace = Number(paces.value);
+    engine.tell({ act: "pace", value: panel.pace });
+  });
   return [
     button("Start again", { act: "restart", through: false }, "from where the run begins"),
     ...driven,

@@ -13,6 +13,7 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.options import (
+    WHOLE_NUMBER,
     DesignName,
     DrawingUnit,
     OutIfGiven,
@@ -22,6 +23,7 @@ from forficula.options import (
     read_ratio,
     read_settings,
     read_unit,
+    setting_texts,
 )
 from forficula.quantities import as_written
 from forficula.terminal import came_to
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+_LAST_PORT = 65535
 _KINDS = "What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
 
 
@@ -124,16 +127,40 @@ def keys(
 
 
 def open_design(
-    design: DesignName, /, *, settings: Settings = None, out: Annotated[Path, Parameter(help="A .html file.")]
+    design: DesignName,
+    /,
+    *,
+    settings: Settings = None,
+    unit: DrawingUnit = None,
+    out: Annotated[
+        OutIfGiven, Parameter(help="Write one .html file instead, for the keys that change while it moves.")
+    ] = None,
+    port: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="Where to serve it; any that is free if not given.")
+    ] = None,
+    no_browser: Annotated[bool, Parameter(help="Print the address only.", negative=())] = False,
 ) -> None:
-    """Write a page in which a design's structure is moved: sliders, drives, pushes, and no run in it."""
-    from forficula.design import load_design
-    from forficula.show.page.bench_page import write_bench_page
-    from forficula.show.page.page import page_path
+    """Open a workbench in the browser: every key of a design to be changed, its structure live; ends with ctrl-C."""
+    if port is not None and not 1 <= port <= _LAST_PORT:
+        raise InputError(f"--port: need 1 to {_LAST_PORT}, got {port}")
+    if out is not None:
+        from forficula.show.page.bench_page import write_bench_page
+        from forficula.show.page.page import page_path
 
-    read_option("--out", lambda: page_path(out))
-    write_bench_page(load_design(design, read_settings(settings)), out)
-    print(f"written to {out}")
+        if port is not None or no_browser:
+            raise InputError(
+                f"{'--no-browser' if port is None else '--port'}: --out writes a file, which is not served"
+            )
+        read_option("--out", lambda: page_path(out))
+        write_bench_page(read_design(design, settings, unit), out)
+        print(f"written to {out}")
+        return
+
+    from forficula.workbench import open_workbench
+
+    # what cannot be read is told here, not on a page
+    read_design(design, settings, unit)
+    open_workbench(design, setting_texts(settings), read_unit(unit), port, browser=not no_browser)
 
 
 def scale(

@@ -47,7 +47,7 @@ def key_facts(within: str = "", model: type[Design] = FanDesign) -> list[KeyFact
     Raises:
         InputError: there is no such section or key, and which is near.
     """
-    facts = [_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
+    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
     try:
         return facts_within(within, facts)
     except InputError:
@@ -84,7 +84,8 @@ def _unnumbered(key: str) -> list[str]:
     return [part for part in key.split(".") if not part.isdecimal()]
 
 
-def _fact(key: str, field: FieldInfo) -> KeyFact:
+def field_fact(key: str, field: FieldInfo) -> KeyFact:
+    """What a field is under its key: its meaning, what it may hold, what counts without it."""
     reader = field_quantity(field)
     allowed = _quantity(reader) if reader else _plain(field)
     default = "needed" if field.is_required() else _written(field.get_default(), reader)
@@ -120,7 +121,7 @@ def _quantity(reader: Quantity) -> str:
 
 def _plain(field: FieldInfo) -> str:
     """What a value without a unit may be: its kind, and its bounds."""
-    forms = [form for form in _forms(field.annotation) if form is not type(None)]
+    forms = [form for form in field_forms(field) if form is not type(None)]
     words = [f'"{word}"' for form in forms if get_origin(form) is Literal for word in get_args(form)]
     kinds = {bool: "true or false", int: "whole number", float: "number", str: "text"}
     names = [name for kind, name in kinds.items() if kind in forms]
@@ -132,6 +133,11 @@ def _plain(field: FieldInfo) -> str:
         if isinstance(rule, kind)
     ]
     return ", ".join([listed([*names, *words], "or"), *bounds])
+
+
+def field_forms(field: FieldInfo) -> Iterator[Any]:
+    """What a field may hold, entries of lists in place of these."""
+    yield from _forms(field.annotation)
 
 
 def _forms(annotation: Any) -> Iterator[Any]:

@@ -67,7 +67,7 @@ def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None
         quantity = None
     if LawSection in _forms(place):
         return None
-    inside = list(_parts(place))
+    inside = list(parts_of(place))
     if inside:
         first = key if any(_is_part(form) for form in _forms(place)) else f"{key}.0"
         values = ", ".join(f"{first}.{name}" for name in inside[0].model_fields)
@@ -180,13 +180,13 @@ def fields_of(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[tuple
         yield f"{prefix}{name}", field
         forms = list(_forms(field.annotation))
         number = "" if any(_is_part(form) for form in forms) else ".0"
-        for part in dict.fromkeys(_parts(field.annotation)):
+        for part in dict.fromkeys(parts_of(field.annotation)):
             yield from fields_of(part, f"{prefix}{name}{number}.")
 
 
 def holds_parts(field: FieldInfo) -> bool:
     """Whether a field holds a section, or a list of them, whose keys are fields of their own."""
-    return any(_parts(field.annotation))
+    return any(parts_of(field.annotation))
 
 
 def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
@@ -264,11 +264,11 @@ def _is_part(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, Part)
 
 
-def _parts(annotation: Any) -> Iterator[type[Part]]:
-    """The parts of a design that a field holds: itself, or each of its list."""
+def parts_of(annotation: Any) -> Iterator[type[Part]]:
+    """The parts of a design that a field, by its annotation, holds: itself, or each of its list."""
     for form in _forms(annotation):
         if _is_part(form):
             yield form
         elif get_origin(form) is tuple:
             for entry in get_args(form):
-                yield from _parts(entry)
+                yield from parts_of(entry)

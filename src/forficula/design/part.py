@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, ClassVar, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
@@ -47,21 +48,26 @@ class Quantity:
         """Read text with a unit, or, inside the package, an SI float; raise InputError where it is out of bounds."""
         if isinstance(value, str) and value in self.words:
             return value
-        if in_si and isinstance(value, float | int) and not isinstance(value, bool):
-            number, got = float(value), show_quantity(float(value), self.unit)
-            if not math.isfinite(number):
-                raise InputError(f"need a finite number, got {got}")
-        else:
-            number, got = self.parse(value), as_written(value).strip('"')
-        for allowed, rule, bound in (
-            (number > self.above, ">", self.above),
-            (number >= self.at_least, ">=", self.at_least),
-            (number < self.below, "<", self.below),
-            (number <= self.at_most, "<=", self.at_most),
-        ):
-            if not allowed:
-                raise InputError(f"need {rule} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
-        return number
+        plain = in_si and isinstance(value, float | int) and not isinstance(value, bool)
+        number = float(value) if plain else self.parse(value)  # type: ignore[arg-type]
+        rule = self._broken_rule(number)
+        if rule is None and math.isfinite(number):
+            return number
+        got = show_quantity(number, self.unit) if plain else as_written(value).strip('"')
+        if rule is None or not math.isfinite(number):
+            raise InputError(f"need a finite number, got {got}")
+        sign, bound = rule
+        raise InputError(f"need {sign} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
+
+    def _broken_rule(self, number: float) -> tuple[str, float] | None:
+        """The first bound that a number is beyond, with its sign; None where there is none."""
+        if not number > self.above:
+            return ">", self.above
+        if not number >= self.at_least:
+            return ">=", self.at_least
+        if not number < self.below:
+            return "<", self.below
+        return None if number <= self.at_most else ("<=", self.at_most)
 
     def parse(self, value: object) -> float:
         """Read text with a unit, whatever the bounds; raise InputError where it is none."""
@@ -119,9 +125,11 @@ class Part(BaseModel):
     @field_validator("*", mode="before")
     @classmethod
     def _read_quantities(cls, value: object, info: ValidationInfo) -> object:
+        reader = _readers(cls)[str(info.field_name)]
+        if reader is None:
+            return value
         field = cls.model_fields[str(info.field_name)]
-        reader = field_quantity(field)
-        if reader is None or (value is None and not field.is_required()):
+        if value is None and not field.is_required():
             return value
         in_si = bool(info.context and info.context.get("si"))
         return _read_list(reader, value, in_si=in_si) if is_list(field) else reader.read(value, in_si=in_si)
@@ -129,8 +137,8 @@ class Part(BaseModel):
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
         """The part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
         tables: dict[str, Any] = {}
-        for name, field in type(self).model_fields.items():
-            value, reader = getattr(self, name), field_quantity(field)
+        for name, reader in _readers(type(self)).items():
+            value = getattr(self, name)
             if isinstance(value, Part):
                 tables[name] = value.as_tables(write)
             elif isinstance(value, tuple):
@@ -150,7 +158,8 @@ class Part(BaseModel):
         """The values that tell it from others, SI, as plain data; what is absent is left out."""
         values: dict[str, Any] = {}
         defaults = {name: type(self).model_fields[name].default for name in self.later}
-        for name, value in self:
+        for name in _readers(type(self)):
+            value = getattr(self, name)
             if isinstance(value, Part):
                 values[name] = value.hash_values()
             elif isinstance(value, tuple):
@@ -158,6 +167,12 @@ class Part(BaseModel):
             elif value is not None and (name not in self.later or value != defaults[name]):
                 values[name] = value
         return values
+
+
+@cache  # asked for every field of every section of every design that is read or changed
+def _readers(part: type[Part]) -> dict[str, Quantity | None]:
+    """How each field of a part is read, None where it has no unit."""
+    return {name: field_quantity(field) for name, field in part.model_fields.items()}
 
 
 def is_list(field: FieldInfo) -> bool:

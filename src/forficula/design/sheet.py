@@ -57,7 +57,7 @@ class SheetDesign(Design):
     @property
     def chosen(self) -> tuple[Choice, ...]:
         """The values that a rule chooses, for they are not given."""
-        return choices(self.sheet, self.facet, self.crease)
+        return _choices(self.pattern, self.facet, self.crease)
 
     def settled(self) -> Self:
         """The design with the values that a rule chooses."""
@@ -79,3 +79,9 @@ def _drawn(pattern: Any) -> CreasePattern:
     """The sheet of a pattern, which is asked for again and again while it is built."""
     sheet: CreasePattern = pattern.sheet
     return sheet
+
+
+@lru_cache(maxsize=64)
+def _choices(pattern: Any, facet: Facet, crease: Crease) -> tuple[Choice, ...]:
+    """What is chosen for a sheet, which everything that names or builds its design asks for."""
+    return choices(_drawn(pattern), facet, crease)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,6 +88,12 @@ class Knob:
 
 def knobs_of(model: Model) -> tuple[Knob, ...]:
     """The values of a structure's design that its compiled model takes in place."""
+    return _knobs(model.design)
+
+
+@lru_cache(maxsize=8)  # pages of a study, and of what is run again, are of the same design
+def _knobs(design: Design) -> tuple[Knob, ...]:
+    model = compile_model(design)
     found: list[Knob] = []
     taken: set[tuple[str, int]] = set()
     for key in _keys(model):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import mujoco
 import numpy as np
@@ -59,6 +60,7 @@ def timestep_warnings(design: AnyDesign) -> list[str]:
     ]
 
 
+@lru_cache(maxsize=64)  # a run that is checked, warned of and shown asks three times and more
 def stable_timestep(design: Design) -> float:
     """Estimate the longest timestep, s, at which no mode blows up while the structure folds.
 

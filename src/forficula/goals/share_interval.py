@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scipy import stats
+from scipy import special
 
 LEVEL = 0.95
 
@@ -18,8 +18,10 @@ def share_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
     """
     if of == 0:
         return 0.0, 1.0
-    found = stats.binomtest(count, of).proportion_ci(confidence_level=1 - (1 - LEVEL) / looks, method="exact")
-    return float(found.low), float(found.high)
+    beyond = (1 - LEVEL) / looks / 2
+    # the shares of which so many or more, and so few or fewer, come that seldom: quantiles of beta distributions
+    low = float(special.betaincinv(count, of - count + 1, beyond)) if count else 0.0
+    return low, _least_above(count, of, beyond)
 
 
 def largest_share(count: int, of: int) -> float:
@@ -34,5 +36,9 @@ def largest_share(count: int, of: int) -> float:
     """
     if of == 0:
         return 1.0
-    found = stats.binomtest(count, of, alternative="less").proportion_ci(confidence_level=LEVEL, method="exact")
-    return float(found.high)
+    return _least_above(count, of, 1 - LEVEL)
+
+
+def _least_above(count: int, of: int, chance: float) -> float:
+    """The share of which so few or fewer come with that chance; 1 where all are counted."""
+    return float(special.betainccinv(count + 1, of - count, chance)) if count < of else 1.0

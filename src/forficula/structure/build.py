@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from forficula.design import AnyDesign, Design, FanDesign, JointDesign, SheetDesign, as_design
@@ -55,7 +56,11 @@ def structure_of(design: AnyDesign) -> Structure:
     Raises:
         InputError: no such design, or it cannot be built.
     """
-    design = as_design(design)
+    return _built(as_design(design))
+
+
+@lru_cache(maxsize=16)  # a design and what it is built of are frozen; a run, its checks and its page all ask for it
+def _built(design: Design) -> Structure:
     return _way(design).build(design)
 
 

@@ -53,11 +53,12 @@ class Firefox:
         self._window = self._command("browsingContext.getTree")["contexts"][0]["context"]
 
     def open(self, path, width, height):
-        """Show a file in a window of this many pixels, as if nothing had been shown before."""
+        """Show a file, or an address, in a window of this many pixels, as if nothing had been shown before."""
         viewport = {"width": width, "height": height}
         self._command("browsingContext.setViewport", context=self._window, viewport=viewport)
         self.messages, self.requests = [], []
-        self._command("browsingContext.navigate", context=self._window, url=path.as_uri(), wait="complete")
+        url = path if isinstance(path, str) else path.as_uri()
+        self._command("browsingContext.navigate", context=self._window, url=url, wait="complete")
 
     def evaluate(self, expression):
         """What an expression of the page's script comes to, as JSON has it; a promise is waited for."""

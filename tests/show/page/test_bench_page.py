@@ -27,6 +27,7 @@ def test_a_sheet_closes_at_a_press_without_a_run_in_the_page(bench):
     page = bench.page
     assert page.locator("#player").count() == 0
     assert page.locator(".slider", has_text="Tendon 0 stiffness").locator("output").inner_text() == "0.6 N/cm"
+    until(page, "document.querySelector('.verdict').textContent === 'Settled.'", SECONDS)
     page.get_by_role("button", name="Close", exact=True).click()
     until(page, "document.querySelector('.verdict').textContent !== ''", SECONDS)
     assert page.locator(".verdict").inner_text().startswith("The structure got closed in ")

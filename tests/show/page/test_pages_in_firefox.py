@@ -7,6 +7,7 @@ import pytest
 
 from tests.show.page.firefox import firefox_path, running
 from tests.show.page.page_kinds import KINDS, MOVING
+from tests.workbench.serving import serving
 
 WIDE, NARROW = (1280, 800), (390, 844)
 WHY = "pages are not tested in a second browser"
@@ -103,3 +104,24 @@ def test_a_wing_is_started_folded_and_opened_in_its_page(firefox, pages):
     angles = firefox.evaluate("Array.from(window.forficula.trial.panel.frame.readings[0])")
     assert min(angles) > 0
     assert (firefox.messages, asked(firefox)) == ([], [])
+
+
+def test_a_workbench_builds_what_is_changed_and_keeps_the_last_good_model(firefox, tmp_path):
+    with serving("binder2025", folder=tmp_path) as served:
+        firefox.open(served.address, *WIDE)
+        firefox.until("window.forficula !== undefined")
+        field = "document.querySelector('[data-key=\"pattern.units\"]')"
+
+        def put(text):
+            firefox.evaluate(f"{field}.value = '{text}', {field}.dispatchEvent(new Event('change'))")
+            firefox.evaluate("window.forficula.idle()")
+
+        put("2")
+        assert firefox.evaluate("window.forficula.wing.panel.frame.readings[0].length") == 5
+        put("0")
+        assert firefox.evaluate("document.querySelector('.field.rejected .wrong').textContent").startswith(
+            "pattern.units: need >= 1"
+        )
+        assert firefox.evaluate("window.forficula.wing.panel.frame.readings[0].length") == 5
+        assert firefox.messages == []
+        assert all(url.startswith((served.address, "data:", "blob:")) for url in firefox.requests)

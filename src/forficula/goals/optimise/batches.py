@@ -12,6 +12,7 @@ from forficula.goals.optimise.archive import Aim, Archive, archive_of, bases_of
 from forficula.goals.optimise.axis import Axis, Point, placed
 from forficula.goals.optimise.proposal import neighbourhood, proposed
 from forficula.goals.optimise.ranking import best_ranked, pareto_front
+from forficula.goals.optimise.relaxation import relaxations
 from forficula.goals.optimise.trial import Trial
 from forficula.goals.optimise.variation import around, varied
 from forficula.goals.optimise.weights import aim_weights
@@ -26,7 +27,7 @@ _START, _LEAST_START = 4, 32
 _REACHES, _BACKS = (2.0, 1.0, 0.5, 0.25), (1e-6, 1e-3, 1e-4, 1e-2)
 # Bases are that far apart, and there are so many at most.
 _APART, _BASES = 0.2, 4
-# Trials that differential evolution starts from, batches.
+# Trials that differential evolution goes on with, batches.
 _POPULATION = 2
 # A front of no more than its ends does not tell yet how far it spans.
 _ENDS, _LEAST_SPAN = 2, 1e-12
@@ -100,6 +101,7 @@ def _near(
     front = np.array([trial.objectives for trial in pareto_front(archive.trials)])
     best = front if len(front) else known
     ideal, span = best.min(axis=0), np.ptp(front if len(front) > _ENDS else known, axis=0)
+    giving = [] if len(front) else relaxations(archive.trials)
     count, ends = max(1, round(_PROPOSED * batch)), archive.objectives.shape[1]
     for each in range(count):
         turn = number * count + each
@@ -108,10 +110,15 @@ def _near(
         aim = Aim(weights=weights[chosen], ideal=ideal, span=np.maximum(span, _LEAST_SPAN))
         bases = bases_of(axes, archive, aim, _APART, _BASES)
         base = bases[0 if each % 2 == 0 else turn // 2 % len(bases)]
+        # where nothing is feasible one limit after another gives, so that what each costs alone is found, too
+        gives = giving[number % len(giving)] if giving and each == count - 1 else None
+        if gives is not None and gives.trial is not None:
+            base = gives.trial
         near = neighbourhood(axes, archive, base, aim)
         if near is None:
             continue
         kind = (each if len(weights) == 1 else turn // len(weights)) % len(_REACHES)
-        found.append(proposed(axes, near, aim, _REACHES[kind], _BACKS[kind]))
+        limit = None if gives is None else gives.limit
+        found.append(proposed(axes, near, aim, _REACHES[kind], _BACKS[kind], limit))
         found += around(axes, base.point, near.radius / 2, max(1, round(_AROUND * batch / count)), generator)
     return found

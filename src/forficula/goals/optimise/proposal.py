@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 
 # What a violation of limits costs, in spans of the objectives: more than any objective can win.
 _PRICE, _LEAST_SPAN = 100.0, 1e-12
+# What it costs of a limit that is to give, as a share of that.
+_GIVING = 0.1
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,14 +31,14 @@ class Neighbourhood:
         free: which axes vary: all but choices.
         radius: distance of the furthest trial.
         objectives: as parabolas, from 0 at the ideal to 1 at the end of the span.
-        margins: as parabolas, those of limits of which enough is known.
+        margins: as parabolas, by number of the limit, those of which enough is known.
     """
 
     base: Trial
     free: NDArray[np.bool_]
     radius: float
     objectives: tuple[Parabola, ...]
-    margins: tuple[Parabola, ...]
+    margins: Mapping[int, Parabola]
 
 
 def neighbourhood(axes: Sequence[Axis], archive: Archive, base: Trial, aim: Aim) -> Neighbourhood | None:
@@ -60,13 +62,15 @@ def neighbourhood(axes: Sequence[Axis], archive: Archive, base: Trial, aim: Aim)
         radius = min(radius, max(float(away[known][near[-1]]), LEAST_RADIUS))
         found.append(fitted(points[known][near], values[known][near], centre[free]))
     of_objectives = tuple(each for each in found[: len(aim.ideal)] if each is not None)
-    of_margins = tuple(each for each in found[len(aim.ideal) :] if each is not None)
+    of_margins = {number: each for number, each in enumerate(found[len(aim.ideal) :]) if each is not None}
     if len(of_objectives) < len(aim.ideal):
         return None
     return Neighbourhood(base=base, free=free, radius=radius, objectives=of_objectives, margins=of_margins)
 
 
-def proposed(axes: Sequence[Axis], near: Neighbourhood, aim: Aim, reach: float, back: float) -> Point:
+def proposed(
+    axes: Sequence[Axis], near: Neighbourhood, aim: Aim, reach: float, back: float, giving: int | None = None
+) -> Point:
     """Where the parabolas of a neighbourhood have the least of an aim within the limits.
 
     Stepped axes are put on their places first, and the others then follow.
@@ -77,31 +81,32 @@ def proposed(axes: Sequence[Axis], near: Neighbourhood, aim: Aim, reach: float, 
         aim: that is to be small.
         reach: how far to go at most, as a share of the neighbourhood's radius.
         back: how far to stay within the limits, as a share of what their margins differ by.
+        giving: the limit that is to give where not all can be met, by number; None where all count alike.
     """
     centre = np.array(near.base.point)
     low = np.maximum(-reach * near.radius, -centre[near.free])
     high = np.minimum(reach * near.radius, 1 - centre[near.free])
     stepped = np.array([axis.levels > 0 for axis in axes])[near.free]
-    step = _least(near, aim, low, high, back)
+    step = _least(near, aim, low, high, back, giving)
     found = centre.copy()
     found[near.free] += step
     (point,) = placed(axes, found[None, :])
     if stepped.any() and not stepped.all():
         fixed = (np.array(point) - centre)[near.free]
-        step = _least(near, aim, np.where(stepped, fixed, low), np.where(stepped, fixed, high), back)
+        step = _least(near, aim, np.where(stepped, fixed, low), np.where(stepped, fixed, high), back, giving)
         found[near.free] = centre[near.free] + step
         (point,) = placed(axes, found[None, :])
     return point
 
 
-def _least(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float) -> Array:
+def _least(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float, giving: int | None) -> Array:
     """The step, as shares, that makes the aim small within bounds."""
     radius = near.radius
     weights = np.array([1.0]) if len(aim.weights) == 1 else aim.weights
     of_aim = [_scaled(each, radius, weight, 0.0) for each, weight in zip(near.objectives, weights, strict=True)]
     every = [_scaled(each, radius, 1.0, 0.0) for each in near.objectives]
-    spans = [max(each.span, _LEAST_SPAN) for each in near.margins]
-    limits = [_scaled(each, radius, 1 / span, -back) for each, span in zip(near.margins, spans, strict=True)]
+    spans = {number: max(each.span, _LEAST_SPAN) for number, each in near.margins.items()}
+    limits = [_scaled(each, radius, 1 / spans[number], -back) for number, each in near.margins.items()]
     axes = len(low)
     total = _joined(every, axes)
     if len(of_aim) == 1:
@@ -117,7 +122,7 @@ def _least(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float) 
         cost=cost,
         ceilings=ceilings,
         limits=_joined(limits, axes),
-        prices=_PRICE * np.array(spans),
+        prices=np.array([_PRICE * span * (_GIVING if number == giving else 1) for number, span in spans.items()]),
         low=low / radius,
         high=high / radius,
     )

@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 from forficula.goals.optimise.axis import Axis, Point, placed
 from forficula.goals.optimise.trial import Trial
 
-# Share of a difference that is gone, share of axes that change, and share of places that are drawn anew.
-_STEP, _CROSSED, _DRAWN = 0.6, 0.8, 0.1
-# The best of the best that all others may move towards.
-_LEADING = 0.2
+# Share of a difference that is gone, from and to, share of axes that change, and share of places that are drawn anew.
+_STEPS, _CROSSED, _DRAWN = (0.4, 0.9), 0.8, 0.1
+# The best of the best from which all others start.
+_LEADING = 0.05
 
 
 def varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: np.random.Generator) -> list[Point]:
-    """Points by differential evolution towards the best.
+    """Points by differential evolution from the best.
 
-    Zhang and Sanderson, 2009, doi.org/10.1109/TEVC.2009.2014613.
+    Storn and Price, 1997, doi.org/10.1023/A:1008202821328: their "best/1", of a few that are best.
 
     Args:
         axes: of the search.
@@ -28,13 +28,13 @@ def varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: n
         generator: that draws.
     """
     points = np.array([trial.point for trial in best])
-    leading = max(2, round(_LEADING * len(points)))
     base, first, second = (points[generator.integers(len(points), size=count)] for _ in range(3))
-    towards = points[generator.integers(min(leading, len(points)), size=count)]
-    moved = base + _STEP * (towards - base) + _STEP * (first - second)
+    leading = max(2, round(_LEADING * len(points)))
+    start = points[generator.integers(min(leading, len(points)), size=count)]
+    moved = start + generator.uniform(*_STEPS, size=(count, 1)) * (first - second)
     unordered = np.array([not axis.ordered for axis in axes])
     # of a choice there is no difference: it is one or another
-    moved[:, unordered] = towards[:, unordered]
+    moved[:, unordered] = start[:, unordered]
     crossed = generator.random(moved.shape) < _CROSSED
     crossed[np.arange(count), generator.integers(len(axes), size=count)] = True
     children = np.where(crossed, _reflected(moved), base)

@@ -6,6 +6,7 @@ import math
 import os
 import tomllib
 from collections.abc import Mapping
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -42,7 +43,7 @@ def load_law(name_or_path: str | Path) -> MaterialLaw:
     """
     where = str(name_or_path)
     if where in _named():
-        return _read(where, tomllib.loads(_reference(where)))
+        return _named_law(where)
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
         hint = nearest(where, _named()).replace("allowed here:", "the named materials are")
@@ -113,13 +114,16 @@ def _text(key: str, value: float) -> str | float:
     return value if unit.display == "dimensionless" else format_quantity(value, unit)
 
 
-def _named() -> list[str]:
+@cache
+def _named() -> tuple[str, ...]:
     folder = resources.files("forficula.material") / "references"
-    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+    return tuple(sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml")))
 
 
-def _reference(name: str) -> str:
-    return (resources.files("forficula.material") / "references" / f"{name}.toml").read_text("utf-8")
+@cache  # what comes with the package stays as it is, and a law is frozen
+def _named_law(name: str) -> MaterialLaw:
+    text = (resources.files("forficula.material") / "references" / f"{name}.toml").read_text("utf-8")
+    return _read(name, tomllib.loads(text))
 
 
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Sequence
 
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, show_quantity
@@ -48,7 +49,7 @@ def law_unit(key: str) -> Unit:
     return unit
 
 
-def nearest(word: str, allowed: list[str]) -> str:
+def nearest(word: str, allowed: Sequence[str]) -> str:
     """The hint for a key that is none: the nearest, or all."""
     near = difflib.get_close_matches(word.lower(), allowed, n=1)
     return f"did you mean {near[0]}?" if near else f"allowed here: {', '.join(allowed)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -87,17 +88,19 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
     """Where things are in the engine: hinges, motors, tendons, distances, and the points that are drawn."""
     structure, built = model.structure, model.in_units
     count, mesh = len(structure.points), model.mesh
-    bodies, places = [], []
+    bodies, places, names = [], [], []
     for number in anchors:
         if number < count:
+            names.append(_spoken(structure.points[number].name))
             bodies.append(int(model.carriers[number]))
             places += np.asarray(built.points[number].place).tolist()
         else:
+            names.append(f"membrane {number - count}")
             bodies.append(int(model.engine.flex_vertbodyid[number - count]))
             places += np.asarray(mesh.places[number - count]).tolist()
     return {
         "units": {"length": model.units.length, "time": model.units.time, "energy": model.units.energy},
-        "anchors": {"bodies": bodies, "places": places},
+        "anchors": {"names": names, "bodies": bodies, "places": places},
         "hinges": {"positions": model.folds.joints.tolist(), "speeds": model.folds.speeds.tolist()}
         | {"senses": model.folds.senses.tolist()},
         "controls": model.motors.tolist(),
@@ -116,6 +119,11 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "distances": model.distances.tolist(),
         "sums": [_reading(structure, measure)["parts"] for measure in sums_of(structure)],
     }
+
+
+def _spoken(name: str) -> str:
+    """The name of a point as it is read aloud: "facet1_vertex2" is "facet 1 vertex 2"."""
+    return re.sub(r"(?<=[a-z])(?=[0-9])", " ", name.replace("_", " "))
 
 
 def _reading(structure: Structure, measure: Measure) -> dict[str, Any]:

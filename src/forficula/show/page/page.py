@@ -30,7 +30,14 @@ def page_path(path: object) -> Path:
     return file
 
 
-def page_html(title: str, body: str, data: dict[str, Any] | None, live: dict[str, Any] | None = None) -> str:
+def page_html(
+    title: str,
+    body: str,
+    data: dict[str, Any] | None,
+    live: dict[str, Any] | None = None,
+    *,
+    served: bool = False,
+) -> str:
     """Assemble a page.
 
     Only the packed script may run, named by its hash, and nothing may be fetched: a name of a design that looks like a
@@ -42,13 +49,15 @@ def page_html(title: str, body: str, data: dict[str, Any] | None, live: dict[str
         data: what the script shows; its "kind" says how. None for a page on which nothing moves, which has no script.
         live: of a structure that the engine is to move in the page, from `live_data`; None where there is none, and so
             no engine in the page.
+        served: whether the page may ask the server that it comes from, which then tells what is live; the engine is in
+            it.
     """
     script, style = "" if data is None else built("page.js"), built("page.css")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{_policy(script, engine=_moves(live))}">
+<meta http-equiv="Content-Security-Policy" content="{_policy(script, engine=served or _moves(live), served=served)}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta name="generator" content="forficula">
@@ -59,7 +68,7 @@ def page_html(title: str, body: str, data: dict[str, Any] | None, live: dict[str
 <body>
 {"" if data is None else f'<noscript><aside class="note">{_NO_SCRIPT}</aside></noscript>'}
 {body}
-{"" if live is None else _engine(live)}{"" if data is None else _scripted(data, script)}</body>
+{_live(live)}{_engine() if served or _moves(live) else ""}{"" if data is None else _scripted(data, script)}</body>
 </html>
 """
 
@@ -68,15 +77,17 @@ def _moves(live: dict[str, Any] | None) -> bool:
     return live is not None and "refused" not in live
 
 
-def _engine(live: dict[str, Any]) -> str:
-    """What is live, and the engine where it moves, both only read once they are asked for."""
-    text = f'<script type="application/json" id="live">{_json(live)}</script>\n'
-    if not _moves(live):
-        return text
+def _live(live: dict[str, Any] | None) -> str:
+    """What is live, only read once it is asked for."""
+    return "" if live is None else f'<script type="application/json" id="live">{_json(live)}</script>\n'
+
+
+def _engine() -> str:
+    """The engine, alike."""
     script = base64.b64encode(zlib.compress(built("engine.js").encode(), 9)).decode("ascii")
     program = base64.b64encode((_BUILT / "engine.wasm.gz").read_bytes()).decode("ascii")
     return (
-        f'{text}<script type="text/plain" id="engine-script">{script}</script>\n'
+        f'<script type="text/plain" id="engine-script">{script}</script>\n'
         f'<script type="text/plain" id="engine-program">{program}</script>\n'
     )
 
@@ -97,11 +108,12 @@ def built(name: str) -> str:
     return (_BUILT / name).read_text("utf-8")
 
 
-def _policy(script: str, *, engine: bool) -> str:
+def _policy(script: str, *, engine: bool, served: bool) -> str:
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
     # the engine is compiled of what stands in the page, and runs in a worker that is made of it
     compiled, worker = (" 'wasm-unsafe-eval'", " worker-src blob:;") if engine else ("", "")
+    asked = " connect-src 'self'; frame-src 'self';" if served else ""
     return (
-        f"default-src 'none'; script-src 'sha256-{digest}'{compiled};{worker} style-src 'unsafe-inline';"
+        f"default-src 'none'; script-src 'sha256-{digest}'{compiled};{worker}{asked} style-src 'unsafe-inline';"
         " img-src data: blob:; base-uri 'none'; form-action 'none'"
     )

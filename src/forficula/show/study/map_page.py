@@ -250,7 +250,9 @@ def _cells(view: View, panel: Panel, scale: _Scale) -> Array:
 
 def _write_numbers(figure: Figure, view: View, drawn: Sequence[tuple[Axes, Panel, _Scale]]) -> None:
     """Every value in its cell, in the ink that shows on its colour, with as many digits as fit those of all maps."""
-    figure.draw_without_rendering()  # then it is known how wide they are
+    layout = figure.get_layout_engine()
+    assert layout is not None
+    layout.execute(figure)  # then it is known how wide they are
     fonts = FontProperties(size=_NUMBER)
     cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
     for digits in (3, 2, 1):

@@ -1,0 +1,49 @@
+"""The keys of one design as it stands."""
+
+import re
+
+import pytest
+
+from forficula.design import load_design, named_designs
+from forficula.design.held_keys import held_keys
+from forficula.design.key_table import key_facts
+from forficula.options import read_settings
+
+
+@pytest.mark.parametrize("name", named_designs())
+def test_every_key_of_a_kind_of_design_is_there_with_what_it_means_and_may_be(name):
+    design = load_design(name)
+    held = held_keys(design)
+    assert all(key.fact.meaning and key.fact.allowed for key in held)
+    of_one = {re.sub(r"\.\d+\.", ".0.", key.fact.key) for key in held}
+    # a list that is empty is one key, and so is a law that a tendon may have by its name
+    wholes = tuple(f"{key}.0." for key in of_one)
+    missing = [fact.key for fact in key_facts("", type(design)) if fact.key not in of_one]
+    assert [key for key in missing if not key.startswith(wholes) and ".law." not in key] == []
+    assert len({key.fact.key for key in held}) == len(held)
+
+
+@pytest.mark.parametrize("name", named_designs())
+def test_values_are_read_as_the_ones_that_they_are(name):
+    design = load_design(name)
+    values = {key.fact.key: key.value for key in held_keys(design) if key.value and not key.chosen}
+    read = load_design(name, read_settings([f"{key}={text}" for key, text in values.items() if ".law." not in key]))
+    for key, text in values.items():
+        assert next(each.value for each in held_keys(read) if each.fact.key == key) == text
+
+
+def test_chosen_values_are_told_with_the_rule(reference):
+    assert not any(key.chosen for key in held_keys(reference))
+    chosen = {key.fact.key: key for key in held_keys(load_design("letter-fold")) if key.chosen}
+    for choice in load_design("letter-fold").chosen:
+        key = chosen[f"{choice.section}.{choice.key}"]
+        assert key.chosen == choice.reason
+        assert key.value
+
+
+def test_words_are_offered_and_only_they_where_nothing_else_may_stand(reference):
+    held = {key.fact.key: key for key in held_keys(reference)}
+    assert (held["pattern.tangent"].words, held["pattern.tangent"].only_words) == (("left", "right"), True)
+    assert (held["protocol.contact"].words, held["protocol.contact"].only_words) == (("true", "false"), True)
+    assert (held["protocol.timestep"].words, held["protocol.timestep"].only_words) == (("auto",), False)
+    assert "tpu-95a" in held["tendon.law"].words

@@ -1,0 +1,310 @@
+"""The page of a workbench in a browser: what is changed there is built by the package, and folds as in Python."""
+
+import base64
+import json
+
+import numpy as np
+import pytest
+
+from forficula.analysis import measure
+from forficula.design import design_from_text
+from forficula.study.runs import run
+from tests.show.page.conftest import DEFAULTS, until
+from tests.show.page.keyboard import walk
+from tests.show.page.test_accessible_pages import ALL, CONTRAST, asked
+from tests.workbench.serving import SECONDS, serving
+from tests.workbench.test_server import SQUARE
+
+# a coarse protocol, so that it is soon over
+SETTINGS = {
+    "protocol.timestep": "0.4 ms",
+    "protocol.window": "10 ms",
+    "protocol.stages.0.time_limit": "20 ms",
+    "protocol.stages.1.time_limit": "0.1 s",
+    "protocol.stages.2.hold": "10 ms",
+    "protocol.stages.2.time_limit": "0.1 s",
+    "protocol.stages.3.time_limit": "0.2 s",
+    "protocol.stages.4.hold": "10 ms",
+    "protocol.stages.4.time_limit": "0.1 s",
+}
+DROP = """([files]) => {
+  const data = new DataTransfer();
+  for (const [name, text] of files) data.items.add(new File([text], name));
+  document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+}"""
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory):
+    options = [part for key, text in SETTINGS.items() for part in ("--set", f"{key}={text}")]
+    with serving("binder2025", *options, folder=tmp_path_factory.mktemp("bench")) as served:
+        yield served.address
+
+
+class Bench:
+    """The page, with what it writes to the console."""
+
+    def __init__(self, browser, address, **options):
+        self.context = browser.new_context(**DEFAULTS | options)
+        self.page = self.context.new_page()
+        self.messages = []
+        self.page.on("console", lambda said: "GPU stall" in said.text or self.messages.append(said.text))
+        self.page.on("pageerror", lambda error: self.messages.append(str(error)))
+        self.page.goto(address)
+        until(self.page, "window.forficula !== undefined", SECONDS)
+        self.built()
+
+    def built(self):
+        """Wait until what was asked is there, or refused."""
+        says = "document.querySelector('.says p[role=status]').textContent"
+        until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
+
+    def field(self, key):
+        """The field of a key, which is looked for as a reader does."""
+        self.page.get_by_label("Find a key").fill(key)
+        return self.page.locator(".field:visible").filter(has=self.page.locator(f'[data-key="{key}"]'))
+
+    def put(self, key, text):
+        """Write a value into the field of a key."""
+        entry = self.field(key).locator("[data-key]")
+        entry.fill(text)
+        entry.press("Enter")
+        self.settled()
+
+    def settled(self):
+        """Wait until what was just done has come to something."""
+        self.page.wait_for_timeout(100)
+        self.page.evaluate("forficula.idle()")
+        self.built()
+
+    def drop(self, *files):
+        self.page.evaluate(DROP, [list(files)])
+        self.page.wait_for_timeout(100)
+        self.settled()
+
+    def design(self):
+        """The design that is downloaded."""
+        link = self.page.get_by_role("link", name="Download the design")
+        return design_from_text(base64.b64decode(link.get_attribute("href").partition("base64,")[2]).decode())
+
+    def alert(self):
+        return self.page.get_by_role("alert").inner_text()
+
+    def press(self, name):
+        self.page.get_by_role("button", name=name, exact=True).click()
+
+
+@pytest.fixture
+def bench(browser, address):
+    opened = Bench(browser, address)
+    yield opened
+    opened.context.close()
+    assert opened.messages == []
+
+
+def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(bench):
+    bench.put("pattern.hub_radius", "1.8 cm")
+    design = bench.design()
+    assert design.pattern.hub_radius == pytest.approx(0.018)
+    outcome = measure(run(design))
+    page = bench.page
+    page.locator(".trial .choices select").first.select_option("real time")
+    bench.press("Whole protocol")
+    ended = "forficula.wing.panel.frame.ended?.stages.length === 5 && forficula.wing.panel.frame.stageNumber === null"
+    until(page, ended, SECONDS)
+    found = page.evaluate("forficula.wing.panel.frame.ended")
+    assert found["status"] == outcome.status
+    stated = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
+    assert np.degrees(found["stages"][2]["readings"][0]) == pytest.approx(stated, abs=0.01)
+    assert np.abs(stated).min() > 150
+
+
+def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
+    page = bench.page
+    page.get_by_role("button", name="top: view from above").click()
+    page.locator(".trial .choices select").first.select_option("1/20")
+    bench.put("pattern.units", "2")
+    assert len(bench.design().tendons) == 5
+    assert page.evaluate("forficula.wing.panel.frame.readings[0].length") == 5
+    assert page.locator(".readout thead th").count() == 6
+    assert page.locator(".trial .choices select").first.input_value() == "0.05"
+    assert page.evaluate("forficula.wing.panel.stage.eye.look.towards.z") > 0.99
+    assert "pattern.units=2" in page.locator(".taking code").inner_text()
+    assert page.locator("#view-wing canvas").count() == len(page.workers) == 1
+    # undone it is what it was
+    bench.field("pattern.units").get_by_role("button").click()
+    bench.settled()
+    assert len(bench.design().tendons) == 3
+
+
+def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench):
+    before = bench.design().hash
+    bench.put("pattern.hub_radius", "-3 cm")
+    field = bench.field("pattern.hub_radius")
+    assert field.locator(".wrong").inner_text() == "pattern.hub_radius: need >= 0, got -3 cm"
+    assert field.locator("input").get_attribute("aria-invalid") == "true"
+    assert field.locator("input").input_value() == "-3 cm"
+    assert "the last good model stays" in bench.alert()
+    assert bench.design().hash == before
+    assert bench.page.evaluate("forficula.wing.panel.frame.readings[0].length") == 3
+    # another key is changed meanwhile, and the bad one can be mended
+    bench.put("pattern.sector_angle", "19 deg")
+    assert bench.design().pattern.sector_angle == pytest.approx(np.radians(19))
+    assert bench.field("pattern.hub_radius").locator("input").input_value() == "-3 cm"
+    bench.put("pattern.hub_radius", "1.6 cm")
+    assert bench.field("pattern.hub_radius").locator(".wrong").inner_text() == ""
+    assert bench.design().pattern.hub_radius == pytest.approx(0.016)
+
+
+def test_values_that_are_allowed_together_alone_are_taken_once_both_are_there(bench):
+    bench.put("protocol.initial_overbend", "4 deg")
+    assert "last good model" in bench.alert()
+    bench.put("hinge.overbend", "5 deg")
+    design = bench.design()
+    assert (design.protocol.initial_overbend, design.hinge.overbend) == pytest.approx(np.radians([4, 5]))
+    assert bench.page.locator(".field.rejected").count() == 0
+
+
+def test_a_slider_changes_the_design_without_building_it_again(bench):
+    page = bench.page
+    time = page.evaluate("forficula.wing.panel.stage.canvas.dataset.same = 'yes'")
+    assert time
+    page.get_by_role("slider", name="Tendon stiffness").fill("140")
+    until(page, "'tendon.stiffness' in forficula.asked.settings", SECONDS)
+    text = page.evaluate("forficula.asked.settings['tendon.stiffness']")
+    assert bench.design().tendon.stiffness == pytest.approx(100 * float(text.split()[0]))
+    assert bench.field("tendon.stiffness").locator("input").input_value() == text
+    assert page.evaluate("forficula.wing.panel.stage.canvas.dataset.same") == "yes"
+
+
+def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
+    bench.drop(("door.fold", json.dumps(SQUARE)))
+    page = bench.page
+    assert page.locator("h1").inner_text() == "door"
+    assert "creases are no joints" in page.locator("#view-wing .offer").inner_text()
+    assert page.locator("#view-wing canvas").count() == 1
+    page.get_by_role("tab", name="Pattern").click()
+    until(page, "document.querySelector('#view-sheet img')?.complete === true", SECONDS)
+    assert "valley" in page.locator("#view-sheet img").get_attribute("alt")
+    bench.put("facet.thickness", "0.1 mm")
+    assert bench.design().facet.thickness == pytest.approx(1e-4)
+    bench.drop(("bad.fold", "{"))
+    assert bench.alert().startswith("bad.fold is not opened: bad.fold: ")
+    assert page.locator("h1").inner_text() == "door"
+
+
+def test_what_was_changed_is_there_after_a_reload(bench):
+    bench.put("pattern.units", "2")
+    bench.page.reload()
+    until(bench.page, "window.forficula !== undefined", SECONDS)
+    bench.built()
+    assert len(bench.design().tendons) == 5
+
+
+def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench):
+    page = bench.page
+    page.get_by_role("tab", name="Landscape").click()
+    bench.press("Survey it")
+    bench.press("Stop")
+    until(page, "document.querySelector('#view-landscape .note').textContent === 'Stopped.'", SECONDS)
+    page.locator("#which-design").select_option("binder2025-joint")
+    until(page, "document.querySelector('h1').textContent === 'binder2025-joint'", SECONDS)
+    bench.press("Survey it")
+    until(page, "document.querySelector('#view-landscape iframe') !== null", SECONDS)
+    shown = page.frame_locator("#view-landscape iframe")
+    shown.get_by_role("heading", name="binder2025-joint").wait_for()
+
+
+def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
+    bench.page.locator("#which-design").select_option("miura-sheet")
+    bench.settled()
+    before = bench.design()
+    entry = bench.field("pattern.columns").locator("[data-key]")
+    # some thousand facets
+    entry.fill("300")
+    entry.press("Enter")
+    bench.press("Stop building")
+    bench.settled()
+    assert bench.alert() == "building it was stopped \u2013 the last good model stays."
+    assert bench.design() == before
+    bench.put("pattern.columns", "3")
+    assert bench.design().pattern.columns == 3
+
+
+def test_the_design_file_is_written_by_hand(bench):
+    page = bench.page
+    page.get_by_role("tab", name="File").click()
+    area = page.get_by_label("The design file")
+    text = area.input_value()
+    area.fill(text.replace('diameter = "5 mm"', 'diameter = "4 mm"'))
+    bench.press("Build what stands here")
+    bench.settled()
+    assert bench.design().vein.diameter == pytest.approx(4e-3)
+    area.fill("diameter = ")
+    bench.press("Build what stands here")
+    bench.settled()
+    # there to be mended
+    assert area.input_value() == "diameter = "
+    assert "is not opened" in bench.alert()
+    assert bench.design().vein.diameter == pytest.approx(4e-3)
+
+
+def test_a_tip_is_pushed_by_keys_and_comes_back_when_they_are_left(bench):
+    page = bench.page
+    page.get_by_text("Push without a pointer").click()
+    page.locator(".push-keys select").first.select_option("tip 1")
+    before = np.array(page.evaluate("Array.from(forficula.wing.panel.frame.points)"))
+    page.get_by_role("button", name="push up").focus()
+    page.keyboard.down("ArrowUp")
+    page.wait_for_timeout(800)
+    assert page.locator(".push-keys [role=status]").inner_text().startswith("tip 1 pushed with ")
+    pushed = np.array(page.evaluate("Array.from(forficula.wing.panel.frame.points)"))
+    assert np.abs(pushed - before).max() > 1e-3
+    page.keyboard.up("ArrowUp")
+    assert page.locator(".push-keys [role=status]").inner_text() == ""
+
+
+def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
+    page = bench.page
+    page.get_by_role("tab", name="Wing").focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("document.activeElement.id") == "tab-sheet"
+    assert page.locator("#view-sheet").is_visible()
+    assert not page.locator("#view-wing").is_visible()
+    page.get_by_label("Find a key").focus()
+    page.keyboard.type("sector")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
+    page.keyboard.press("Control+A")
+    page.keyboard.type("21 deg")
+    page.keyboard.press("Enter")
+    until(page, "forficula.asked.settings['pattern.sector_angle'] === '21 deg'", SECONDS)
+    # and the keyboard is where it was
+    assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
+
+
+@pytest.mark.parametrize(("key", "width"), [("Tab", 1280), ("Shift+Tab", 390)])
+def test_the_keyboard_reaches_every_field_and_shows_where_it_is(bench, key, width):
+    bench.page.set_viewport_size({"width": width, "height": 844})
+    stops = walk(bench, key)
+    assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
+    fields = bench.page.locator("[data-key]:visible").count()
+    assert fields > 10
+    assert sum('id="key-' in stop["what"] for stop in stops) == fields
+
+
+@pytest.mark.parametrize(
+    ("width", "scheme", "rules"), [(1280, "light", ALL), (1280, "dark", CONTRAST), (390, "light", ALL)]
+)
+def test_it_is_for_readers_of_every_kind(browser, address, width, scheme, rules):
+    opened = Bench(browser, address, viewport={"width": width, "height": 844}, color_scheme=scheme)
+    page = opened.page
+    opened.put("pattern.hub_radius", "-3 cm")
+    for tab in ("Wing", "Pattern", "Landscape", "File"):
+        page.get_by_role("tab", name=tab, exact=True).click()
+        page.wait_for_timeout(300)
+        violations, _ = asked(page, rules)
+        assert violations == [], tab
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+    opened.context.close()

@@ -1,0 +1,76 @@
+"""A workbench in a process of its own, as the command line opens it, and what asks it."""
+
+import http.client
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import urlsplit
+
+SECONDS = 120  # for what takes a few, on a machine that is busy
+
+
+@dataclass(frozen=True, kw_only=True)
+class Served:
+    """A workbench that answers.
+
+    Attributes:
+        process: its own.
+        address: of its page.
+    """
+
+    process: subprocess.Popen
+    address: str
+
+    @property
+    def port(self) -> int:
+        port = urlsplit(self.address).port
+        assert port is not None
+        return port
+
+    def request(self, method, path="", body=None, headers=None):
+        """Status and bytes of an answer; a path without a slash is below that of the page."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=SECONDS)
+        whole = path if path.startswith("/") else urlsplit(self.address).path + path
+        connection.request(method, whole, body, headers or {})
+        answer = connection.getresponse()
+        found = answer.status, answer.read()
+        connection.close()
+        return found
+
+    def ask(self, what, **asked):
+        """What it says to a design."""
+        status, content = self.request("POST", what, json.dumps(asked), {"Content-Type": "application/json"})
+        assert status == 200, content
+        return json.loads(content)
+
+    def interrupt(self):
+        """Press ctrl-C; its errors, and its exit code."""
+        self.process.send_signal(signal.SIGINT)
+        _, errors = self.process.communicate(timeout=SECONDS)
+        return errors, self.process.returncode
+
+
+@contextmanager
+def serving(*arguments, folder, quietly=True):
+    """Open a workbench with these arguments of the command line, without a browser unless that is wanted."""
+    import forficula
+
+    command = [sys.executable, "-m", "forficula", "open", *arguments, *["--no-browser"] * quietly]
+    # wherever it begins, it is this package
+    environment = os.environ | {"PYTHONPATH": str(Path(forficula.__file__).parents[1])}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    process = subprocess.Popen(command, cwd=folder, env=environment, text=True, **pipes)
+    try:
+        found = re.search(r"http://\S+", process.stdout.readline())
+        assert found, process.communicate()[1]
+        yield Served(process=process, address=found[0])
+    finally:
+        if process.poll() is None:
+            process.kill()
+        process.communicate()

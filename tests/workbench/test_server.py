@@ -1,0 +1,272 @@
+"""The workbench as its page, and others, ask it."""
+
+import http.client
+import json
+import signal
+import socket
+import sys
+import time
+
+import pytest
+
+from forficula.design import design_from_text, load_design
+from forficula.workbench.server import LARGEST
+from tests.workbench.serving import SECONDS, serving
+
+SQUARE = {
+    "file_spec": 1.2,
+    "frame_unit": "cm",
+    "vertices_coords": [[0, 0], [4, 0], [8, 0], [8, 4], [4, 4], [0, 4]],
+    "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 4]],
+    "edges_assignment": ["B", "B", "B", "B", "B", "B", "V"],
+    "faces_vertices": [[0, 1, 4, 5], [1, 2, 3, 4]],
+}
+JSON = {"Content-Type": "application/json"}
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    with serving("letter-fold", folder=tmp_path_factory.mktemp("bench")) as it:
+        yield it
+
+
+def sent(name, text):
+    return [{"name": name, "text": text}]
+
+
+@pytest.mark.parametrize(
+    "headers",
+    [
+        # a name of another's that leads to this machine
+        {"Host": "workbench.example"},
+        {"Host": "workbench.example:80"},
+        {"Origin": "https://elsewhere.example"},
+        {"Origin": "null"},
+        {"Sec-Fetch-Site": "cross-site"},
+        # another port of this machine
+        {"Sec-Fetch-Site": "same-site"},
+    ],
+)
+def test_who_is_not_its_own_page_is_refused(served, headers):
+    for method, what in (("POST", "design"), ("GET", "")):
+        status, content = served.request(method, what, "{}" if method == "POST" else None, JSON | headers)
+        assert status == 403
+        assert json.loads(content)["refused"].startswith("this workbench answers to ")
+        assert b"letter-fold" not in content
+
+
+def test_its_own_page_is_answered(served):
+    own = {"Origin": f"http://127.0.0.1:{served.port}", "Sec-Fetch-Site": "same-origin"}
+    assert served.request("POST", "design", "{}", JSON | own)[0] == 200
+    status, page = served.request("GET", headers={"Sec-Fetch-Site": "none"})
+    assert status == 200
+    assert b"wasm-unsafe-eval" in page
+    assert b"'unsafe-eval'" not in page
+
+
+def test_who_does_not_know_its_address_finds_nothing(served):
+    for path in ("/", "/design", "/wrong/", f"{'x' * 22}/design"):
+        assert served.request("GET", path)[0] == 404
+    assert served.request("GET", "results/1/report.html")[0] == 404
+    assert served.request("GET", "results/../../etc/passwd")[0] == 404
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only there every address of 127/8 is this machine's")
+def test_it_listens_on_one_address_of_this_machine_alone(served):
+    socket.create_connection(("127.0.0.1", served.port), timeout=5).close()
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection(("127.0.0.2", served.port), timeout=5)
+
+
+def test_more_than_a_design_can_be_is_not_taken(served):
+    connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
+    path = served.address.partition(str(served.port))[2]
+    connection.putrequest("POST", f"{path}design")
+    connection.putheader("Content-Type", "application/json")
+    connection.putheader("Content-Length", str(LARGEST + 1))
+    connection.endheaders()
+    assert connection.getresponse().status == 400
+    connection.close()
+
+
+@pytest.mark.parametrize(
+    ("body", "kind", "status"),
+    [
+        ("{}", "text/plain", 415),
+        ("no JSON", "application/json", 400),
+        ('{"path": "/etc/passwd"}', "application/json", 400),
+        ('{"files": [{"name": "../a.toml", "text": ""}]}', "application/json", 400),
+    ],
+)
+def test_what_no_page_of_its_own_asks_is_refused(served, body, kind, status):
+    assert served.request("POST", "design", body, {"Content-Type": kind})[0] == status
+
+
+def test_a_design_is_told_with_its_keys_its_file_and_the_command_that_runs_it(served):
+    told = served.ask("design", settings={"tendon.0.stiffness": "0.6 N/cm"})
+    design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
+    assert design_from_text(told["text"]).hash == design.hash
+    assert told["command"] == 'forficula run letter-fold --set tendon.0.stiffness="0.6 N/cm"'
+    values = {key["key"]: key["value"] for key in told["keys"]}
+    assert values["tendon.0.stiffness"] == "0.6 N/cm"
+    assert values["tendon.1.stiffness"] == served_value("letter-fold", "tendon.1.stiffness")
+
+
+def served_value(name, key):
+    from forficula.design.held_keys import held_keys
+
+    return next(each.value for each in held_keys(load_design(name)) if each.fact.key == key)
+
+
+@pytest.mark.parametrize(
+    ("asked", "refused"),
+    [
+        ({"settings": {"tendon.0.stiffness": "-1 N/cm"}}, "tendon.0.stiffness: need >= 0, got -1 N/cm"),
+        ({"settings": {"tendon.0.stiffness": "3"}}, "tendon.0.stiffness: "),
+        ({"settings": {"tendon.0.stifness": "1 N/cm"}}, "tendon.0.stifness: unknown key"),
+        ({"design": "/etc/passwd"}, "design: need "),
+        ({"files": sent("a.toml", "based_on = ")}, "a.toml: "),
+        ({"files": sent("a.toml", 'based_on = "binder2025"\nvein.diameter = "5 cm"')}, "a.toml: vein.diameter: "),
+        ({"files": sent("a.toml", 'based_on = "binder2025"\ntendon.law = "x.toml"')}, "a.toml: tendon.law: x.toml: "),
+        ({"files": sent("a.exe", "")}, "need a file that ends with .toml"),
+        ({"files": sent("a.fold", "{")}, "a.fold: "),
+    ],
+)
+def test_what_is_no_design_is_refused_in_the_words_of_the_package(served, asked, refused):
+    told = served.ask("design", **asked)
+    assert told["refused"].startswith(refused)
+    assert "/tmp" not in told["refused"]
+
+
+def test_a_dropped_fold_file_is_a_design(served):
+    files = sent("door.fold", json.dumps(SQUARE))
+    told = served.ask("design", files=files)
+    assert told["name"] == "door"
+    assert told["command"] == "forficula run door.fold"
+    assert {key["key"] for key in told["keys"] if key["chosen"]} >= {"facet.thickness"}
+    assert "mountain" not in served.ask("pattern", files=files)["said"]
+    model = served.ask("model", files=files)
+    assert model["live"]["refused"]
+    assert model["bench"]["clips"][0]["pointCount"] == 6
+
+
+def test_a_drawing_without_a_unit_takes_that_of_the_page(served):
+    files = sent("door.fold", json.dumps({key: value for key, value in SQUARE.items() if key != "frame_unit"}))
+    assert "unit" in served.ask("design", files=files)["refused"]
+    assert "unit" in served.ask("design", files=files, unit="3")["refused"]
+    told = served.ask("design", files=files, unit="1 mm")
+    assert told["command"] == 'forficula run door.fold --unit "1 mm"'
+    x = next(key["value"] for key in told["keys"] if key["key"] == "pattern.vertices_x")
+    assert json.loads(x) == ["0 cm", "0.4 cm", "0.8 cm", "0.8 cm", "0.4 cm", "0 cm"]
+
+
+def test_a_design_is_dropped_with_the_files_that_it_names(served):
+    head = 'based_on = "miura-sheet"\ntendon = []\nsupport = []\nmeasure = []\n'
+    design = {"name": "mine.toml", "text": f'{head}[pattern]\nkind = "fold-file"\npath = "door.fold"\n'}
+    files = [design, {"name": "door.fold", "text": json.dumps(SQUARE)}]
+    told = served.ask("design", files=files)
+    assert told.get("name") == "mine", told
+    assert served.ask("design", files=files[:1])["refused"].startswith("mine.toml: ")
+
+
+def test_the_model_is_the_one_that_the_package_builds_for_a_page(served):
+    from forficula.show.page.bench_page import at_start
+    from forficula.show.page.live_data import live_data
+
+    told = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
+    design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})
+    clip = at_start(design)
+    own = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
+    assert told["live"] == json.loads(json.dumps(own))
+
+
+def lines(served, what, **asked):
+    status, content = served.request("POST", what, json.dumps(asked), JSON)
+    assert status == 200
+    return [json.loads(line) for line in content.splitlines()]
+
+
+def test_a_landscape_is_told_step_by_step_and_kept_as_a_page(served):
+    *steps, last = lines(served, "landscape", design="binder2025-joint")
+    assert any("drawing" in step["doing"] for step in steps)
+    status, page = served.request("GET", last["done"])
+    assert status == 200
+    assert b"<title>binder2025-joint: landscape</title>" in page
+
+
+def test_what_cannot_be_surveyed_says_why(served):
+    (last,) = lines(served, "landscape", settings={"tendon.0.stiffness": "-1 N/cm"})
+    assert last["refused"] == "tendon.0.stiffness: need >= 0, got -1 N/cm"
+
+
+def test_work_ends_when_its_page_leaves(served):
+    slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
+    connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
+    connection.request("POST", served.address.partition(str(served.port))[2] + "run", slow, JSON)
+    assert b"doing" in connection.getresponse().readline()
+    # hours of work
+    connection.sock.shutdown(socket.SHUT_RDWR)
+    connection.close()
+    assert (
+        "done"
+        in lines(
+            served,
+            "run",
+            settings={"protocol.stages": '[{name="s", drive="none", until="time", hold="0 s", time_limit="10 ms"}]'},
+        )[-1]
+    )
+
+
+@pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
+def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line(tmp_path):
+    with serving("letter-fold", folder=tmp_path) as served:
+        connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
+        slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
+        connection.request("POST", served.address.partition(str(served.port))[2] + "run", slow, JSON)
+        connection.getresponse().readline()
+        errors, code = served.interrupt()
+        connection.close()
+    assert code == 130
+    assert errors.splitlines() == ["forficula: stopped"]
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="there BROWSER names the browser")
+def test_it_is_shown_in_the_browser_unless_that_is_not_wanted(tmp_path, monkeypatch):
+    (tmp_path / "browser.py").write_text("import sys, pathlib; pathlib.Path('shown').write_text(sys.argv[1])", "utf-8")
+    monkeypatch.setenv("BROWSER", f"{sys.executable} {tmp_path / 'browser.py'} %s")
+    with serving("letter-fold", folder=tmp_path, quietly=False) as served:
+        end = time.monotonic() + SECONDS
+        while not (tmp_path / "shown").exists() or not (tmp_path / "shown").read_text():
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        assert (tmp_path / "shown").read_text() == served.address
+
+
+def test_a_port_that_is_taken_is_named(capsys):
+    from forficula.cli import main
+
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        with pytest.raises(SystemExit) as end:
+            main(["open", "letter-fold", "--no-browser", "--port", str(port)])
+    assert end.value.code == 1
+    assert capsys.readouterr().err.startswith(f"forficula: --port: {port} cannot be had: ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--port", "0"], "--port: need 1 to 65535, got 0"),
+        (["--port", "8000", "--out", "a.html"], "--port: --out writes a file, which is not served"),
+        (["--set", "tendon.0.stiffness=-1 N/cm"], "tendon.0.stiffness: need >= 0, got -1 N/cm"),
+    ],
+)
+def test_what_cannot_be_opened_is_answered_in_one_line(arguments, message, capsys):
+    from forficula.cli import main
+
+    with pytest.raises(SystemExit):
+        main(["open", "letter-fold", *arguments])
+    assert capsys.readouterr().err == f"forficula: {message}\n"

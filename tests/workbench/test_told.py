@@ -1,0 +1,62 @@
+"""What a workbench tells of a design."""
+
+import shlex
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from forficula.design import load_design
+from forficula.options import setting_texts
+from forficula.workbench.asked import Asked, Opened, SentFile
+from forficula.workbench.told import command_of, design_told, model_told, pattern_told
+
+LETTER = Opened(design="letter-fold")
+
+
+@given(
+    st.dictionaries(st.sampled_from(["name", "tendon.stiffness", "protocol.stages"]), st.text(min_size=1), max_size=3)
+)
+def test_the_command_is_read_by_a_shell_as_what_was_set(settings):
+    kept = {key: text for key, text in settings.items() if text.isprintable()}
+    words = shlex.split(command_of(Asked(settings=kept), LETTER))
+    assert words[:3] == ["forficula", "run", "letter-fold"]
+    assert words[3::2] == ["--set"] * len(kept)
+    assert setting_texts(words[4::2]) == {key: text.strip() for key, text in kept.items()}
+
+
+@pytest.mark.parametrize(
+    ("asked", "opened", "command"),
+    [
+        (Asked(), Opened(design="my wing.toml"), "forficula run 'my wing.toml'"),
+        (Asked(), Opened(design="sheet.fold", unit=0.01), 'forficula run sheet.fold --unit "0.01 m"'),
+        (Asked(design="binder2025"), Opened(design="sheet.fold", unit=0.01), "forficula run binder2025"),
+        (Asked(settings={"pattern.units": "2"}), LETTER, "forficula run letter-fold --set pattern.units=2"),
+        (Asked(settings={"a.b": "2 cm"}), LETTER, 'forficula run letter-fold --set a.b="2 cm"'),
+    ],
+)
+def test_the_command_names_what_is_open(asked, opened, command):
+    assert command_of(asked, opened) == command
+
+
+def test_a_design_says_what_it_is_and_each_section_what_it_holds():
+    told = design_told(Asked(), LETTER)
+    assert told["hash"] == load_design("letter-fold").hash
+    assert set(told["sections"]) == {key["key"].partition(".")[0] for key in told["keys"] if "." in key["key"]}
+    assert all(told["sections"].values())
+
+
+def test_a_structure_that_the_engine_of_pages_would_move_otherwise_is_told_with_the_reason_and_shown():
+    told = model_told(Asked(design="bistable-miura"), LETTER)
+    assert told["live"] == {"refused": "its creases are no joints, which engines before MuJoCo 4.0 do not take"}
+    assert told["bench"]["clips"][0]["pointCount"] == 9
+
+
+def test_a_pattern_with_a_vertex_that_does_not_fold_flat_says_so():
+    text = """{"file_spec": 1.2, "frame_unit": "cm", "vertices_coords": [[0, 0], [4, 0], [1.37, 3.76], [-4, 0],
+        [1, -3]],
+        "edges_vertices": [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]],
+        "edges_assignment": ["V", "M", "M", "M", "B", "B", "B", "B"]}"""
+    asked = Asked(files=(SentFile(name="odd.fold", text=text),))
+    assert "1 of 1 inner vertices do not fold flat" in pattern_told(asked, LETTER)["said"]
+    assert "do not fold flat" not in pattern_told(Asked(), LETTER)["said"]

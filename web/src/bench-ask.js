@@ -1,0 +1,42 @@
+/** What the page of a workbench asks its server, which alone reads, builds and surveys designs. */
+
+const HEADERS = { "Content-Type": "application/json" };
+const LARGEST = 19e6; // bytes of what the server takes, with some room
+
+/** What the server says to a design, {refused} where that cannot be; throws an AbortError where the signal ends it. */
+export async function ask(what, asked, signal) {
+  const body = JSON.stringify(asked);
+  if (body.length > LARGEST) return { refused: `need files of at most ${LARGEST / 1e6} MB in all` };
+  try {
+    const reply = await fetch(what, { method: "POST", headers: HEADERS, body, signal });
+    return await reply.json();
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    return { refused: GONE };
+  }
+}
+
+/** The same of what takes longer: `hear` is told what is being done; returns the last line, {done} or {refused}. */
+export async function follow(what, asked, signal, hear) {
+  let rest = "";
+  let last = { refused: GONE };
+  try {
+    const reply = await fetch(what, { method: "POST", headers: HEADERS, body: JSON.stringify(asked), signal });
+    const lines = reply.body.pipeThrough(new TextDecoderStream()).getReader();
+    for (let part = await lines.read(); !part.done; part = await lines.read()) {
+      const texts = `${rest}${part.value}`.split("\n");
+      rest = texts.pop();
+      for (const text of texts) {
+        last = JSON.parse(text);
+        if (last.doing) hear(last.doing);
+      }
+    }
+    if (rest) last = JSON.parse(rest);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    return { refused: GONE };
+  }
+  return last.doing ? { refused: GONE } : last;
+}
+
+const GONE = "the workbench does not answer; is forficula open still running?";

@@ -1,0 +1,76 @@
+/** Which design a workbench has: a named one, or files that are dropped on the page or chosen. */
+
+import { make } from "./elements.js";
+
+/** open: told {design} or {files, unit}. */
+export function makeOpening(designs, opened, open) {
+  const given = make("option", { value: "" }, opened);
+  const named = designs.filter(({ name }) => name !== opened).map(({ name, shows }) => make("option", { value: name, title: shows }, name));
+  const choice = make("select", { id: "which-design" }, given, ...named);
+  const files = make("input", { type: "file", id: "which-files", multiple: true, accept: ".toml,.fold,.svg,.dxf", className: "spoken" });
+  const unit = make("input", { type: "text", id: "which-unit", placeholder: "1 cm", size: 6, spellcheck: false });
+  const hint = "A design (.toml, with the files that it names), a FOLD file or a drawing (.svg, .dxf) can be dropped anywhere on the page.";
+  const drop = make("label", { className: "button", htmlFor: "which-files" }, "Open files \u2026");
+  const element = make(
+    "div",
+    { className: "opening choices" },
+    make("label", { htmlFor: "which-design" }, "design ", choice),
+    make("span", { className: "choosing" }, files, drop),
+    make("label", { htmlFor: "which-unit", title: "of a FOLD file or drawing that names none" }, "unit of a drawing ", unit),
+    make("p", { className: "note" }, hint),
+  );
+  choice.addEventListener("change", () => open({ design: choice.value, files: [], unit: "" }));
+  files.addEventListener("change", async () => {
+    if (files.files.length) await take([...files.files]);
+    files.value = "";
+  });
+  unit.addEventListener("change", () => {
+    if (last) open({ design: "", files: last, unit: unit.value.trim() });
+  });
+  let last = null;
+
+  async function take(found) {
+    const read = await Promise.all(found.map(async (file) => ({ name: file.name, text: await file.text() })));
+    last = inOrder(read);
+    await open({ design: "", files: last, unit: unit.value.trim() });
+  }
+
+  listenToDrops(take);
+  return {
+    element,
+    /** Say what is open now. */
+    show({ design, files: sent }) {
+      choice.querySelector(".sent")?.remove();
+      if (sent.length) choice.append(make("option", { value: sent[0].name, className: "sent" }, sent[0].name));
+      choice.value = sent.length ? sent[0].name : design;
+      last = sent.length ? sent : null;
+    },
+  };
+}
+
+/** The design first: a design file that no other names, or what there is. */
+function inOrder(files) {
+  const designs = files.filter(({ name }) => /\.toml$/i.test(name));
+  const first = designs.find(({ name }) => !designs.some((other) => other.name !== name && other.text.includes(name))) ?? files[0];
+  return [first, ...files.filter((file) => file !== first)];
+}
+
+function listenToDrops(take) {
+  const { body } = document;
+  const over = (event) => {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    body.classList.add("dropping");
+  };
+  body.addEventListener("dragenter", over);
+  body.addEventListener("dragover", over);
+  body.addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) body.classList.remove("dropping");
+  });
+  body.addEventListener("drop", (event) => {
+    body.classList.remove("dropping");
+    if (!event.dataTransfer?.files.length) return;
+    event.preventDefault();
+    take([...event.dataTransfer.files]);
+  });
+}

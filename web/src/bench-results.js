@@ -1,0 +1,52 @@
+/** What the package finds for a workbench and takes a while: asked for, waited for or stopped, and shown as its page. */
+
+import { follow } from "./bench-ask.js";
+import { make } from "./elements.js";
+
+/** what: "landscape" or "run"; text: what it finds, in a sentence; asked: gives what is asked of the server now. */
+export function makeResults(what, { button: words, text, title }, asked) {
+  const start = make("button", { type: "button", className: "try" }, words);
+  const stop = make("button", { type: "button", hidden: true }, "Stop");
+  const said = make("p", { className: "note", role: "status" }, text);
+  const place = make("div");
+  const element = make("div", { className: "results" }, make("div", { className: "offer" }, start, stop, said), place);
+  let shown = null;
+  let doing = null;
+
+  async function find() {
+    if (doing) return;
+    const wanted = asked();
+    const began = performance.now();
+    doing = new AbortController();
+    start.disabled = true;
+    stop.hidden = false;
+    said.textContent = "Beginning \u2026";
+    try {
+      const reply = await follow(what, wanted, doing.signal, (step) => (said.textContent = `${step} \u2026`));
+      if (reply.refused) said.textContent = `There is none: ${reply.refused}.`;
+      else show(reply.done, wanted, (performance.now() - began) / 1000);
+    } catch {
+      said.textContent = "Stopped.";
+    }
+    doing = null;
+    start.disabled = false;
+    stop.hidden = true;
+  }
+
+  function show(address, wanted, seconds) {
+    shown = JSON.stringify(wanted);
+    said.textContent = `Done in ${seconds.toFixed(seconds < 10 ? 1 : 0)} s.`;
+    const alone = make("a", { href: address, target: "_blank", rel: "noopener" }, "In a window of its own");
+    const frame = make("iframe", { src: address, title, sandbox: "allow-scripts allow-downloads" });
+    place.replaceChildren(make("p", {}, alone), frame);
+  }
+
+  /** Say so where the design has changed since. */
+  function changed() {
+    if (shown !== null && !doing && shown !== JSON.stringify(asked())) said.textContent = "This is of the design before its last change.";
+  }
+
+  start.addEventListener("click", find);
+  stop.addEventListener("click", () => doing?.abort());
+  return { element, find, seen: changed };
+}

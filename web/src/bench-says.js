@@ -1,0 +1,49 @@
+/** What a workbench says of itself, and the design that it hands out. */
+
+import { asAddress } from "./bench-file.js";
+import { make } from "./elements.js";
+
+const PATIENCE = 1500; // ms from which on a building can be stopped
+
+/** What is being done, and what was refused. */
+export function makeSays() {
+  const said = make("p", { role: "status" });
+  const wrong = make("p", { className: "wrong", role: "alert" });
+  const stop = make("button", { type: "button", hidden: true }, "Stop building");
+  let waiting = 0;
+  let end = null;
+  stop.addEventListener("click", () => end?.());
+
+  function show(text, refused = "") {
+    clearTimeout(waiting);
+    stop.hidden = true;
+    said.textContent = text;
+    wrong.textContent = refused;
+  }
+
+  return {
+    element: make("div", { className: "says" }, said, stop, wrong),
+    wait(text, ending) {
+      show(`${text} \u2026`);
+      end = ending;
+      if (ending) waiting = setTimeout(() => (stop.hidden = false), PATIENCE);
+    },
+    done: (text) => show(text),
+    refuse: (why) => show("", why.endsWith(".") ? why : `${why}.`),
+  };
+}
+
+/** The design to be taken away: its file, and the command that runs it. */
+export function makeTaking() {
+  const link = make("a", { className: "button" }, "Download the design");
+  const command = make("code");
+  const line = make("pre", { tabIndex: 0, role: "group", "aria-label": "the command that runs it" }, command);
+  return {
+    element: make("div", { className: "taking" }, link, line),
+    show(told) {
+      link.href = asAddress(told.text, "application/toml");
+      link.download = `${told.name}.toml`;
+      command.textContent = told.command;
+    },
+  };
+}

@@ -1,0 +1,88 @@
+/** The page of a workbench: a design whose every key can be changed, built again by the server, and seen from all sides. */
+
+import { keptDesign, makeDesign } from "./bench-design.js";
+import { makeFile } from "./bench-file.js";
+import { makeKeys } from "./bench-keys.js";
+import { makeOpening } from "./bench-open.js";
+import { makeResults } from "./bench-results.js";
+import { makeSays, makeTaking } from "./bench-says.js";
+import { makeSheet } from "./bench-sheet.js";
+import { makeSlid } from "./bench-slid.js";
+import { makeTabs } from "./bench-tabs.js";
+import { makeWing } from "./bench-wing.js";
+import { make } from "./elements.js";
+import { capital } from "./format.js";
+
+const RESULTS = {
+  landscape: { button: "Survey it", text: "Statics finds where it rests, what lies between, and what its drives do.", title: "landscape" },
+  run: { button: "Run it", text: "The package takes it through its protocol, looks at the energy balance, and tells what came of it.", title: "run" },
+};
+
+export async function showWorkbench(data) {
+  const says = makeSays();
+  let queue = Promise.resolve();
+  const next = (job) => (queue = queue.then(job).catch((error) => says.refuse(error.message)));
+  const design = makeDesign({ says, told: show, model: build });
+  const slid = makeSlid((settings) => next(() => design.slide(settings)));
+  const open = (where) => next(() => design.open(where, {}));
+  const opening = makeOpening(data.designs, data.opened, open);
+  const keys = makeKeys((key, text) => {
+    slid.hand();
+    next(() => design.change(key, text));
+  });
+  const views = makeViews(design, slid, open);
+  const taking = makeTaking();
+
+  /** Show what a design is, and which of its keys were set or refused. */
+  function show({ asked, base, told, rejected }) {
+    document.title = `${told.title}: workbench`;
+    document.querySelector("h1").textContent = told.title;
+    opening.show(asked);
+    keys.show(told, asked.settings, base);
+    for (const [key, { text, why }] of rejected) keys.reject(key, text, why);
+    views.file.show(told);
+    taking.show(told);
+    views.tabs.seen();
+  }
+
+  async function build(model) {
+    await views.wing.show(model);
+    views.tabs.name("wing", capital(model.bench.whole));
+  }
+
+  const head = make("div", { className: "masthead" }, opening.element, taking.element, says.element);
+  document.getElementById("workbench").append(head, keys.element, views.tabs.element);
+  views.tabs.choose("wing");
+  await next(() => begin(design, data));
+  return Object.assign(design, { wing: views.wing, idle: () => queue });
+}
+
+/** Open what was there before the page was loaded again, or else what the workbench was opened with. */
+async function begin(design, data) {
+  const kept = keptDesign();
+  if (kept && !(await design.open({ design: kept.design, files: kept.files, unit: kept.unit }, kept.settings))) return;
+  await design.open({ design: "", files: [], unit: "" }, data.settings);
+}
+
+/** Its structure, its pattern, what is found on demand, and its file. */
+function makeViews(design, slid, open) {
+  const asked = () => design.asked;
+  const results = Object.fromEntries(Object.entries(RESULTS).map(([what, words]) => [what, makeResults(what, words, asked)]));
+  const wing = makeWing(slid.put, () => {
+    tabs.choose("run");
+    results.run.find();
+  });
+  const sheet = makeSheet(asked);
+  const file = makeFile((text) => open({ design: "", files: [{ name: `${design.told?.name ?? "design"}.toml`, text }], unit: "" }));
+  const tabs = makeTabs(
+    [
+      { name: "wing", title: "Structure", element: wing.element },
+      { name: "sheet", title: "Pattern", ...sheet },
+      { name: "landscape", title: "Landscape", ...results.landscape },
+      { name: "run", title: "Run", ...results.run },
+      { name: "file", title: "File", element: file.element },
+    ],
+    "views of the design",
+  );
+  return { tabs, wing, file };
+}
