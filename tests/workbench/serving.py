@@ -72,5 +72,6 @@ def serving(*arguments, folder, quietly=True):
         yield Served(process=process, address=found[0])
     finally:
         if process.poll() is None:
-            process.kill()
-        process.communicate()
+            # a job in the background ignores ctrl-C
+            process.send_signal(signal.SIGKILL if signal.getsignal(signal.SIGINT) == signal.SIG_IGN else signal.SIGINT)
+        process.communicate(timeout=SECONDS)

@@ -218,7 +218,9 @@ def test_work_ends_when_its_page_leaves(served):
 
 
 @pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
-def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line(tmp_path):
+def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(tmp_path, tmp_path_factory, monkeypatch):
+    temporary = tmp_path_factory.mktemp("temporary")
+    monkeypatch.setenv("TMPDIR", str(temporary))
     with serving("letter-fold", folder=tmp_path) as served:
         connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
         slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
@@ -229,6 +231,7 @@ def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line(tmp_path):
     assert code == 130
     assert errors.splitlines() == ["forficula: stopped"]
     assert list(tmp_path.iterdir()) == []
+    assert list(temporary.iterdir()) == []
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="there BROWSER names the browser")

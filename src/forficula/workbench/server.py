@@ -76,8 +76,8 @@ async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None])
     listening.setblocking(False)
     # others who have an account on this machine reach its ports, too, but do not know this
     secret = secrets.token_urlsafe(16)
-    workers = Worker(opened), Worker(opened)
     with TemporaryDirectory(prefix="forficula-", ignore_cleanup_errors=True) as folder:
+        workers = Worker(opened, Path(folder)), Worker(opened, Path(folder))
         quick, slow = (Desk(worker) for worker in workers)
         bench = Bench(opened=opened, port=own_port, quick=quick, slow=slow, folder=Path(folder))
         server = HTTPServer(application(bench, secret), max_body_size=LARGEST, max_buffer_size=2 * LARGEST)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import tempfile
 import threading
 import traceback
 from collections.abc import Callable
@@ -28,8 +29,10 @@ class StoppedError(Exception):
 class Worker:
     """A process that begins with the first task, and again with the next one after it was ended."""
 
-    def __init__(self, opened: Opened) -> None:
+    def __init__(self, opened: Opened, folder: Path) -> None:
         self._opened = opened
+        # where what an ended task leaves is removed with all else
+        self._folder = folder
         self._lock = threading.Lock()
         self._process: multiprocessing.process.BaseProcess | None = None
         self._pipe: Connection | None = None
@@ -83,17 +86,18 @@ class Worker:
             return self._pipe
         context = multiprocessing.get_context("spawn")
         self._pipe, own = context.Pipe()
-        self._process = context.Process(target=_work, args=(own, self._opened), daemon=True)
+        self._process = context.Process(target=_work, args=(own, self._opened, self._folder), daemon=True)
         self._process.start()
         # held here it would not end with the process
         own.close()
         return self._pipe
 
 
-def _work(pipe: Connection, opened: Opened) -> None:
+def _work(pipe: Connection, opened: Opened, temporary: Path) -> None:
     """Do tasks until whoever asks for them is gone."""
     # whoever presses ctrl-C means the server, which then ends this
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    tempfile.tempdir = str(temporary)
     threading.Thread(target=_leave_with_parent, daemon=True).start()
     # what is imported before the first task need not be waited for then
     import forficula.workbench.told  # noqa: F401
