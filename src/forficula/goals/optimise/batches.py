@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator, Sequence
 
 import numpy as np
@@ -55,29 +56,43 @@ def batches(
     trials: list[Trial] = []
     asked: set[Point] = set()
     filling = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
-    first = max(_LEAST_START, _START * len(axes), batch)
     weights, number = aim_weights(objectives), 0
     while True:
         generator = np.random.default_rng([seed, number])
-        if len(trials) < first:
+        if len(trials) < filling_count(axes, batch):
             wanted = [*placed(axes, np.array(starts).reshape(-1, len(axes)))] if number == 0 else []
-            wanted += placed(axes, filling.random(batch))
+            wanted += placed(axes, _filling_points(filling, batch))
         else:
             wanted = _near(axes, archive_of(trials), weights, batch, number, generator)
             rest = batch - len(_new(wanted, asked, batch))
             spread = 0 if any(trial.feasible for trial in trials) else round(_FILLING * rest)
-            wanted += placed(axes, filling.random(spread)) if spread else []
+            wanted += placed(axes, _filling_points(filling, spread)) if spread else []
             wanted += varied(axes, best_ranked(trials, _POPULATION * batch), rest - spread, generator)
         points = _new(wanted, asked, batch)
         # what differential evolution repeats is of no use: fill instead, as long as there is anything to fill
         for _ in range(8):
             if len(points) < batch:
-                points += _new(placed(axes, filling.random(batch)), asked | set(points), batch - len(points))
+                points += _new(placed(axes, _filling_points(filling, batch)), asked | set(points), batch - len(points))
         if not points:
             return
         asked |= set(points)
         trials += yield points
         number += 1
+
+
+def filling_count(axes: Sequence[Axis], batch: int) -> int:
+    """How many points fill the space evenly before a search looks closer anywhere, in whole batches.
+
+    Args:
+        axes: of the search.
+        batch: points at a time.
+    """
+    return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
+
+
+def _filling_points(filling: qmc.Sobol, count: int) -> NDArray[np.float64]:
+    """Further points of a sequence; drawn one by one, for together scipy warns of counts that are no power of two."""
+    return np.array([filling.random()[0] for _ in range(count)])
 
 
 def _new(points: Sequence[Point], asked: set[Point], count: int) -> list[Point]:

@@ -3,24 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from forficula.goals.goal import Goal
-from forficula.goals.optimise.axis import Axis
+from forficula.goals.optimise.batches import filling_count
 from forficula.goals.optimise.candidate import axes_of
-
-# trials before parabolas are of use, an axis, and at least: those of `batches`
-_AN_AXIS, _LEAST = 4, 32
-
-
-def filling_count(axes: Sequence[Axis], batch: int) -> int:
-    """How many points fill the space evenly before a search looks closer anywhere, in whole batches.
-
-    Args:
-        axes: of the search.
-        batch: points at a time.
-    """
-    return batch * math.ceil(max(_LEAST, _AN_AXIS * len(axes), batch) / batch)
 
 
 def only_fills(goal: Goal) -> int | None:
