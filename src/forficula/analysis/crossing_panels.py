@@ -163,7 +163,8 @@ def crossing_depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array)
     Where an edge of one goes through the other there are two parts of either panel, on either side of the other. The
     part that reaches less far from the other panel is what has passed: the depth there is the least reach of these four
     parts, and that of the panels the largest of all their edges. A part is made of nodes of one side that edges join,
-    and that have the other panel before them: what lies beside it may be on any side of it.
+    and that have the other panel before them: what lies beside it may be on any side of it. Nodes that lie in the other
+    panel are on no side of it: a whole row of them hides that their edges go through, and the depth may come out less.
 
     Args:
         one: a panel.
