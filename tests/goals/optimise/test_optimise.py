@@ -207,3 +207,35 @@ def test_another_designs_folder_is_refused(tmp_path):
     optimise_goal(goal_of(ROBUST | {"search": {"runs": 1, "batch": 4}, "limits": {}}), tmp_path)
     with pytest.raises(InputError, match="another design"):
         optimise_goal(goal_of(STATICS | {"design": JOINT.with_values({"vein.diameter": "6 mm"})}), tmp_path)
+
+
+def test_an_optimum_at_a_bound_of_what_may_vary_says_so(tmp_path):
+    """Of one area the force grows as the tendon is made shorter: the shortest holds hardest."""
+    goal = {
+        "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "6 cm", "high": "9 cm"}},
+        "limits": {"hinge_opening_torque": "<= 32 N cm"},
+        "objectives": {"hinge_holding_torque": "largest"},
+        "search": {"runs": 96, "batch": 16},
+    }
+    held = optimise_goal(goal_of(STATICS | goal), tmp_path / "held")
+    edge = [each for each in told(held) if "at the edge of what may vary" in each]
+    (best,) = held.designs
+    at_bound = {
+        f"{AREA} at its highest": best.tendons[0].area > 19.98e-6,
+        f"{LENGTH} at its lowest": best.tendons[0].rest_length < 0.06003,
+        f"{LENGTH} at its highest": best.tendons[0].rest_length > 0.08997,
+    }
+    assert any(at_bound.values())
+    for text, is_so in at_bound.items():
+        assert is_so == any(text in each for each in edge)
+    between = optimise_goal(
+        goal_of(
+            STATICS
+            | {
+                "limits": {"hinge_holding_torque": ">= 8 N cm", "hinge_opening_torque": "<= 32 N cm"},
+                "search": {"runs": 112, "batch": 16},
+            }
+        ),
+        tmp_path / "between",
+    )
+    assert not [each for each in told(between) if "at the edge of what may vary" in each]

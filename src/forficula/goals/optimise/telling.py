@@ -8,6 +8,7 @@ from collections import Counter
 from forficula.design import Design
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.limit import Limit
+from forficula.goals.optimise.bounded import bounded_text
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
 from forficula.goals.optimise.filling import filling_text
 from forficula.goals.optimise.neighbours import Neighbours
@@ -23,6 +24,8 @@ def told(found: Optimum) -> list[str]:
     said = [_answer(found)]
     if found.best:
         said += [_verified(found.best)]
+        edge = bounded_text(found.goal, found.best[0].candidate) if len(found.goal.objectives) == 1 else None
+        said += [] if edge is None else [edge]
     said += _discarded(found)
     if not found.best:
         said += _missing(found)
