@@ -114,6 +114,12 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     # of the 16 neighbours that the search asks none may fail
     assert inside.designs[0].tendons[0].area == pytest.approx(least / 0.91, rel=0.02)
     assert inside.effort.spared_neighbours > 0
+    # whoever is said to meet the goal was asked for its neighbours, and what was beaten before that is not
+    table = inside.table
+    assert bool((table["neighbours"].values[table["feasible"].values] > 0).all())
+    unasked = [each for each in inside.candidates if each.found.meets and each.neighbours is None]
+    assert unasked
+    assert not table["feasible"].values[[each in unasked for each in inside.candidates]].any()
 
 
 def test_what_cannot_be_met_is_told_with_what_would_have_to_give(tmp_path):

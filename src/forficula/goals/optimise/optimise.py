@@ -93,7 +93,7 @@ def optimise_goal(
             so_far = replace(so_far, tried=len(candidates), best=_best(goal, candidates))
 
         candidates = _searched(goal, assess, batch_done)
-        best, discarded, runs = _held(goal, assess, candidates)
+        candidates, best, discarded, runs = _held(goal, assess, candidates)
     trials = [trial_of(goal, each) for each in candidates]
     return Optimum(
         goal=goal,
@@ -213,8 +213,12 @@ def _best(goal: Goal, candidates: Sequence[Candidate]) -> Candidate | None:
 
 def _held(
     goal: Goal, assess: Assessor, candidates: Sequence[Candidate]
-) -> tuple[list[Verification], list[Verification], int]:
-    """The best candidates that hold where the search did not look, better ones that do not, and the runs it took."""
+) -> tuple[list[Candidate], list[Verification], list[Verification], int]:
+    """All candidates, the best that hold where the search did not look, better ones that do not, and the runs it took.
+
+    Of the candidates some have been asked for their neighbours meanwhile.
+    """
+    told = {each.point: each for each in candidates}
     pool = {each.point: each for each in candidates}
     best: list[Verification] = []
     discarded: list[Verification] = []
@@ -228,14 +232,13 @@ def _held(
         if wanted_share(goal) is not None and unasked:
             # they were worse than what then did not hold
             for each in _ask(goal, assess, unasked, neighbour_offsets(goal, goal.neighbours, goal.seed)):
-                pool[each.point] = each
-                runs += each.neighbours.runs if each.neighbours is not None else 0
+                told[each.point] = pool[each.point] = each
             continue
-        for told in verified(goal, assess, chosen, len(discarded)):
-            (best if told.holds else discarded).append(told)
-            runs += (told.finer is not None) + (told.fresh.runs if told.fresh is not None else 0)
-            del pool[told.candidate.point]
-    return best, discarded, runs
+        for found in verified(goal, assess, chosen, len(discarded)):
+            (best if found.holds else discarded).append(found)
+            runs += (found.finer is not None) + (found.fresh.runs if found.fresh is not None else 0)
+            del pool[found.candidate.point]
+    return list(told.values()), best, discarded, runs
 
 
 def _spread(count: int, most: int) -> list[int]:

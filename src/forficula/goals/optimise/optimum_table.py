@@ -11,7 +11,7 @@ import numpy as np
 from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.goals.goal import Goal, own_limits
-from forficula.goals.optimise.candidate import Candidate, trial_of
+from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
 from forficula.goals.optimise.ranking import pareto_front
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.parameter import Parameter
@@ -85,10 +85,12 @@ def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
 def _standing(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate]) -> dict[str, Any]:
     """Which candidates work, meet everything, are beaten by none, and were verified."""
     trials = [trial_of(goal, each) for each in candidates]
+    # what was beaten before its neighbours were asked may have too few that work
+    asked = [wanted_share(goal) is None or each.neighbours is not None for each in candidates]
     front, verified = {trial.point for trial in pareto_front(trials)}, {each.point for each in best}
     return {
         "works": (_AXIS, np.array([each.found.works > 0 for each in candidates])),
-        "feasible": (_AXIS, np.array([trial.feasible for trial in trials])),
+        "feasible": (_AXIS, np.array([trial.feasible and told for trial, told in zip(trials, asked, strict=True)])),
         "front": (_AXIS, np.array([trial.point in front for trial in trials])),
         "best": (_AXIS, np.array([trial.point in verified for trial in trials])),
     }

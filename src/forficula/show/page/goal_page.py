@@ -38,8 +38,9 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _MEETS, _MISSES, _FEW = "meets the goal", "works, misses a limit", "works, too few neighbours do"
+_UNASKED = "meets its limits, neighbours not asked"
 _RULED_OUT, _MISSES_PLAINLY = "ruled out without a run", "misses a limit"
-_SIGNS = {_MEETS: "●", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
+_SIGNS = {_MEETS: "●", _UNASKED: "○", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
 _NOT_RUN = "not run"
 _SHARE = {"units": "", "display": "%"}
 
@@ -157,7 +158,7 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
         return _MEETS
     candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
     if candidate.found.meets:
-        return _FEW
+        return _UNASKED if candidate.neighbours is None else _FEW
     if outcome == _NOT_RUN:
         return _RULED_OUT if optimum.goal.simulate else _MISSES_PLAINLY
     return _MISSES if candidate.found.works > 0 else outcome
