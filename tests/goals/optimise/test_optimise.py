@@ -245,3 +245,17 @@ def test_an_optimum_at_a_bound_of_what_may_vary_says_so(tmp_path):
         tmp_path / "between",
     )
     assert not [each for each in told(between) if "at the edge of what may vary" in each]
+
+
+def test_what_does_not_hold_when_it_is_verified_is_not_said_to_meet_the_goal(tmp_path):
+    """Eight neighbours of 200 tell little: of the best by them some have too few fresh ones that work."""
+    few = {
+        "search": {"runs": 56, "batch": 8, "neighbours": 8},
+        "tolerances": {AREA: {"distribution": "normal", "size": "6 %"}},
+    }
+    found = optimise_goal(goal_of(ROBUST | few), tmp_path)
+    assert found.discarded
+    lost = {each.candidate.point for each in found.discarded}
+    is_lost = [each.point in lost for each in found.candidates]
+    assert not found.table["feasible"].values[is_lost].any()
+    assert not lost & {each.candidate.point for each in found.best}

@@ -102,7 +102,7 @@ def optimise_goal(
         discarded=tuple(discarded),
         effort=_effort(goal, candidates, runs),
         relaxations=() if any(each.feasible for each in trials) else tuple(relaxations(trials)),
-        table=optimum_table(goal, candidates, [each.candidate for each in best]),
+        table=optimum_table(goal, candidates, *([each.candidate for each in told] for told in (best, discarded))),
     )
 
 

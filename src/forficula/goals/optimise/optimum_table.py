@@ -26,13 +26,16 @@ _AXIS = "candidate"
 _WORDS = ("status", "verdict", "outcome")
 
 
-def optimum_table(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate]) -> xarray.Dataset:
+def optimum_table(
+    goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate], discarded: Sequence[Candidate]
+) -> xarray.Dataset:
     """Label what became of every candidate.
 
     Args:
         goal: what was asked.
         candidates: in the order in which they were tried.
         best: those of them that were verified.
+        discarded: those that did not hold when they were.
 
     Returns:
         One dimension, "candidate"; coordinates are the parameters, in SI with `units`, `display` and `key`. Variables
@@ -42,7 +45,11 @@ def optimum_table(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Ca
     """
     from forficula.study.study_table import StudyTable
 
-    variables = {**_quantities(goal, candidates), **_margins(goal, candidates), **_standing(goal, candidates, best)}
+    variables = {
+        **_quantities(goal, candidates),
+        **_margins(goal, candidates),
+        **_standing(goal, candidates, best, discarded),
+    }
     variables |= _probabilities(candidates)
     words = [_words(each) for each in candidates]
     for word in _WORDS:
@@ -82,15 +89,19 @@ def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
     return found
 
 
-def _standing(goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate]) -> dict[str, Any]:
+def _standing(
+    goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate], discarded: Sequence[Candidate]
+) -> dict[str, Any]:
     """Which candidates work, meet everything, are beaten by none, and were verified."""
     trials = [trial_of(goal, each) for each in candidates]
     # what was beaten before its neighbours were asked may have too few that work
     asked = [wanted_share(goal) is None or each.neighbours is not None for each in candidates]
+    lost = {each.point for each in discarded}
+    meets = [trial.feasible and told and trial.point not in lost for trial, told in zip(trials, asked, strict=True)]
     front, verified = {trial.point for trial in pareto_front(trials)}, {each.point for each in best}
     return {
         "works": (_AXIS, np.array([each.found.works > 0 for each in candidates])),
-        "feasible": (_AXIS, np.array([trial.feasible and told for trial, told in zip(trials, asked, strict=True)])),
+        "feasible": (_AXIS, np.array(meets)),
         "front": (_AXIS, np.array([trial.point in front for trial in trials])),
         "best": (_AXIS, np.array([trial.point in verified for trial in trials])),
     }

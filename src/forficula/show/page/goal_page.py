@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _MEETS, _MISSES, _FEW = "meets the goal", "works, misses a limit", "works, too few neighbours do"
-_UNASKED = "meets its limits, neighbours not asked"
+_UNASKED, _LOST = "meets its limits, neighbours not asked", "did not hold when verified"
 _RULED_OUT, _MISSES_PLAINLY = "ruled out without a run", "misses a limit"
-_SIGNS = {_MEETS: "●", _UNASKED: "○", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
+_SIGNS = {_MEETS: "●", _UNASKED: "○", _LOST: "□", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
 _NOT_RUN = "not run"
 _SHARE = {"units": "", "display": "%"}
 
@@ -157,6 +157,8 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
     if bool(results["feasible"].values[number]):
         return _MEETS
     candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
+    if candidate.point in {each.candidate.point for each in optimum.discarded}:
+        return _LOST
     if candidate.found.meets:
         return _UNASKED if candidate.neighbours is None else _FEW
     if outcome == _NOT_RUN:
