@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design, scale_design
-from forficula.dynamics import compile_model
+from forficula.dynamics import compile_model, with_timestep
 from forficula.structure import hinges_of
 from forficula.study.runs import run
 from tests.places import places
@@ -81,6 +81,25 @@ def test_the_model_file_compiles_to_the_wing_that_ran(wing):
         expected = getattr(wing.engine, name)
         np.testing.assert_allclose(getattr(again, name), expected, rtol=2e-4, atol=1e-5 * np.abs(expected).max())
     assert again.opt.timestep * wing.units.time == pytest.approx(2e-4)
+
+
+YIELDING = {"tendon.area": "12.5 mm^2", "tendon.law": "tpu-95a", "tendon.law.yield_strain": "40 %"}
+
+
+@pytest.mark.parametrize(
+    ("name", "keys", "viewers"),
+    [
+        ("letter-fold", {}, "MuJoCo 3.9 on"),
+        ("binder2025-joint", {}, "MuJoCo 3.9 on"),
+        ("binder2025", {}, "MuJoCo 4.0 on: before, membranes stretch otherwise"),
+        ("binder2025-joint", YIELDING, "MuJoCo 4.0 on: before, no tendon yields"),
+        ("binder2025-built", {}, "layout only: creases or drag are set anew between steps"),
+        ("miura-sheet", {}, "layout only: creases or drag are set anew between steps"),
+    ],
+)
+def test_the_model_file_says_which_viewers_show_the_same(name, keys, viewers):
+    spec = mujoco.MjSpec.from_string(compile_model(with_timestep(load_design(name, keys))).xml)
+    assert {text.name: text.data for text in spec.texts}["viewers"].rstrip("\0") == viewers
 
 
 def test_a_wing_a_hundredth_of_the_size_still_compiles():

@@ -5,19 +5,20 @@ import { summed } from "./engine-wing.js";
 
 const FIRST_STEP = 1.5; // steps
 
-/** What a way through a protocol came to, by the stages that took place. */
-export function outcomeOf(live, ends, divergedAt) {
+/** What a way through a protocol came to, by the stages that took place; `widest`: how far closed loops came apart. */
+export function outcomeOf(live, ends, divergedAt, widest) {
   const { course, protocol } = live;
   const ways = course.transitions.map((transition) => wayOf(live, ends, divergedAt, transition));
   const missedEnd = missed(live, ends, ways);
-  const verdict = divergedAt !== null ? "diverged" : verdictOf(protocol, missedEnd);
-  const told = (divergedAt === null && missedEnd) || ways.findLast((way) => way.driven)?.driven;
+  const apart = widest > protocol.largestGap;
+  const verdict = divergedAt !== null ? "diverged" : apart ? "untrusted" : verdictOf(protocol, missedEnd);
+  const told = (tells(verdict) && missedEnd) || ways.findLast((way) => way.driven)?.driven;
   const way = told && wayAt(protocol, ways, told);
   const transition = way?.transition ?? null;
-  const reading = verdict !== "diverged" && way?.state ? furthest(live, transition, way.state.coordinates) : null;
+  const reading = tells(verdict) && way?.state ? furthest(live, transition, way.state.coordinates) : null;
   const why = verdict === "not held" && early(protocol, missedEnd) ? `the goal of stage "${protocol.stages[missedEnd.stage].name}" holds before it begins` : "";
   const short = verdict === "moving" && (missedEnd.atGoal ? "at its goal for too short a time when its stage was over" : missedEnd.atRest && "at rest under a torque that still rose when its stage was over");
-  const ending = { verdict, transition, reading, time: divergedAt, why: why || short || "" };
+  const ending = { verdict, transition, reading, time: divergedAt, why: apart ? apartText(live, widest) : why || short || "" };
   return {
     verdict,
     status: endingText(live, ending),
@@ -26,6 +27,13 @@ export function outcomeOf(live, ends, divergedAt) {
     transitions: ways.map((each) => transitionOf(protocol, each)),
     states: course.states.map((state) => stateOf(course, ends, ways, state)),
   };
+}
+
+/** Whether a verdict says something of the structure, rather than of the computation. */
+export const tells = (verdict) => verdict !== "diverged" && verdict !== "untrusted";
+
+function apartText({ size }, widest) {
+  return `creases that close loops come apart by ${Number((widest / size).toPrecision(2))} of its size: a shorter timestep closes them`;
 }
 
 function wayOf({ course, protocol }, ends, divergedAt, transition) {
@@ -119,6 +127,7 @@ function readingText(live, { kind }, reading) {
 /** In a few words, as a summary's status. */
 function endingText(live, ending) {
   const { verdict, transition, reading, time, why } = ending;
+  if (verdict === "untrusted") return `not to be trusted: ${why}`;
   if (verdict === "diverged") return `diverged at t = ${Number(time.toPrecision(4))} s`;
   if (transition === null) return "settled";
   const { words } = transition;
@@ -134,6 +143,7 @@ function endingText(live, ending) {
 function endingWord(ending) {
   const { verdict, transition } = ending;
   if (verdict === "diverged") return "diverged";
+  if (verdict === "untrusted") return "not to be trusted";
   if (transition === null) return "settled";
   const { words } = transition;
   if (verdict === "reached") return words.done;
@@ -145,7 +155,7 @@ function endingWord(ending) {
 function adviceOf(live, ending) {
   const { verdict, transition, why } = ending;
   if (verdict === "diverged") return "Take a shorter timestep, or a softer membrane.";
-  if (transition === null || verdict === "reached" || (verdict === "not held" && why)) return "";
+  if (transition === null || verdict === "reached" || verdict === "untrusted" || (verdict === "not held" && why)) return "";
   if (verdict === "stuck") return underWay(ending) ? transition.advice.underWay : transition.advice.stuck;
   if (verdict === "not held") return transition.advice.lost;
   return "It is still on its way when its time is over.";

@@ -1,5 +1,7 @@
 /** The least values that bring a structure to its states; as in forficula.study.search, without its halvings. */
 
+import { tells } from "./engine-outcome.js";
+
 /** search: the steps with their values; runUntil: takes values by key through the protocol up to a stage. */
 export function leastValues(search, runUntil) {
   const { first, second, reference, referenceText, release } = search;
@@ -7,7 +9,7 @@ export function leastValues(search, runUntil) {
   let { least, outcome: done } = found;
   if (least !== null && release !== null) {
     done = runUntil({ [first.key]: first.sign * least }, release);
-    if (done.verdict === "diverged") least = null;
+    if (!tells(done.verdict)) least = null;
   }
   const withReference = { [first.key]: first.sign * reference };
   const later =
@@ -26,7 +28,7 @@ function decided(step, run) {
   let outcome = null;
   for (const value of step.values) {
     outcome = run(value);
-    if (outcome.verdict === "diverged") return { least: null, outcome };
+    if (!tells(outcome.verdict)) return { least: null, outcome };
     if (reaches(outcome, step.transition)) return { least: value, outcome };
   }
   return { least: null, outcome };
@@ -42,7 +44,6 @@ function ending(first, done, next, referenceText) {
   if (!next) return { status, word, verdict, advice };
   if (!reaches(done, first.transition)) return { status: `${status}; with ${referenceText}: ${next.status}`, word, verdict, advice };
   if (reaches(next, first.transition)) return { status: next.status, word: next.word, verdict: next.verdict, advice: next.advice };
-  const tells = next.verdict !== "diverged";
   const said = { status: `with ${referenceText}: ${next.status}`, verdict: next.verdict, advice: next.advice };
-  return { ...said, word: tells ? `${next.word} with ${referenceText}` : next.word };
+  return { ...said, word: tells(next.verdict) ? `${next.word} with ${referenceText}` : next.word };
 }

@@ -69,10 +69,17 @@ export function makeWing(engine, live, { model, start }) {
   const values = new Map(live.knobs.map((knob) => [knob.key, knob.value]));
   // views of the engine's memory, which moves where it grows
   let views = null;
+  // steps of Runge and Kutta leave the lengths after them, those of Euler the ones before
+  const { explicit } = live.protocol;
+  const from = new Float64Array(explicit ? data.qpos.length : 0);
+  const measured = new Float64Array(explicit ? live.distances.length : 0);
+  const braked = new Float64Array(live.brakeWays.length);
+  let stepped = false;
+  let widest = 0;
 
   function view() {
     if (views === null || views.qpos.length === 0) {
-      const names = ["qpos", "qvel", "ctrl", "ten_length", "xpos", "xmat", "site_xpos", "act", "xfrc_applied", "xipos"];
+      const names = ["qpos", "qvel", "ctrl", "ten_length", "xpos", "xmat", "site_xpos", "act", "xfrc_applied", "xipos", "actuator_force"];
       views = Object.fromEntries(names.map((name) => [name, data[name]]));
     }
     return views;
@@ -81,6 +88,7 @@ export function makeWing(engine, live, { model, start }) {
   function reset() {
     engine.mj_resetData(model, data);
     view().qpos.set(start);
+    widest = 0;
   }
 
   /** Put a value, SI, in the place of what the design has. */
@@ -105,29 +113,51 @@ export function makeWing(engine, live, { model, start }) {
       ctrl[control] = controls[control] >= 0 ? torques[controls[control]] : 0;
       if (brakes[control] >= 0) ctrl[control] = Math.abs(torques[brakes[control]]);
     }
+    if (explicit) {
+      const { qpos, ten_length: lengths, actuator_force: forces } = view();
+      from.set(qpos);
+      for (const [at, { control }] of live.brakeWays.entries()) braked[at] = forces[control];
+      for (const [at, distance] of live.distances.entries()) measured[at] = lengths[distance];
+    }
     engine.mj_step(model, data);
+    stepped = true;
+    if (live.gaps.length) widen();
+  }
+
+  function widen() {
+    const { ten_length: lengths } = view();
+    for (const gap of live.gaps) if (lengths[gap] > widest) widest = lengths[gap];
   }
 
   /** Work of motors in the last step: what they were set to times the way of what they act on, (motor,). */
   function work(torques, before, into) {
-    const { qvel } = view();
+    const { qvel, qpos, actuator_force: forces } = view();
+    const step = model.opt.timestep;
+    const travel = (place) => (step * (qvel[place] + before[place])) / 2;
+    const turn = (hinge) => {
+      const place = hinges.positions[hinge];
+      return explicit ? qpos[place] - from[place] : travel(hinges.speeds[hinge]);
+    };
     for (const [number, motor] of motors.entries()) {
       if (!torques[number]) continue;
       let way = 0;
-      for (const hinge of motor.hinges) way += hinges.senses[hinge] * mean(qvel, before, hinges.speeds[hinge]);
-      for (const [dof, share] of motor.pushed.entries()) if (share) way += share * mean(qvel, before, dof);
-      into[number] += torques[number] * way * model.opt.timestep;
+      for (const hinge of motor.hinges) way += hinges.senses[hinge] * turn(hinge);
+      for (const [dof, share] of motor.pushed.entries()) if (share) way += share * travel(dof);
+      into[number] += torques[number] * way;
+    }
+    // what speed takes of them again, by the engine's own forces
+    for (const [at, { control, motor, way }] of live.brakeWays.entries()) {
+      const force = explicit ? (braked[at] + forces[control]) / 2 : forces[control];
+      for (const [dof, share] of way) into[motor] += force * share * (explicit ? qpos[dof] - from[dof] : travel(dof));
     }
   }
-
-  const mean = (after, before, place) => (after[place] + before[place]) / 2;
 
   /** Angles of all hinges in their own senses, then distances, then sums of angles, as goals count them. */
   function coordinates(into) {
     const { qpos, ten_length: lengths } = view();
     let at = 0;
     for (; at < hinges.senses.length; at++) into[at] = hinges.senses[at] * qpos[hinges.positions[at]];
-    for (const distance of live.distances) into[at++] = lengths[distance];
+    for (const [number, distance] of live.distances.entries()) into[at++] = explicit && stepped ? measured[number] : lengths[distance];
     for (const parts of live.sums) for (const part of parts) into[at++] = summed(into, part);
     return into;
   }
@@ -135,6 +165,10 @@ export function makeWing(engine, live, { model, start }) {
   /** Where everything is now, for what is drawn and read; steps take no notice of it. */
   function place() {
     engine.mj_kinematics(model, data);
+    engine.mj_comPos(model, data);
+    engine.mj_tendon(model, data);
+    stepped = false;
+    if (live.gaps.length) widen();
   }
 
   /** The points that are drawn, m. */
@@ -215,6 +249,10 @@ export function makeWing(engine, live, { model, start }) {
     coordinateCount: hinges.senses.length + live.distances.length + live.sums.flat().length,
     get velocity() {
       return view().qvel;
+    },
+    /** How far closed loops have come apart since the start, in the model's units. */
+    get widest() {
+      return widest;
     },
     reset,
     set,

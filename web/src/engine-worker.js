@@ -77,7 +77,7 @@ function frame() {
 
 /** What came of the stages so far; of some stages in the middle only what they did themselves. */
 function told(ends, divergedAt) {
-  const outcome = outcomeOf(live, ends, divergedAt);
+  const outcome = outcomeOf(live, ends, divergedAt, wing.widest);
   for (const { took } of outcome.transitions) if (took) took.work_J = live.units.energy * took.work;
   return {
     ...outcome,

@@ -79,8 +79,6 @@ def why_not_portable(model: Model) -> str:
         return "its tendons yield, which only MuJoCo 4.0 knows"
     if model.structure.contact is not None:
         return "its parts touch, which older engines find otherwise"
-    if model.structure.closures:
-        return "its plates close loops, and steps of Runge and Kutta are not looked at there"
     if (model.holds >= 0).any():
         return "a drive displaces points"
     if any(stage.wait for stage in model.design.protocol.stages):

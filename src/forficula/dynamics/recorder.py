@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
+from forficula.dynamics.closures import LARGEST_GAP
 from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -16,11 +17,6 @@ from forficula.dynamics.stages import NEVER
 from forficula.dynamics.steps import State, Steps
 
 Array = NDArray[np.float64]
-
-
-# of the structure's size; a sheet of 8 x 8 facets that swings keeps its gaps below 1e-4 of it at a quarter of the
-# longest stable timestep
-_LARGEST_GAP = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -156,7 +152,7 @@ class Recorder:
     def _doubt(self, account: Mapping[str, float]) -> str:
         """Why the run is not to be trusted, where closures opened by more than a thousandth of the structure's size."""
         gap, span = account.get("closure_gap", 0.0), self.model.structure.span
-        if gap <= _LARGEST_GAP * span:
+        if gap <= LARGEST_GAP * span:
             return ""
         return f"creases that close loops come apart by {gap / span:.2g} of its size: a shorter timestep closes them"
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import stage_drives
+from forficula.dynamics.closures import LARGEST_GAP
 from forficula.dynamics.model import Model
 from forficula.dynamics.stages import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
 from forficula.structure import Drive, Goal, drive_unit
@@ -57,6 +58,7 @@ class SteppedProtocol:
 
     Attributes:
         timestep: s.
+        explicit: whether steps are those of Runge and Kutta, and not of semi-implicit Euler.
         drives: of the structure.
         stages: in order.
         rest_speeds: below which every velocity is at rest, in the model's units, (dof,).
@@ -66,9 +68,11 @@ class SteppedProtocol:
         interval: between two rows of a record, in steps.
         lowest: positions below which nothing sound is, (position,).
         highest: alike.
+        largest_gap: by which creases that close loops may come apart, in the model's units.
     """
 
     timestep: float
+    explicit: bool
     drives: tuple[SteppedDrive, ...]
     stages: tuple[SteppedStage, ...]
     rest_speeds: Array
@@ -78,6 +82,7 @@ class SteppedProtocol:
     interval: int
     lowest: Array
     highest: Array
+    largest_gap: float
 
 
 def stepped_protocol(model: Model) -> SteppedProtocol:
@@ -92,6 +97,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
 
     return SteppedProtocol(
         timestep=timestep,
+        explicit=model.explicit,
         drives=tuple(
             SteppedDrive(
                 drive=drive,
@@ -118,6 +124,7 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
         interval=max(1, steps(protocol.sample_interval)),
         lowest=lowest,
         highest=highest,
+        largest_gap=LARGEST_GAP * structure.span / model.units.length,
     )
 
 

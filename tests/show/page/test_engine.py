@@ -24,6 +24,7 @@ from forficula.structure import structure_of
 from forficula.study import run_study
 from forficula.study.runs import run
 from forficula.study.study_file import study_of
+from tests.plate_sheets import miura, plates, vertex
 
 BUILT = resources.files("forficula.show.page") / "built"
 # of a record's numbers: angles in deg, times in s, energies by the largest
@@ -151,6 +152,65 @@ DEFAULTS = {
     "protocol.fold_torque": 0.5,
     "protocol.unfold_torque": 1.0,
 }
+
+
+LOOPS = """stiffness = "1e-3 N m/rad/m"
+rest_angle = "60 deg"
+damping = "1e-5 N m s/rad/m"
+fold_limit = "120 deg"
+back_limit = "180 deg"
+"""
+TURNED = """[[drive]]
+name = "fold"
+kind = "torque"
+of = "creases"
+value = "2e-3 N cm"
+rise = "20 ms"
+no_load_speed = "2000 deg/s"
+[[measure]]
+name = "width"
+kind = "distance"
+from = "vertex 0"
+to = "vertex 3"
+"""
+
+
+@pytest.mark.parametrize(
+    "pattern", [miura(2), vertex([60, 95, 120, 85], "VVVM", fold="25 deg")], ids=["Miura sheet", "degree-4 vertex"]
+)
+def test_plates_that_close_loops_go_as_they_are_recorded_with_any_stiffness_and_rest_angle(run_in_page, pattern):
+    """Their steps are those of Runge and Kutta, and speed takes of their torques."""
+    stages = [{"name": "fold", "drive": "fold", "limit": "0.1 s"}]
+    design = plates(pattern, crease=LOOPS, more=TURNED, stages=stages, step="0.1 ms")
+    settings = [
+        {"crease.stiffness": stiffness, "crease.rest_angle": np.radians(angle), "drive.fold.value": torque}
+        for stiffness, angle, torque in ((1e-3, 60.0, 2e-5), (2e-3, -30.0, 2e-5), (5e-4, 100.0, 5e-5))
+    ]
+    answered = outcomes(run_in_page(design, settings))
+    for values, found in zip(settings, answered, strict=True):
+        (record,) = simulate([compile_model(with_values(design, values))])
+        check_as_recorded(found, record)
+        assert found["stages"][0]["work_J"] != 0
+
+
+def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_page):
+    """With steps that welds cannot follow."""
+    stages = [{"name": "swing", "limit": "0.2 s"}]
+    stiff = LOOPS.replace("1e-3", "2e-2").replace("1e-5", "0")
+    design = plates(miura(3), crease=stiff, stages=stages, step="3 ms")
+    (record,) = simulate([compile_model(design)])
+    (found,) = outcomes(run_in_page(design, [{}]))
+    assert found["verdict"] == "untrusted"
+    check_as_recorded(found, record)
+
+
+def test_work_of_torques_that_speed_takes_of_is_that_of_the_record(run_in_page):
+    """As of servos, which do a small part of what the same torques would do to the end."""
+    stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
+    keys = {"protocol.no_load_speed": "3000 deg/s", "protocol.stages": stages}
+    record = run(with_timestep(load_design("binder2025", keys)))
+    (found,) = outcomes(run_in_page(record.design, [{}]))
+    check_as_recorded(found, record)
 
 
 def test_sixty_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):

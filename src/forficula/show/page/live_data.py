@@ -105,6 +105,12 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         | {"senses": model.folds.senses.tolist()},
         "controls": model.motors.tolist(),
         "brakes": model.brakes.tolist(),
+        "brakeWays": [
+            {"control": control, "motor": int(model.brakes[control])}
+            | {"way": [[dof, float(way[dof])] for dof in np.flatnonzero(way).tolist()]}
+            for control, way in enumerate(model.ways)
+            if model.brakes[control] >= 0
+        ],
         "motors": [
             {"kind": motor.kind, "hinges": list(motor.hinges), "pushed": model.pushed[number].tolist()}
             for number, motor in enumerate(structure.motors)
@@ -117,6 +123,8 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
             "rest": [tendon.law.rest_length for tendon in built.tendons],
         },
         "distances": model.distances.tolist(),
+        "gaps": model.gaps.tolist(),
+        "size": structure.span / model.units.length,
         "sums": [_reading(structure, measure)["parts"] for measure in sums_of(structure)],
     }
 
@@ -139,6 +147,8 @@ def _reading(structure: Structure, measure: Measure) -> dict[str, Any]:
 def _protocol_data(protocol: SteppedProtocol) -> dict[str, Any]:
     return {
         "timestep": protocol.timestep,
+        "explicit": protocol.explicit,
+        "largestGap": protocol.largest_gap,
         "restSpeeds": protocol.rest_speeds.tolist(),
         "window": protocol.window,
         "stuck": protocol.stuck,
