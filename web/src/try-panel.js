@@ -70,7 +70,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   function show(frame) {
     panel.frame = frame;
     live.show(frame);
-    moment.textContent = `${timeText(frame.time_s, { start: 0, end: Math.max(1, frame.time_s) })}${stageText(frame)}`;
+    moment.textContent = `${timeText(frame.time_s, { start: 0, end: Math.max(1, frame.time_s) })}${stageText(frame, own.protocol)}`;
     const energy = frame.energies_J.reduce((sum, each) => sum + each, 0);
     const work = frame.works_J.reduce((sum, each) => sum + each, 0);
     const parts = [...(clip.tendons ? [`tendon energy ${energyText(energy)}`] : []), `work of the ${acting} ${energyText(work)}`];
@@ -155,8 +155,12 @@ function makeButtons({ protocol }, engine, panel, before) {
   ];
 }
 
-function stageText({ stage, running }) {
-  if (stage) return ` \u00b7 ${stage}`;
+/** What it goes through; let go after a goal, what was reached, for until it rests nothing is said of it. */
+function stageText({ stage, stageNumber, running, ended }, { stages }) {
+  const met = stage && !stages[stageNumber].drives.length && ended?.stages.at(-1);
+  const goal = met && met.goal_s !== null && stages.find(({ name }) => name === met.name).drives.length;
+  const reached = goal ? `, ${met.name} reached its goal in ${timeOf(met.goal_s - met.start_s)}` : "";
+  if (stage) return ` \u00b7 ${stage}${reached}`;
   return running ? " \u00b7 no drive acts" : " \u00b7 at rest";
 }
 
