@@ -246,12 +246,11 @@ def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indic
     beside = np.zeros(height.shape, dtype=bool)
     for corner in range(3):
         following = (corner + 1) % 3
-        away = points - corners[:, :, corner][:, None]
+        start, away = corners[:, :, corner][:, None], points - corners[:, :, corner][:, None]
         along = (corners[:, :, following] - corners[:, :, corner])[:, None]
-        within &= np.einsum("rptx,rtx->rpt", away, np.cross(normals, along[:, 0])) >= 0
-        share = np.clip(np.einsum("rptx,rtx->rpt", away, along[:, 0]) / np.sum(along**2, axis=-1), 0, 1)
-        from_edge = away - share[..., None] * along
-        distance = np.einsum("rptx,rptx->rpt", from_edge, from_edge)
+        within &= np.sum(np.cross(along, away) * normals[:, None], axis=-1) >= 0
+        share = np.clip(np.sum(away * along, axis=-1) / np.sum(along**2, axis=-1), 0, 1)
+        distance = np.sum((points - start - share[..., None] * along) ** 2, axis=-1)
         at_rim = mesh.rims[:, corner] | ((share == 0) & mesh.on_rim[mesh.triangles[:, corner]])
         at_rim |= (share == 1) & mesh.on_rim[mesh.triangles[:, following]]
         beside = np.where(distance < square, at_rim, beside)
@@ -273,4 +272,4 @@ def _normals(corners: Array) -> Array:
 
 def _heights(points: Array, corners: Array, normals: Array) -> Array:
     """Of points, (row, point, 1, 3), over the planes of triangles, m, (row, point, triangle)."""
-    return np.asarray(np.einsum("rptx,rtx->rpt", points - corners[:, None, :, 0], normals))
+    return np.asarray(np.sum((points - corners[:, None, :, 0]) * normals[:, None], axis=-1))
