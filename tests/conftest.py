@@ -22,11 +22,6 @@ settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.load_profile("repeatable" if os.environ.get("FORFICULA_REPEATABLE") else "forficula")
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """One more than there are cores: tests of pages and of commands wait for others a quarter of their time."""
-    return (os.cpu_count() or 1) + 1
-
-
 @pytest.fixture(scope="session")
 def reference() -> Design:
     """The reference design."""
