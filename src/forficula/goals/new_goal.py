@@ -63,15 +63,9 @@ def write_new_goal(path: str | os.PathLike[str], kind: str = "earwig-fan") -> No
         InputError: no such kind, or the file exists already, or cannot be written.
     """
     start = start_of(path := Path(path), kind)
-    low, own, high = (start.times(share) for share in (0.5, 1.0, 2.0))
     names = list(quantities_of(start.design))
     text = _TEMPLATE.format(
-        kind=start.kind,
-        design=start.name,
-        key=start.key,
-        low=low,
-        value=own,
-        high=high,
+        **start.texts,
         step=start.about(0.05),
         quantities=commented(f"{listed(names)}."),
         transition=next((name.removesuffix("_time") for name in names if name.endswith("_time")), "fold"),

@@ -60,17 +60,12 @@ def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> N
         InputError: no such kind, or the file exists already, or cannot be written.
     """
     start = start_of(path := Path(path), kind)
-    low, own, high = (start.times(share) for share in (0.5, 1.0, 2.0))
     states = [stage.state for stage in start.design.protocol.stages if stage.state is not None]
+    texts = start.texts
     text = _TEMPLATE.format(
-        kind=start.kind,
-        design=start.name,
-        key=start.key,
-        low=low,
-        value=own,
-        high=high,
-        low_range=f"{low.split()[0]}..{high}",
-        step=low,
+        **texts,
+        low_range=f"{texts['low'].split()[0]}..{texts['high']}",
+        step=texts["low"],
         state=states[-1] if states else "folded",
     )
     write_text(path, text)

@@ -36,6 +36,12 @@ class Start:
         """So many times the design's own value, as a file has it, all digits of it."""
         return format_quantity(share * self._own, self._unit)
 
+    @property
+    def texts(self) -> dict[str, str]:
+        """What every template names: kind, design, key, and half, once and twice its value."""
+        low, own, high = (self.times(share) for share in (0.5, 1.0, 2.0))
+        return {"kind": self.kind, "design": self.name, "key": self.key, "low": low, "value": own, "high": high}
+
     def about(self, share: float) -> str:
         """The same in a few digits."""
         return show_quantity(share * self._own, self._unit)

@@ -72,17 +72,11 @@ def write_new_observations(path: str | os.PathLike[str], kind: str = "earwig-fan
         InputError: no such kind, or the file exists already, or cannot be written.
     """
     start = start_of(path := Path(path), kind)
-    low, own, high = (start.times(share) for share in (0.5, 1.0, 2.0))
     other = next(key for key in positive_keys(start.design) if key != start.key)
     varied = Start(kind=start.kind, name=start.name, design=start.design, key=other)
     transition = structure_of(start.design).transitions[0]
     text = _TEMPLATE.format(
-        kind=start.kind,
-        design=start.name,
-        key=start.key,
-        low=low,
-        value=own,
-        high=high,
+        **start.texts,
         step=start.about(0.05),
         first=f"it gets {transition.state}",
         transition=transition.name,

@@ -61,13 +61,13 @@ def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
         handles = [
             Line2D([], [], color=VERMILION, lw=1.6, label="best, verified"),
             Line2D([], [], color=BLUE, lw=0.7, label="meets the goal"),
-            Line2D([], [], color=_GREY, lw=0.7, label="does not"),
+            Line2D([], [], color=_GREY, lw=0.7, label="the others"),
         ]
         fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(
             figure,
             f"All {len(feasible)} designs that were tried for {found.goal.name}, a line each, over its parameters and"
-            f" quantities; {int(feasible.sum())} meet the goal.",
+            f" quantities; {int(feasible.sum())} are known to meet the goal.",
         )
 
 
@@ -87,7 +87,7 @@ def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
         axes = figure.subplots()
-        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="does not meet the goal")
+        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="the others")
         axes.plot(one[feasible & ~best], other[feasible & ~best], "o", color=BLUE, ms=3, label="meets the goal")
         order = np.argsort(one[best], kind="stable")
         axes.plot(one[best][order], other[best][order], "-o", color=VERMILION, ms=4.5, lw=0.8, label="front, verified")
