@@ -12,9 +12,9 @@ import pytest
 
 import forficula as ff
 from forficula.cli import app
-from forficula.design.key_table import key_facts
+from forficula.design.key_table import facts_within, key_facts
 from forficula.design.kinds import KINDS
-from forficula.study.study_keys import study_key_facts
+from forficula.study.study_keys import STUDY_KEYS
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if "_build" not in path.parts and "gallery" not in path.parts)
@@ -47,7 +47,7 @@ walk = loaded("walk")
 @pytest.fixture(scope="module")
 def keys():
     """Every key of a design or of a study, and every section; entries of lists have no number."""
-    facts = [*study_key_facts(), *(fact for model in KINDS.values() for fact in key_facts("", model))]
+    facts = [*facts_within("", STUDY_KEYS), *(fact for model in KINDS.values() for fact in key_facts("", model))]
     whole = {re.sub(r"\.0(?=\.|$)", "", fact.key) for fact in facts}
     return whole | {".".join(key.split(".")[:depth]) for key in whole for depth in range(1, 5)}
 

@@ -19,12 +19,12 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
-from forficula.design.key_table import KeyFact, key_facts
+from forficula.design.key_table import KeyFact, facts_within, key_facts
 from forficula.design.kinds import KINDS
 from forficula.errors import InputError
-from forficula.goals.goal_keys import goal_key_facts
-from forficula.goals.identify.observation_keys import observation_key_facts
-from forficula.study.study_keys import study_key_facts
+from forficula.goals.goal_keys import GOAL_KEYS
+from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
+from forficula.study.study_keys import STUDY_KEYS
 
 _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
@@ -37,11 +37,11 @@ _NUMBER = re.compile(r"\.0\.")
 def facts_of(kind: str) -> list[KeyFact]:
     match kind:
         case "study":
-            return study_key_facts()
+            return facts_within("", STUDY_KEYS)
         case "goal":
-            return goal_key_facts()
+            return facts_within("", GOAL_KEYS)
         case "observations":
-            return observation_key_facts()
+            return facts_within("", OBSERVATION_KEYS)
         case _:
             return key_facts("", KINDS[kind])
 

@@ -2,9 +2,10 @@
 
 import pytest
 
+from forficula.design.key_table import facts_within
 from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of, load_goal, named_goals
-from forficula.goals.goal_keys import goal_key_facts
+from forficula.goals.goal_keys import GOAL_KEYS
 from forficula.goals.identify import load_observations
 from forficula.study import load_study
 
@@ -98,7 +99,7 @@ def test_what_a_goal_file_gets_wrong_is_told_by_its_key(change, says):
 
 
 def test_every_key_of_a_goal_file_is_told():
-    assert {fact.key.split(".")[0] for fact in goal_key_facts()} >= {
+    assert {fact.key.split(".")[0] for fact in facts_within("", GOAL_KEYS)} >= {
         *TABLES,
         "search",
         "settings",
@@ -106,7 +107,7 @@ def test_every_key_of_a_goal_file_is_told():
         "source",
     }
     with pytest.raises(InputError, match='did you mean "limits"'):
-        goal_key_facts("limit")
+        facts_within("limit", GOAL_KEYS)
 
 
 LETTER = {

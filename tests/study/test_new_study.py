@@ -6,10 +6,11 @@ import tomllib
 import pytest
 
 import forficula as ff
+from forficula.design.key_table import facts_within
 from forficula.design.kinds import KINDS
 from forficula.study.new_study import write_new_study
 from forficula.study.study_file import named_studies
-from forficula.study.study_keys import STUDY_KEYS, study_key_facts
+from forficula.study.study_keys import STUDY_KEYS
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -63,10 +64,10 @@ def test_every_key_of_a_named_study_is_told(name):
 
 
 def test_a_table_of_a_study_that_there_is_not_is_refused():
-    assert [fact.key for fact in study_key_facts("sampling")] == [
+    assert [fact.key for fact in facts_within("sampling", STUDY_KEYS)] == [
         "sampling.method",
         "sampling.count",
         "sampling.seed",
     ]
     with pytest.raises(ff.InputError, match='got "serch"; did you mean "search"'):
-        study_key_facts("serch")
+        facts_within("serch", STUDY_KEYS)

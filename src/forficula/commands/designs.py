@@ -102,26 +102,26 @@ def keys(
     observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
-    from forficula.design.key_table import key_facts
+    from forficula.design.key_table import facts_within, key_facts
     from forficula.design.kinds import KINDS
     from forficula.names import one_of
     from forficula.show.key_table import print_keys
-    from forficula.study.study_keys import study_key_facts
+    from forficula.study.study_keys import STUDY_KEYS
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
     if study + goal + observations > 1:
         raise InputError("keys: need one of --study, --goal and --observations, got several")
     if observations:
-        from forficula.goals.identify.observation_keys import observation_key_facts
+        from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 
-        facts = observation_key_facts(section)
+        facts = facts_within(section, OBSERVATION_KEYS)
     elif goal:
-        from forficula.goals.goal_keys import goal_key_facts
+        from forficula.goals.goal_keys import GOAL_KEYS
 
-        facts = goal_key_facts(section)
+        facts = facts_within(section, GOAL_KEYS)
     else:
-        facts = study_key_facts(section) if study else key_facts(section, KINDS[kind])
+        facts = facts_within(section, STUDY_KEYS) if study else key_facts(section, KINDS[kind])
     print_keys(facts)
     came_to([asdict(fact) for fact in facts])
 

@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 from forficula.design import Design, check_keys_once, numbered_key, value_from_folder
+from forficula.design.key_table import names_within
 from forficula.errors import InputError
 from forficula.goals.deviation import Deviation, read_deviations
 from forficula.goals.goal import Goal, Objective
-from forficula.goals.goal_keys import goal_names_in
+from forficula.goals.goal_keys import GOAL_KEYS
 from forficula.goals.limit import Limit, check_limits, read_limit
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantity_of
 from forficula.goals.parameter import Parameter, read_parameter
@@ -55,7 +56,7 @@ def named_goals() -> list[str]:
 
 
 def _goal(tables: dict[str, Any], folder: Path) -> Goal:
-    check_keys(tables, goal_names_in(), "")
+    check_keys(tables, names_within("", GOAL_KEYS), "")
     for key in _TABLES:
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")

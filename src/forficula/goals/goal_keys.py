@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from forficula.design.key_table import KeyFact, facts_within, file_key, names_within
+from forficula.design.key_table import file_key
 
 _SIZE = 'share such as "10 %", or as in a design'
 
@@ -33,17 +33,3 @@ GOAL_KEYS = (
     file_key("search.DRIVE_with", "as in a study", "the drive's", "with which the first drive goes on to the second"),
     file_key("search.refinements", "whole number, >= 0, <= 20", "0", "how often their last step is halved"),
 )
-
-
-def goal_key_facts(within: str = "") -> list[KeyFact]:
-    """Tell all keys of a goal file, or those in a table of it, such as "search".
-
-    Raises:
-        InputError: there is no such table or key.
-    """
-    return facts_within(within, GOAL_KEYS)
-
-
-def goal_names_in(table: str = "") -> tuple[str, ...]:
-    """The keys that a table of the file may have; of the file itself if empty."""
-    return names_within(table, GOAL_KEYS)

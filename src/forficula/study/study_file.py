@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from forficula.design import Design, check_keys_once, key_quantity, key_value, value_from_folder
+from forficula.design.key_table import names_within
 from forficula.errors import InputError
 from forficula.names import folder_name, one_of
 from forficula.quantities import as_written, is_whole
@@ -18,7 +19,7 @@ from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.search_file import SEARCHES, read_search
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
-from forficula.study.study_keys import names_in
+from forficula.study.study_keys import STUDY_KEYS
 
 _PACKAGE = "forficula.study"
 
@@ -50,7 +51,7 @@ def named_studies() -> list[str]:
 
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
-    check_keys(tables, names_in(), "")
+    check_keys(tables, names_within("", STUDY_KEYS), "")
     for key in ("settings", "sampling", "search"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
@@ -163,7 +164,7 @@ def _search(tables: Mapping[str, Any], ask: str, base: Design, factors: Sequence
 
 
 def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dict[str, object]]:
-    check_keys(sampling, names_in("sampling"), "sampling.")
+    check_keys(sampling, names_within("sampling", STUDY_KEYS), "sampling.")
     method = sampling.get("method", "sobol")
     if method not in ("random", "sobol"):
         raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from forficula.design.key_table import KeyFact, facts_within, file_key, names_within
+from forficula.design.key_table import file_key
 
 _VALUES = 'list, or range such as "10..60 N/cm step 10"'
 
@@ -37,17 +37,3 @@ STUDY_KEYS = (
     file_key("search.state", "text", "the first", "that is to be reached, of least-value"),
     file_key("search.refinements", "whole number, >= 0, <= 20", "0", "how often the last step is halved"),
 )
-
-
-def study_key_facts(within: str = "") -> list[KeyFact]:
-    """Tell all keys of a study file, or those in a table of it, such as "search".
-
-    Raises:
-        InputError: there is no such table or key.
-    """
-    return facts_within(within, STUDY_KEYS)
-
-
-def names_in(table: str = "") -> tuple[str, ...]:
-    """The keys that a table of the file may have; of the file itself if empty."""
-    return names_within(table, STUDY_KEYS)

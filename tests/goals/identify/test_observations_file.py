@@ -3,10 +3,11 @@
 import pytest
 
 from forficula.design import key_value
+from forficula.design.key_table import facts_within
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
 from forficula.goals.identify.fact_text import asked_text
-from forficula.goals.identify.observation_keys import observation_key_facts
+from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
 
@@ -110,9 +111,9 @@ def test_facts_need_names_of_their_own():
 
 
 def test_every_key_of_a_file_is_told():
-    told = {fact.key for fact in observation_key_facts()}
+    told = {fact.key for fact in facts_within("", OBSERVATION_KEYS)}
     assert {"unknown.KEY", "fact.quantity", "fact.least.key", "sampling.directed"} <= told
-    assert all(fact.meaning and fact.allowed for fact in observation_key_facts("fact"))
+    assert all(fact.meaning and fact.allowed for fact in facts_within("fact", OBSERVATION_KEYS))
 
 
 def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):

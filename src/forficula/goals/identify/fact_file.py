@@ -9,9 +9,10 @@ from typing import Any, cast
 import numpy as np
 
 from forficula.design import Design, key_quantity, key_value, value_from_folder
+from forficula.design.key_table import names_within
 from forficula.errors import InputError
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
-from forficula.goals.identify.observation_keys import names_in
+from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 from forficula.goals.identify.row_quantity import RowQuantity, is_state, read_combination, row_quantities
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
@@ -37,7 +38,7 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
     """
     if not isinstance(given, dict):
         raise InputError(f"need a table, got {as_written(given)}")
-    check_keys(given, names_in("fact"), "")
+    check_keys(given, names_within("fact", OBSERVATION_KEYS), "")
     name = given.get("name")
     if not isinstance(name, str):
         raise InputError(f"name: need a short text, got {as_written(name)}")
@@ -189,7 +190,7 @@ def _least(given: object, base: Design) -> LeastValue | None:
         return None
     if not isinstance(given, dict):
         raise InputError(f"least: need a table, got {as_written(given)}")
-    check_keys(given, names_in("fact.least"), "least.")
+    check_keys(given, names_within("fact.least", OBSERVATION_KEYS), "least.")
     key, values = given.get("key"), given.get("values")
     quantity = key_quantity(key, type(base)) if isinstance(key, str) else None
     if quantity is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from forficula.design.key_table import KeyFact, facts_within, file_key, names_within
+from forficula.design.key_table import file_key
 
 _STATISTICS = "count, all, none, any; or least, largest, mean, least at, largest at"
 _VALUES = 'list, or range such as "10..60 N/cm step 10"'
@@ -45,17 +45,3 @@ OBSERVATION_KEYS = (
     file_key("fact.tolerance", "number, or text with a unit", "0", "by how much the fact may be missed"),
     file_key("fact.scale", "as tolerance", "the samples' spread", "of the distances in sums over facts"),
 )
-
-
-def observation_key_facts(within: str = "") -> list[KeyFact]:
-    """Tell all keys of an observations file, or those in a table of it, such as "fact".
-
-    Raises:
-        InputError: there is no such table or key.
-    """
-    return facts_within(within, OBSERVATION_KEYS)
-
-
-def names_in(table: str = "") -> tuple[str, ...]:
-    """The keys that a table of the file may have; of the file itself if empty."""
-    return names_within(table, OBSERVATION_KEYS)

@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from forficula.design import Design, key_quantity, key_value, numbered_key
+from forficula.design.key_table import names_within
 from forficula.design.part import Quantity
 from forficula.errors import InputError
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_file import read_fact
-from forficula.goals.identify.observation_keys import names_in
+from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 from forficula.goals.identify.observations import Observations
 from forficula.names import folder_name
 from forficula.quantities import as_written, is_whole
@@ -51,7 +52,7 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    check_keys(tables, names_in(), "")
+    check_keys(tables, names_within("", OBSERVATION_KEYS), "")
     for key in ("settings", "sampling", "unknown"):
         if not isinstance(tables.get(key, {}), dict):
             raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
@@ -62,7 +63,7 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
     base = base_design(tables, folder)
     priors = _priors(tables, folder, base)
     sampling = tables.get("sampling", {})
-    check_keys(sampling, names_in("sampling"), "sampling.")
+    check_keys(sampling, names_within("sampling", OBSERVATION_KEYS), "sampling.")
     return Observations(
         name=title,
         source=str(tables.get("source", "")),

@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from forficula.design import Design, numbered_key
+from forficula.design.key_table import names_within
 from forficula.errors import InputError
 from forficula.goals.deviation import Deviation, default_deviations
 from forficula.goals.goal_file import deviations_within, flat_table, read_limits, with_torques
-from forficula.goals.goal_keys import goal_names_in
+from forficula.goals.goal_keys import GOAL_KEYS
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.tolerance.question import Question
 from forficula.quantities import as_written
@@ -72,7 +73,7 @@ def _of_file(where: str, read: Callable[[], T]) -> T:
 def _tables(text: str) -> dict[str, Any]:
     """The tables of a goal file that are looked at, checked to be such; what else it has is not."""
     tables = parse_toml(text, "a goal")
-    check_keys(tables, goal_names_in(), "")
+    check_keys(tables, names_within("", GOAL_KEYS), "")
     for name in ("tolerances", "limits", "vary"):
         if not isinstance(tables.get(name, {}), dict):
             raise InputError(f"{name}: need a table, got {as_written(tables[name])}")
