@@ -24,4 +24,4 @@ const answers = [];
 // what a study asks of a point, or values of a run
 for (const each of JSON.parse(readFileSync(settings, "utf8")))
   answers.push(await ask(each.values ? { act: "answer", ...each } : { act: "run", values: each }));
-process.stdout.write(JSON.stringify({ loaded, answers, memory: process.memoryUsage().rss }));
+process.stdout.write(JSON.stringify({ loaded, answers }));

@@ -25,10 +25,10 @@ from forficula.study import run_study
 from forficula.study.runs import run
 from forficula.study.study_file import study_of
 from tests.plate_sheets import miura, plates, vertex
+from tests.show.page.live_wing import check_as_recorded
 
 BUILT = resources.files("forficula.show.page") / "built"
-# of a record's numbers: angles in deg, times in s, energies by the largest
-ANGLE, TIME, ENERGY = 0.01, 1e-4, 1e-4
+TIME = 1e-4  # s, of a record's
 
 
 def node_path():
@@ -75,28 +75,6 @@ def outcomes(answered):
     return [answer["outcome"] for answer in answered["answers"]]
 
 
-def check_as_recorded(found, record):
-    """Stages, times, works, states and words of an outcome in a page are those of a record."""
-    outcome = measure(record)
-    assert found["status"] == outcome.status
-    assert found["verdict"] == outcome.verdict
-    assert [stage["name"] for stage in found["stages"]] == [end.stage.name for end in record.stages]
-    for stage, end, each in zip(found["stages"], record.stages, outcome.stages, strict=True):
-        assert stage["end_s"] == pytest.approx(end.end, abs=TIME)
-        assert (stage["goal_s"] is None) == (end.goal_time is None)
-        assert stage["work_J"] == pytest.approx(each.work, rel=ENERGY, abs=1e-9)
-    states = record.structure.states
-    assert [state["name"] for state in found["states"]] == [outcome.state_names[state.name] for state in states]
-    ends = {round(end.end, 9): number for number, end in enumerate(record.stages)}
-    for state in filter(None, outcome.states.values()):
-        stage = found["stages"][ends[round(state.time, 9)]]
-        for values, shown in zip(stage["readings"], shown_measures(record.structure), strict=True):
-            if shown.name in state.readings and shown.kind == "angle":
-                assert np.degrees(values) == pytest.approx(np.degrees(state.readings[shown.name].mean), abs=ANGLE)
-        most = float(record.series["tendon_energy"].max(initial=0.0))
-        assert stage["energies_J"] == pytest.approx(state.tendon_energy.tolist(), abs=ENERGY * most)
-
-
 def test_the_engine_is_the_published_one_and_its_hash_stands_in_the_script_that_starts_it():
     stamp = built("engine.js").partition("\n")[0]
     program = gzip.decompress((BUILT / "engine.wasm.gz").read_bytes())
@@ -121,37 +99,6 @@ def test_other_structures_that_a_page_can_move_go_as_they_are_recorded(run_in_pa
     record = run(load_design(name))
     (found,) = outcomes(run_in_page(record.design, [{}]))
     check_as_recorded(found, record)
-
-
-def test_ten_settings_of_sliders_come_to_what_the_package_says(run_in_page):
-    design = with_timestep(load_design("binder2025"))
-    settings = [
-        {"tendon.stiffness": 3000.0},
-        {"tendon.stiffness": 6000.0},
-        {"tendon.rest_length": 0.05},
-        {"tendon.rest_length": 0.06, "tendon.stiffness": 4000.0},
-        {"protocol.fold_torque": 0.1},
-        {"protocol.fold_torque": 1.2, "tendon.stiffness": 4000.0},
-        {"protocol.unfold_torque": 0.3},
-        {"membrane.youngs_modulus": 5e5},
-        {"hinge.damping": 4e-3},
-        {"protocol.gravity": 9.81, "tendon.damping": 0.5},
-    ]
-    answered = outcomes(run_in_page(design, [DEFAULTS | each for each in settings]))
-    for values, found in zip(settings, answered, strict=True):
-        check_as_recorded(found, run(with_values(design, values)))
-
-
-DEFAULTS = {
-    "tendon.stiffness": 1000.0,
-    "tendon.rest_length": 0.09,
-    "tendon.damping": 0.1,
-    "membrane.youngs_modulus": 1e6,
-    "hinge.damping": 1e-3,
-    "protocol.gravity": 0.0,
-    "protocol.fold_torque": 0.5,
-    "protocol.unfold_torque": 1.0,
-}
 
 
 LOOPS = """stiffness = "1e-3 N m/rad/m"
@@ -309,15 +256,3 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
     for name in ("least_fold_torque", "least_unfold_torque"):
         own = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
         assert [row["least"][name] for row in rows] == pytest.approx(own)
-
-
-def test_memory_does_not_grow_over_a_hundred_folds(run_in_page):
-    """Of a protocol that folds and no more, as often as twenty times, and five times that."""
-    stages = [
-        {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"},
-        {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"},
-    ]
-    design = load_design("binder2025", {"protocol.timestep": "0.4 ms", "protocol.stages": stages})
-    few, many = (run_in_page(design, [{}] * count)["memory"] for count in (20, 100))
-    # what a collector of garbage has not taken yet
-    assert many < few + 20e6

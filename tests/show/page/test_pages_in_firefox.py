@@ -6,6 +6,18 @@ import numpy as np
 import pytest
 
 from tests.show.page.firefox import firefox_path, running
+from tests.show.page.live_wing import (
+    HALF_SECOND,
+    IN_AIR,
+    ONE_FOLD,
+    LiveWing,
+    agrees_in_ten_settings,
+    folds_and_opens,
+    is_refused,
+    keeps_its_memory,
+    sticks,
+    write_wing,
+)
 from tests.show.page.page_kinds import KINDS, MOVING
 from tests.workbench.serving import serving
 
@@ -91,18 +103,33 @@ def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
     assert [text for text in firefox.messages if "nothing is not defined" in text]
 
 
-def test_a_wing_is_started_folded_and_opened_in_its_page(firefox, pages):
-    firefox.open(pages["run"], *WIDE)
-    firefox.click("button.try")
-    firefox.until("window.forficula.trial.panel !== null || window.forficula.trial.failed !== ''")
-    assert firefox.evaluate("window.forficula.trial.failed") == ""
-    said = "document.querySelector('.verdict').textContent"
-    for name, came in (("Fold", "The wing folded in"), ("Unfold", "The wing opened again in")):
-        find = f"[...document.querySelectorAll('.trial button')].find((each) => each.textContent === '{name}')"
-        firefox.evaluate(f"{find}.click(), true")
-        firefox.until(f"{said}.startsWith('{came}')")
-    angles = firefox.evaluate("Array.from(window.forficula.trial.panel.frame.readings[0])")
-    assert min(angles) > 0
+@pytest.fixture(scope="module")
+def wing_page(tmp_path_factory):
+    """A run, its outcome, and its page."""
+    path = tmp_path_factory.mktemp("wing") / "report.html"
+    return *write_wing(path, HALF_SECOND), path
+
+
+def test_a_live_wing_goes_as_the_package_says_and_sticks_without_a_torque(firefox, wing_page):
+    record, outcome, path = wing_page
+    firefox.open(path, *WIDE)
+    wing = LiveWing(firefox.evaluate)
+    folds_and_opens(wing, outcome)
+    agrees_in_ten_settings(wing, record.design)
+    sticks(wing)
+    assert (firefox.messages, asked(firefox)) == ([], [])
+
+
+def test_memory_does_not_grow_over_a_hundred_folds(firefox, tmp_path):
+    write_wing(tmp_path / "report.html", ONE_FOLD)
+    firefox.open(tmp_path / "report.html", *WIDE)
+    keeps_its_memory(LiveWing(firefox.evaluate))
+
+
+def test_a_structure_that_the_engine_moves_otherwise_is_told_with_the_reason(firefox, tmp_path):
+    write_wing(tmp_path / "report.html", IN_AIR, "binder2025-built")
+    firefox.open(tmp_path / "report.html", *WIDE)
+    is_refused(firefox.evaluate)
     assert (firefox.messages, asked(firefox)) == ([], [])
 
 
