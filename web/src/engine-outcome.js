@@ -155,7 +155,8 @@ function endingWord(ending) {
 function adviceOf(live, ending) {
   const { verdict, transition, why } = ending;
   if (verdict === "diverged") return "Take a shorter timestep, or a softer membrane.";
-  if (transition === null || verdict === "reached" || verdict === "untrusted" || (verdict === "not held" && why)) return "";
+  if (verdict === "untrusted") return "Take a shorter timestep.";
+  if (transition === null || verdict === "reached" || (verdict === "not held" && why)) return "";
   if (verdict === "stuck") return underWay(ending) ? transition.advice.underWay : transition.advice.stuck;
   if (verdict === "not held") return transition.advice.lost;
   return "It is still on its way when its time is over.";

@@ -31,6 +31,9 @@ class Verdict(StrEnum):
 # how many times the allowed residual tells nothing of the timestep that would do
 _FAR_OFF = 20
 SETTLED = "settled"
+# why a run at the shortest timestep that was tried is not to be trusted though its energy balances
+UNSETTLED = "its outcome still changes with the timestep"
+_AUTO = 'protocol.timestep = "auto" chooses one'
 _SILENT = {
     Verdict.DIVERGED: "diverged",
     Verdict.UNTRUSTED: "not to be trusted",
@@ -128,11 +131,11 @@ def ending_advice(ending: Ending, design: Design, structure: Structure | None = 
         case Verdict.DIVERGED:
             softer = " or a softer membrane" * bool(structure is not None and structure.membranes)
             other = "" if structure is None or not structure.appearance.steadier else structure.appearance.steadier
-            return (
-                f'Take a shorter timestep (protocol.timestep = "auto" chooses one){softer}{other and f", or {other}"}.'
-            )
-        case Verdict.UNTRUSTED if ending.why:
+            return f"Take a shorter timestep ({_AUTO}){softer}{other and f', or {other}'}."
+        case Verdict.UNTRUSTED if ending.why == UNSETTLED:
             return "It stands on an edge, where the least change decides: move a value of it away from here."
+        case Verdict.UNTRUSTED if ending.why:
+            return f"Take a shorter timestep ({_AUTO})."
         case Verdict.UNTRUSTED:
             return _shorter_step(ending, design)
         case Verdict.MOVING if ending.transition is not None:
@@ -176,11 +179,8 @@ def _shorter_step(ending: Ending, design: Design) -> str:
     limit, timestep = design.protocol.residual_limit, design.protocol.timestep
     allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"
     if ending.residual is None or not ending.residual <= _FAR_OFF * limit or not isinstance(timestep, float):
-        return f'Take a shorter timestep: {allowed}; protocol.timestep = "auto" chooses one.'
+        return f"Take a shorter timestep: {allowed}; {_AUTO}."
     needed = timestep * limit / ending.residual
     digit = 10.0 ** math.floor(math.log10(needed))
     needed = math.floor(needed / digit * (1 + 1e-9)) * digit
-    return (
-        f"Take a timestep of about {show_value(needed, 's')} instead of {show_value(timestep, 's')}: {allowed};"
-        ' protocol.timestep = "auto" chooses one.'
-    )
+    return f"Take a timestep of about {show_value(needed, 's')} instead of {show_value(timestep, 's')}: {allowed}; {_AUTO}."

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
+from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
     Model,
@@ -236,7 +237,7 @@ def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
     if not outcome.verdict.tells or not attempt.before:
         return ""
     told = [each for each in attempt.before if each.verdict.tells]
-    return "" if all(_same_ending(each, outcome) for each in told) else "its outcome still changes with the timestep"
+    return "" if all(_same_ending(each, outcome) for each in told) else UNSETTLED
 
 
 def _agree(before: Outcome, after: Outcome) -> bool:
