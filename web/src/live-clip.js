@@ -3,6 +3,7 @@
 import { TENDONS } from "./clip.js";
 
 const NOW = Infinity; // the moment that is the engine's
+const SEEN = 1e-4; // of how far it reaches, of an energy, rad: what changes by less is not seen
 const LENGTHS = { m: 1, cm: 1e2, mm: 1e3, "\u00b5m": 1e6 };
 
 /** The present of a structure, as a clip and a clock that pictures and tables take; `show` tells what it is. */
@@ -12,6 +13,7 @@ export function makeLive(clip, live, first) {
   // at least a second, in whose unit times are written
   const span = { start: clip.start, end: Math.max(clip.end, clip.start + 1), origins: [0], whole: true };
   let frame = first;
+  let drawn = first;
   let waiting = 0;
 
   function changed() {
@@ -67,6 +69,8 @@ export function makeLive(clip, live, first) {
 
   function show(next) {
     frame = next;
+    if (next !== drawn && !differs(next, drawn, SEEN * shown.reach)) return;
+    drawn = next;
     changed();
   }
 
@@ -78,4 +82,15 @@ export function makeLive(clip, live, first) {
       return frame;
     },
   };
+}
+
+/** Whether two moments look different: points by this much, m, or energies. */
+function differs(one, other, most) {
+  const apart = (values, others, allowed) => values.some((value, at) => Math.abs(value - others[at]) > allowed);
+  return (
+    apart(one.points, other.points, most) ||
+    one.readings.some((values, at) => apart(values, other.readings[at], SEEN * Math.max(1, ...values.map(Math.abs)))) ||
+    apart(one.energies_J, other.energies_J, SEEN * Math.max(...other.energies_J)) ||
+    apart(one.restLengths_m, other.restLengths_m, 0)
+  );
 }
