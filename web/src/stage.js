@@ -99,15 +99,9 @@ export function makeStage(clips, clock, shapeOf, text, look) {
 
   const watch = new ResizeObserver(resize);
   watch.observe(element);
-  let seen = true;
-  const sight = new IntersectionObserver((entries) => {
-    seen = entries.at(-1).isIntersecting;
-    if (seen && !posed) draw();
-  });
-  sight.observe(element);
   const stop = clock.onChange(() => {
     posed = false;
-    if (seen) draw();
+    draw();
   });
   const stopPainting = onSchemeChange(paint);
   canvas.addEventListener("webglcontextrestored", invalidate);
@@ -118,7 +112,6 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     stop();
     stopPainting();
     watch.disconnect();
-    sight.disconnect();
     eye.dispose();
     for (const { shape, floor } of views) {
       shape.dispose();
