@@ -279,6 +279,28 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
         temporary.write_bytes(content)
 
 
+def read_text(path: Path) -> str:
+    """Read a text that someone wrote.
+
+    Args:
+        path: of the file, UTF-8.
+
+    Raises:
+        InputError: no such file, it cannot be read, or it is not UTF-8.
+    """
+    try:
+        # Windows' editors begin UTF-8 with a byte order mark
+        return path.read_text("utf-8-sig")
+    except FileNotFoundError:
+        raise InputError(f"{path}: no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
+
+
 def read_toml(path: Path, what: str) -> dict[str, Any]:
     """Read the tables of a TOML file.
 
@@ -289,17 +311,7 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
     Raises:
         InputError: no such file, it cannot be read, or it is not UTF-8 or not TOML.
     """
-    try:
-        # Windows' editors begin UTF-8 with a byte order mark
-        text = path.read_text("utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
-    except ValueError as error:  # a null byte
-        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
+    text = read_text(path)
     try:
         return parse_toml(text, what)
     except InputError as error:

@@ -261,7 +261,7 @@ def test_a_study_that_is_not_there_is_one_clear_error(tmp_path, monkeypatch, nam
 
 def test_a_study_that_is_not_utf8_is_one_clear_error(tmp_path):
     (tmp_path / "study.toml").write_bytes('source = "Käfer"'.encode("latin-1"))
-    with pytest.raises(InputError, match="need UTF-8"):
+    with pytest.raises(InputError, match="not UTF-8 text from byte"):
         load_study(tmp_path / "study.toml")
 
 

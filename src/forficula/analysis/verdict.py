@@ -183,4 +183,5 @@ def _shorter_step(ending: Ending, design: Design) -> str:
     needed = timestep * limit / ending.residual
     digit = 10.0 ** math.floor(math.log10(needed))
     needed = math.floor(needed / digit * (1 + 1e-9)) * digit
-    return f"Take a timestep of about {show_value(needed, 's')} instead of {show_value(timestep, 's')}: {allowed}; {_AUTO}."
+    instead = f"{show_value(needed, 's')} instead of {show_value(timestep, 's')}"
+    return f"Take a timestep of about {instead}: {allowed}; {_AUTO}."

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
 from forficula.errors import InputError
-from forficula.files import as_path
+from forficula.files import as_path, read_text
 from forficula.names import near_name
 from forficula.quantities import as_written
 from forficula.study.file_keys import dotted_values
@@ -46,14 +46,7 @@ def read_named(name_or_path: object, package: str, what: str, several: str) -> t
             f" {', '.join(names)}{near_name(given, names)}"
         )
     path = Path(given)
-    try:
-        return path.read_text("utf-8-sig"), given, path.parent
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: cannot be read: need UTF-8") from None
-    except ValueError as error:  # a null byte
-        raise InputError(f"{as_written(given)}: cannot be read: {error}") from None
+    return read_text(path), given, path.parent
 
 
 def load_named(
