@@ -666,7 +666,7 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["none.toml"], "none.toml: cannot be read: No such file or directory"),
+        (["none.toml"], "none.toml: no such file"),
         (
             ["none"],
             '"none" is neither a named study nor a .toml file; the named studies are binder2025-choices,'
