@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
+from forficula.design.provenance import WORDS
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 
@@ -94,9 +95,11 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
         model: class of the design.
 
     Raises:
-        InputError: an unknown key, or values that are not allowed.
+        InputError: an unknown key, one that no run depends on, or values that are not allowed.
     """
     quantity = key_quantity(key, model, given)
+    if key in WORDS:
+        raise InputError(f"{key}: need a key on which runs depend; this one is a word about the design")
     if isinstance(given, list):
         if not given:
             raise InputError(f"{key}: need at least one value, got an empty list")
