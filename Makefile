@@ -20,7 +20,8 @@ test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and 
 	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
 
 browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be there: Firefox; before a release
-	FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest tests/show/page/test_pages_in_firefox.py
+	FORFICULA_EVERY_BROWSER=1 FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest \
+		tests/show/page/test_pages_in_firefox.py tests/show/page/test_live_wing.py
 
 check: $(INSTALLED)  ## lint, types, layers
 	$(BIN)/ruff check

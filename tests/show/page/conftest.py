@@ -96,6 +96,7 @@ class Watched:
     def __init__(self, browser, path, **options):
         self.context = browser.new_context(offline=True, **DEFAULTS | options)
         self.page = self.context.new_page()
+        self.evaluate = self.page.evaluate
         self.messages: list[str] = []
         self.requests: list[str] = []
         self.page.on("console", self.hear)

@@ -16,6 +16,7 @@ from PIL import Image
 from websockets.sync.client import connect
 
 SECONDS = 30.0
+INSTALL = "apt-get install firefox-esr xvfb libegl1 libgl1-mesa-dri"
 KEYS = {"Tab": "\ue004", "Enter": "\ue007", " ": " ", "ArrowRight": "\ue014", "Home": "\ue011", "End": "\ue010"}
 LEFT = 0  # button of a mouse
 # nothing listens at port 9, and no name is looked up: the network is cut
@@ -53,12 +54,13 @@ class Firefox:
         self._window = self._command("browsingContext.getTree")["contexts"][0]["context"]
 
     def open(self, path, width, height):
-        """Show a file, or an address, in a window of this many pixels, as if nothing had been shown before."""
+        """Show a file, or an address, in a window of this many pixels, as if nothing had been shown before; itself."""
         viewport = {"width": width, "height": height}
         self._command("browsingContext.setViewport", context=self._window, viewport=viewport)
         self.messages, self.requests = [], []
         url = path if isinstance(path, str) else path.as_uri()
         self._command("browsingContext.navigate", context=self._window, url=url, wait="complete")
+        return self
 
     def evaluate(self, expression):
         """What an expression of the page's script comes to, as JSON has it; a promise is waited for."""

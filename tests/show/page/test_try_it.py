@@ -7,18 +7,7 @@ import pytest
 
 from forficula.design import design_from_text, with_values
 from forficula.show.page import write_run_page
-from tests.show.page.live_wing import (
-    HALF_SECOND,
-    IN_AIR,
-    ONE_FOLD,
-    LiveWing,
-    agrees_in_ten_settings,
-    folds_and_opens,
-    is_refused,
-    keeps_its_memory,
-    sticks,
-    write_wing,
-)
+from tests.show.page.live_wing import HALF_SECOND, LiveWing, write_wing
 from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
@@ -54,10 +43,6 @@ def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_aske
     assert opened.page.workers == []
 
 
-def test_the_wing_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(trial, page_with_engine):
-    folds_and_opens(trial.live, page_with_engine[1])
-
-
 def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
     begin_again(trial)
     trial.page.get_by_label("speed").last.select_option("1/20")
@@ -68,19 +53,6 @@ def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
     trial.live.until("document.querySelector('.verdict').textContent !== ''")
     said = trial.page.locator(".verdict").inner_text()
     assert re.fullmatch(r"The wing folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
-
-
-def test_ten_settings_of_sliders_come_to_what_the_package_says(trial, page_with_engine):
-    agrees_in_ten_settings(trial.live, page_with_engine[0].design)
-
-
-def test_a_setting_that_sticks_says_so_and_what_to_try(trial):
-    sticks(trial.live)
-
-
-def test_memory_does_not_grow_over_a_hundred_folds(watch, tmp_path):
-    write_wing(tmp_path / "report.html", ONE_FOLD)
-    keeps_its_memory(LiveWing(watch(tmp_path / "report.html", viewport={"width": 200, "height": 200}).page.evaluate))
 
 
 def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, page_with_engine):
@@ -127,17 +99,6 @@ def test_a_tip_that_is_pushed_moves_and_comes_back_when_it_is_left(trial):
     page.mouse.up()
     assert np.abs(pushed - before).max() > 0.005
     assert page.locator(".pushed").inner_text() == ""
-
-
-def test_the_panel_says_nothing_on_the_console_and_asks_for_nothing(trial):
-    assert trial.messages == []
-    assert [url for url in trial.requests if not url.startswith(("file:", "data:", "blob:"))] == []
-
-
-def test_a_structure_that_the_engine_moves_otherwise_is_told_with_the_reason(watch, tmp_path):
-    write_wing(tmp_path / "report.html", IN_AIR, "binder2025-built")
-    assert (tmp_path / "report.html").stat().st_size < MOST / 2
-    is_refused(watch(tmp_path / "report.html").page.evaluate)
 
 
 def test_a_page_without_its_engine_offers_nothing(page_with_engine, tmp_path):

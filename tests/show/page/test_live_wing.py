@@ -1,0 +1,138 @@
+"""A wing that is moved in its page, from a file with the network cut, in Chromium and in Firefox."""
+
+import os
+
+import numpy as np
+import psutil
+import pytest
+
+from forficula.analysis import measure
+from forficula.design import with_values
+from forficula.study.runs import run
+from tests.show.page.conftest import watching
+from tests.show.page.firefox import INSTALL, firefox_path, running
+from tests.show.page.live_wing import HALF_SECOND, LiveWing, check_as_recorded, write_wing
+
+SMALL = (200, 200)  # pixels, which are soon drawn
+SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
+FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"}
+LEAK = 40e6  # bytes: half a megabyte a fold; what a collector of garbage has not taken yet comes to 25e6
+# shares of the ranges of sliders, by their keys
+TEN_SETTINGS = (
+    {"tendon.stiffness": 0.74},
+    {"tendon.stiffness": 0.2},
+    {"tendon.rest_length": 0.05},
+    {"tendon.rest_length": 0.2, "tendon.stiffness": 0.65},
+    {"protocol.fold_torque": 0.065},
+    {"protocol.fold_torque": 0.8, "tendon.stiffness": 0.7},
+    {"protocol.unfold_torque": 0.1},
+    {"membrane.youngs_modulus": 0.28},
+    {"hinge.damping": 0.7},
+    {"protocol.gravity": 0.49, "tendon.damping": 0.5},
+)
+
+
+@pytest.fixture(scope="module", params=["Chromium", "Firefox"])
+def show(request, tmp_path_factory):
+    """Open a page in a window: what evaluates expressions in it, with the messages and requests of its browser."""
+    if request.param == "Chromium":
+        with watching(request.getfixturevalue("browser")) as watch:
+            yield lambda path, width, height: watch(path, viewport={"width": width, "height": height})
+        return
+    program = firefox_path()
+    if not program:
+        missing = f"Firefox is missing; install it, as with: {INSTALL}, or name it in FORFICULA_FIREFOX"
+        reason = f"{missing}: the simulator in a page is not tested in a second browser"
+        if os.environ.get("FORFICULA_NEED_FIREFOX") == "1":
+            pytest.fail(reason)
+        pytest.skip(reason)
+    with running(program, tmp_path_factory.mktemp("firefox") / "profile") as firefox:
+        yield firefox.open
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory):
+    """A run, its outcome, and its page."""
+    path = tmp_path_factory.mktemp("wing") / "report.html"
+    return *write_wing(path, HALF_SECOND), path
+
+
+@pytest.fixture(scope="module")
+def shown(show, recorded):
+    return show(recorded[-1], 800, 600)
+
+
+@pytest.fixture(scope="module")
+def wing(shown):
+    return LiveWing(shown.evaluate)
+
+
+def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, recorded):
+    outcome = recorded[1]
+    wing.slide()
+    assert wing.do("Start again") == "Settled."
+    assert wing.do("Fold").startswith("The wing folded in ")
+    folded = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
+    assert wing.angles == pytest.approx(folded, abs=6)  # of a fold that still swings there
+    assert wing.do("Unfold").startswith("The wing opened again in ")
+    opened = np.degrees(outcome.states["opened"].readings["distal_angle"].mean)
+    assert wing.angles == pytest.approx(opened, abs=0.5)
+
+
+def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, recorded):
+    verdicts = set()
+    for shares in TEN_SETTINGS:
+        wing.slide(shares)
+        assert set(wing.changes) == set(shares)
+        said = wing.do("Whole protocol")
+        record = run(with_values(recorded[0].design, wing.changes))
+        check_as_recorded(wing.ended, record)
+        status = measure(record).status
+        assert ("opened again" if "and opened" in status else status) in said.lower()
+        verdicts.add(wing.ended["verdict"])
+    assert len(verdicts) > 2
+
+
+def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
+    wing.slide({"protocol.fold_torque": 0})
+    wing.do("Start again")
+    # it swings for longer than it is said to settle
+    wing.until("window.forficula.trial.panel.frame.time_s > 0.3")
+    assert wing.do("Fold") == "Did not fold."
+    assert "Raise protocol.fold_torque" in wing.evaluate("document.querySelector('.trial .note').textContent")
+    assert wing.angles.min() > -5
+
+
+@pytest.mark.usefixtures("wing")
+def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
+    assert shown.messages == []
+    assert [url for url in shown.requests if not url.startswith(("file:", "data:", "blob:"))] == []
+
+
+def test_what_the_engine_would_move_otherwise_is_told_with_the_reason(show, tmp_path):
+    keys = {"protocol.stages": [SETTLE], "protocol.timestep": "0.2 ms"}
+    write_wing(tmp_path / "report.html", keys, "binder2025-built")
+    page = show(tmp_path / "report.html", *SMALL)
+    assert page.evaluate("document.querySelector('button.try').disabled")
+    assert "it moves in air or water" in page.evaluate("document.querySelector('#try').textContent")
+
+
+def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path):
+    write_wing(tmp_path / "report.html", {"protocol.stages": [SETTLE, FOLD]})
+    wing = LiveWing(show(tmp_path / "report.html", *SMALL).evaluate)
+    held = []
+    for count in (20, 80):
+        for _ in range(count):
+            assert wing.do("Whole protocol").startswith("The wing folded in ")
+        held.append(sum(map(resident, psutil.Process().children(recursive=True))))
+    # a control: the browser is among these processes
+    assert held[0] > 50e6
+    assert held[1] - held[0] < LEAK
+
+
+def resident(process):
+    """Bytes of a process; of one that has ended, none."""
+    try:
+        return process.memory_info().rss
+    except psutil.Error:
+        return 0
