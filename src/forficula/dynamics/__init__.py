@@ -5,7 +5,7 @@ from forficula.dynamics.portable_model import portable_model, why_not_portable
 from forficula.dynamics.record import Record, StageEnd, as_record, load_record, save_record, versions
 from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
-from forficula.dynamics.stages import goal_in_units
+from forficula.dynamics.stage_plan import goal_in_units
 from forficula.dynamics.stepped_protocol import SteppedProtocol, stepped_protocol
 from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with_timestep
 from forficula.dynamics.units import design_in_model_units

@@ -13,7 +13,7 @@ from forficula.dynamics.closures import LARGEST_GAP
 from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
-from forficula.dynamics.stages import NEVER
+from forficula.dynamics.stage_plan import NEVER
 from forficula.dynamics.steps import State, Steps
 
 Array = NDArray[np.float64]

@@ -6,7 +6,7 @@ from collections.abc import Container, Sequence
 
 from forficula.design import Design, Stage, put
 from forficula.dynamics.model import Model
-from forficula.dynamics.stages import Effort, stage_torques
+from forficula.dynamics.stage_plan import Effort, stage_torques
 from forficula.structure import Structure, drive_of
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from forficula.design import stage_drives
 from forficula.dynamics.closures import LARGEST_GAP
 from forficula.dynamics.model import Model
-from forficula.dynamics.stages import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
+from forficula.dynamics.stage_plan import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
 from forficula.structure import Drive, Goal, drive_unit
 
 Array = NDArray[np.float64]
