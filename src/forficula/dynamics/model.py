@@ -171,11 +171,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     Raises:
         InputError: as of `compile_model`.
     """
-    if len(in_units.bodies) > _MOST_BODIES:
-        follows = f" ({structure.appearance.bodies})" if structure.appearance.bodies else ""
-        raise InputError(
-            f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{follows}, got {len(in_units.bodies)}"
-        )
+    _check_size(design, structure)
     timestep = float(design.protocol.timestep) / units.time
     mesh = joined_mesh(in_units.membranes)
     distances = [measure for measure in in_units.measures if measure.points is not None]
@@ -187,14 +183,10 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     engine = _compiled(spec, design.name)
     clear_rows(engine)
     folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
-    kinds = mujoco.mjtObj
-    tendons = _indices(engine, kinds.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
+    tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
     plastic = engine.tendon_plasticadr[tendons]
-    sites = [-1] * len(in_units.points)
-    for number in engine_sites(in_units):
-        sites[number] = int(_indices(engine, kinds.mjOBJ_SITE, [in_units.points[number].name])[0])
     (holds, servo_ways), (brakes, brake_ways) = _servos(engine, in_units), _brakes(engine, in_units)
-    bodies = _indices(engine, kinds.mjOBJ_BODY, [body.name for body in in_units.bodies])
+    gaps = [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))]
     return Model(
         design=design,
         structure=structure,
@@ -209,14 +201,10 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         drag=drag,
         followed=_followed_steps(in_units),
         pushed=_pushed(engine, in_units),
-        springs=_indices(engine, kinds.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
+        springs=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
         tendons=tendons,
-        distances=_indices(engine, kinds.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
-        gaps=_indices(
-            engine,
-            kinds.mjOBJ_TENDON,
-            [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))],
-        ),
+        distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
+        gaps=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
         # of the two numbers of a tendon the dead band's upper end
         creep=np.where(plastic >= 0, plastic + 1, -1),
@@ -224,12 +212,31 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         holds=holds,
         brakes=brakes,
         ways=servo_ways + brake_ways,
-        sites=np.array(sites, dtype=np.int64),
-        # 0 is the ground
-        carriers=np.array([0 if point.body < 0 else bodies[point.body] for point in in_units.points], dtype=np.int64),
+        sites=_sites(engine, in_units),
+        carriers=_carriers(engine, in_units),
         elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
         lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
     )
+
+
+def _check_size(design: Design, structure: Structure) -> None:
+    if (count := len(structure.bodies)) > _MOST_BODIES:
+        follows = f" ({structure.appearance.bodies})" if structure.appearance.bodies else ""
+        raise InputError(f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{follows}, got {count}")
+
+
+def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """The site of every point, (point,), -1 where it has none."""
+    sites = np.full(len(structure.points), -1, dtype=np.int64)
+    for number in engine_sites(structure):
+        sites[number] = _indices(engine, mujoco.mjtObj.mjOBJ_SITE, [structure.points[number].name])[0]
+    return sites
+
+
+def _carriers(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """The body that carries every point, (point,); 0 is the ground."""
+    bodies = _indices(engine, mujoco.mjtObj.mjOBJ_BODY, [body.name for body in structure.bodies])
+    return np.array([0 if point.body < 0 else bodies[point.body] for point in structure.points], dtype=np.int64)
 
 
 def joint_ranges(model: Model) -> tuple[Array, Array]:

@@ -52,37 +52,14 @@ def named_studies() -> list[str]:
 
 def _study(tables: dict[str, Any], folder: Path) -> Study:
     check_keys(tables, names_within("", STUDY_KEYS), "")
-    for key in ("settings", "sampling", "search"):
-        if not isinstance(tables.get(key, {}), dict):
-            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
-    try:
-        title = folder_name(tables["name"])
-    except InputError as error:
-        raise InputError(f"name: {error}") from None
-    reproduces = tables.get("reproduces")
-    if not isinstance(reproduces, str | None):
-        raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
+    _check_tables(tables)
     base = base_design(tables, folder)
     factors = read_factors(tables, "factors", folder, base)
     drawn = [factor for factor in factors if factor.distribution is not None]
-    if drawn and len(drawn) < len(factors):
-        raise InputError("factors: need either all of them as distributions or none, got both kinds")
-    vary = tables.get("vary", "grid")
-    if vary not in ("grid", "one-at-a-time"):
-        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
-    if "vary" in tables and drawn:
-        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
+    vary = _vary(tables, factors, drawn)
     grid = _repeated_grid(tables, vary, factors, folder, base)
-    for factor in (*factors, *grid):
-        now = key_value(base, factor.key)
-        if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
-            raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
-    ask = tables.get("ask", "run")
-    if ask not in ("run", *SEARCHES):
-        raise InputError(f"ask: need {one_of(('run', *SEARCHES), str(ask))}")
-    if "sampling" in tables and not drawn:
-        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
-    search = _search(tables, ask, base, (*factors, *grid))
+    _check_drawn(tables, base, (*factors, *grid), drawn)
+    search = _search(tables, base, (*factors, *grid))
     choices: tuple[Mapping[str, object], ...] = ()
     if vary == "one-at-a-time":
         factors = tuple(with_own_word(base, factor) for factor in factors)
@@ -94,7 +71,7 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     else:
         points = grid_points(factors)
     return Study(
-        name=title,
+        name=folder_name(tables["name"]),
         source=str(tables.get("source", "")),
         base=base,
         factors=factors,
@@ -103,8 +80,44 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
         search=search,
         choices=choices,
         grid=grid,
-        reproduces=reproduces,
+        reproduces=tables.get("reproduces"),
     )
+
+
+def _check_tables(tables: Mapping[str, Any]) -> None:
+    """Refuse what cannot be, whatever the design is."""
+    for key in ("settings", "sampling", "search"):
+        if not isinstance(tables.get(key, {}), dict):
+            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
+    try:
+        folder_name(tables["name"])
+    except InputError as error:
+        raise InputError(f"name: {error}") from None
+    reproduces = tables.get("reproduces")
+    if not isinstance(reproduces, str | None):
+        raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
+
+
+def _vary(tables: Mapping[str, Any], factors: Sequence[Factor], drawn: Sequence[Factor]) -> str:
+    """How the factors vary together; some of them are drawn, or none."""
+    if drawn and len(drawn) < len(factors):
+        raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    vary = tables.get("vary", "grid")
+    if vary not in ("grid", "one-at-a-time"):
+        raise InputError(f'vary: need "grid" or "one-at-a-time", got {as_written(vary)}')
+    if "vary" in tables and drawn:
+        raise InputError(f"vary: needs factors that are lists or ranges, got distributions with {as_written(vary)}")
+    return str(vary)
+
+
+def _check_drawn(tables: Mapping[str, Any], base: Design, factors: Sequence[Factor], drawn: Sequence[Factor]) -> None:
+    """Refuse to draw values between which there are none, and to say how where none are drawn."""
+    if "sampling" in tables and not drawn:
+        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
+    for factor in factors:
+        now = key_value(base, factor.key)
+        if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
+            raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
 
 
 def read_factors(tables: Mapping[str, Any], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
@@ -148,8 +161,11 @@ def _repeated_grid(
     return grid
 
 
-def _search(tables: Mapping[str, Any], ask: str, base: Design, factors: Sequence[Factor]) -> Search | None:
+def _search(tables: Mapping[str, Any], base: Design, factors: Sequence[Factor]) -> Search | None:
     """What the study looks for, none of which its factors may vary; None where it runs the protocol as it is."""
+    ask = tables.get("ask", "run")
+    if ask not in ("run", *SEARCHES):
+        raise InputError(f"ask: need {one_of(('run', *SEARCHES), str(ask))}")
     if "search" in tables and ask not in SEARCHES:
         raise InputError('search: needs ask = "least-torques" or "least-value"')
     if ask not in SEARCHES:
