@@ -53,7 +53,7 @@ _ANGLE, _TIME, _ENERGY = 0.01, 1e-4, 1e-4
 _LEAK = 40e6  # bytes: half a megabyte a fold; what a collector of garbage has not taken yet comes to 25e6
 _BUTTON = "[...document.querySelectorAll('.trial button')].find((each) => each.textContent === {})"
 _SAID = "document.querySelector('.verdict').textContent"
-_SLIDE = """(([key, share]) => {
+SLIDE = """(([key, share]) => {
   const input = document.querySelector(`.slider[title^="${key}:"] input`);
   input.value = Math.round(share * input.max);
   input.dispatchEvent(new Event('input')); })"""
@@ -97,7 +97,7 @@ class LiveWing:
         """Put sliders to shares of their ranges, by key, and the others back to where the run has them."""
         self.press("All as in this run")
         for key, share in (shares or {}).items():
-            self.evaluate(f"{_SLIDE}({json.dumps([key, share])})")
+            self.evaluate(f"{SLIDE}({json.dumps([key, share])})")
 
     @property
     def changes(self):
