@@ -49,9 +49,9 @@ class Served:
         assert status == 200, content
         return json.loads(content)
 
-    def interrupt(self):
-        """Press ctrl-C; its errors, and its exit code."""
-        self.process.send_signal(signal.SIGINT)
+    def interrupt(self, by=signal.SIGINT):
+        """Press ctrl-C, or end it otherwise; its errors, and its exit code."""
+        self.process.send_signal(by)
         _, errors = self.process.communicate(timeout=SECONDS)
         return errors, self.process.returncode
 

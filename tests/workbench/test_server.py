@@ -217,8 +217,14 @@ def test_work_ends_when_its_page_leaves(served):
     )
 
 
-@pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
-def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(tmp_path, tmp_path_factory, monkeypatch):
+@pytest.mark.parametrize("by", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
+    tmp_path, tmp_path_factory, monkeypatch, by
+):
+    """So does whoever ends it otherwise, or closes its terminal."""
+    number = getattr(signal, by, None)
+    if number is None or signal.getsignal(number) == signal.SIG_IGN:
+        pytest.skip("a job in the background ignores it, and not every system has it")
     temporary = tmp_path_factory.mktemp("temporary")
     monkeypatch.setenv("TMPDIR", str(temporary))
     with serving("letter-fold", folder=tmp_path) as served:
@@ -226,7 +232,7 @@ def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(tm
         slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
         connection.request("POST", served.address.partition(str(served.port))[2] + "run", slow, JSON)
         connection.getresponse().readline()
-        errors, code = served.interrupt()
+        errors, code = served.interrupt(number)
         connection.close()
     assert code == 130
     assert errors.splitlines() == ["forficula: stopped"]

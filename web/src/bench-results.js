@@ -21,16 +21,19 @@ export function makeResults(what, { button: words, text, title }, asked) {
     start.disabled = true;
     stop.hidden = false;
     said.textContent = "Beginning \u2026";
+    let found = false;
     try {
       const reply = await follow(what, wanted, doing.signal, (step) => (said.textContent = `${step} \u2026`));
       if (reply.refused) said.textContent = `There is none: ${reply.refused}.`;
       else show(reply.done, wanted, (performance.now() - began) / 1000);
+      found = !reply.refused;
     } catch {
       said.textContent = "Stopped.";
     }
     doing = null;
     start.disabled = false;
     stop.hidden = true;
+    if (found) changed();
   }
 
   function show(address, wanted, seconds) {

@@ -52,7 +52,7 @@ export function makeTracker(wing, protocol) {
     wing.step(drive());
     if (!wing.sound(protocol.lowest, protocol.highest)) {
       divergedAt = (steps + 1) * protocol.timestep;
-      end(null, false, false);
+      if (stage !== null) end(null, false, false);
       stage = null;
       return true;
     }

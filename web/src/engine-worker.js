@@ -20,6 +20,7 @@ let timer = null;
 let debt = 0; // simulated seconds that are to be made up
 let last = 0;
 let quiet = 0; // seconds since something was done to it
+let meddled = false; // whether it was pushed, or what acts on it changed, since it began where the run begins
 
 /** Start the engine, once, and build what the page has; says what there is, or why there is nothing. */
 async function load({ program, text }) {
@@ -70,7 +71,8 @@ function frame() {
     energies_J: wing.tendonEnergies(new Float64Array(wing.tendons), lengths),
     restLengths_m: Array.from(lengths, (_, tendon) => live.units.length * wing.restLength(tendon)),
     works_J: Array.from(tracker.works, (work) => live.units.energy * work),
-    ended: ends.length ? told(ends, divergedAt) : null,
+    ended: ends.length || divergedAt !== null ? told(ends, divergedAt) : null,
+    meddled,
     running: timer !== null,
   };
 }
@@ -96,8 +98,10 @@ function told(ends, divergedAt) {
 /** Take the protocol, up to a stage, at once, with some values in the place of the design's. */
 function run({ values, until = live.protocol.stages.length - 1 }) {
   pause();
-  for (const [key, value] of Object.entries(values)) wing.set(key, value);
-  tracker.restart();
+  // what a reader has changed while it moved is none of what is asked
+  const home = Object.fromEntries(live.knobs.map(({ key, value }) => [key, value]));
+  for (const [key, value] of Object.entries({ ...home, ...values })) if (value !== wing.values.get(key)) wing.set(key, value);
+  begin();
   tracker.begin(0, until);
   while (tracker.stage !== null) tracker.step();
   return { said: "outcome", outcome: told(tracker.ends, tracker.divergedAt), steps: tracker.steps };
@@ -109,11 +113,29 @@ function answer({ values, search }) {
   return { said: "answer", answer: search ? leastValues(search, runUntil) : { ...runUntil({}), least: {} } };
 }
 
+/** From where the run begins. */
+function begin() {
+  tracker.restart();
+  meddled = false;
+}
+
+/** Whether it would have moved otherwise, had this value been another one before. */
+function acts(key) {
+  const { drive } = live.knobs.find((knob) => knob.key === key);
+  const acting = tracker.stage === null ? [] : live.protocol.stages[tracker.stage].drives;
+  return tracker.steps > 0 && (drive === undefined || acting.includes(drive));
+}
+
 function play() {
   if (timer !== null) return;
   last = performance.now();
   debt = quiet = 0;
   timer = setInterval(advance, FRAME);
+}
+
+/** Go on, unless it has diverged: from there it gets nowhere. */
+function move() {
+  if (tracker.divergedAt === null) play();
 }
 
 function pause() {
@@ -146,14 +168,17 @@ const ACTS = {
   answer,
   /** Put values in the place of others while it moves. */
   set({ values }) {
-    for (const [key, value] of Object.entries(values)) wing.set(key, value);
+    for (const [key, value] of Object.entries(values)) {
+      meddled ||= value !== wing.values.get(key) && acts(key);
+      wing.set(key, value);
+    }
     quiet = 0;
-    if (tracker.stage === null) play();
+    if (tracker.stage === null) move();
     return { said: "frame", frame: frame() };
   },
   /** Begin again where the run begins: through all stages, or up to the first that is driven. */
   restart({ through }) {
-    tracker.restart();
+    begin();
     const { stages } = live.protocol;
     const driven = stages.findIndex((stage) => stage.drives.length > 0);
     if (!through && driven === 0) tracker.release();
@@ -163,11 +188,12 @@ const ACTS = {
   },
   /** Go through some stages of the protocol from where it is. */
   stages({ from, to }) {
-    if (tracker.divergedAt !== null) tracker.restart();
+    if (tracker.divergedAt !== null) begin();
     tracker.begin(from, to);
     play();
   },
   release() {
+    if (tracker.divergedAt !== null) begin();
     tracker.release();
     play();
   },
@@ -180,7 +206,8 @@ const ACTS = {
   },
   push({ point, force }) {
     wing.push(point, force);
-    play();
+    meddled ||= force !== null;
+    move();
   },
 };
 

@@ -21,6 +21,7 @@ export function makeAnswers(model) {
   let panel = null;
   let starting = false;
   let current = 0;
+  let working = Promise.resolve(); // on what was asked last
   let asked = 0; // what was asked before is no more of interest
 
   function offer(point, kept) {
@@ -53,7 +54,14 @@ export function makeAnswers(model) {
     }
   }
 
-  const ask = (values) => panel.engine.ask({ act: "answer", values, search: live.search });
+  /** What becomes of some values, after what was begun; null where something else was asked by then. */
+  async function ask(values, mine) {
+    await working.catch(() => null);
+    if (mine !== asked) return null;
+    working = panel.engine.ask({ act: "answer", values, search: live.search });
+    const { answer: found } = await working;
+    return mine === asked ? found : null;
+  }
 
   async function answer(point) {
     const mine = ++asked;
@@ -63,8 +71,8 @@ export function makeAnswers(model) {
     place.replaceChildren(said, ...(variedOf(model, live).length ? [refine] : []), table, panel.element);
     said.textContent = "Simulating \u2026";
     panel.sliders.set(live.points[point]);
-    const found = (await ask(live.points[point])).answer;
-    if (mine !== asked) return;
+    const found = await ask(live.points[point], mine);
+    if (!found) return;
     said.textContent = `${capital(model.pointText(point))}: ${answerText(live, found)}.`;
     goLive(point);
   }
@@ -89,8 +97,8 @@ export function makeAnswers(model) {
     const every = grid.flat();
     for (const [number, { cell, values, where }] of every.entries()) {
       note.textContent = `${number} of ${every.length} points simulated`;
-      const found = (await ask({ ...live.points[point], ...values })).answer;
-      if (mine !== asked) return;
+      const found = await ask({ ...live.points[point], ...values }, mine);
+      if (!found) return;
       const sign = model.study.words.find(({ word }) => word === found.word)?.sign ?? "?";
       cell.className = patternOf(sign);
       cell.replaceChildren(make("span", {}, sign));

@@ -21,6 +21,7 @@ const PACES = [
 ];
 const PACE = 0.2; // to begin with: at its own a wing snaps faster than anyone sees
 const ROOM = 1.4; // distance of the eye where no run tells where it goes, by that which fits where it begins
+const MEDDLED = "On the way values were changed or it was pushed, which no run of a design file does; Whole protocol goes through that from the start.";
 const ENERGIES = [
   ["J", 1, 0.1],
   ["mJ", 1e3, 1e-4],
@@ -76,10 +77,10 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     const parts = [...(clip.tendons ? [`tendon energy ${energyText(energy)}`] : []), `work of the ${acting} ${energyText(work)}`];
     account.textContent = parts.join(" \u00b7 ");
     const outcome = frame.stageNumber === null ? frame.ended : null;
-    const key = outcome && JSON.stringify(outcome.stages.map((stage) => stage.end_s));
+    const key = outcome && JSON.stringify([outcome.verdict, ...outcome.stages.map((stage) => stage.end_s)]);
     if (key !== told) {
       said.textContent = outcome ? sentence(outcome, data.whole) : "";
-      advice.textContent = outcome?.advice ?? "";
+      advice.textContent = [outcome?.advice, outcome && frame.meddled && MEDDLED].filter(Boolean).join(" ");
     }
     told = key;
   }

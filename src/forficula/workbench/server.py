@@ -5,8 +5,10 @@ from __future__ import annotations
 import asyncio
 import json
 import secrets
+import signal
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -62,9 +64,10 @@ def serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> Non
 
     Raises:
         InputError: the port is taken or not allowed.
-        KeyboardInterrupt: ctrl-C.
+        KeyboardInterrupt: ctrl-C, or another signal that ends it.
     """
     asyncio.run(_serve(opened, port, ready))
+    raise KeyboardInterrupt
 
 
 async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> None:
@@ -85,11 +88,23 @@ async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None])
             server.add_socket(listening)
             workers[0].start()
             ready(f"http://{LOOPBACK}:{own_port}/{secret}/")
-            await asyncio.Event().wait()
+            await _told_to_end().wait()
         finally:
             server.stop()
             for worker in workers:
                 worker.stop()
+
+
+def _told_to_end() -> asyncio.Event:
+    """Set when its terminal is closed or somebody ends it, so that nothing of it is left then either."""
+    told, loop = asyncio.Event(), asyncio.get_running_loop()
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        # what is ignored, as with nohup, stays so
+        if number is not None and signal.getsignal(number) == signal.SIG_DFL:
+            with suppress(NotImplementedError):
+                loop.add_signal_handler(number, told.set)
+    return told
 
 
 def application(bench: Bench, secret: str) -> Application:

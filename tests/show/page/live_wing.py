@@ -73,7 +73,10 @@ class LiveWing:
         """Put sliders to shares of their ranges, by key, and the others back to where the run has them."""
         self.press("All as in this run")
         for key, share in (shares or {}).items():
-            self.evaluate(f"{_SLIDE}({json.dumps([key, share])})")
+            self.put(key, share)
+
+    def put(self, key, share):
+        self.evaluate(f"{_SLIDE}({json.dumps([key, share])})")
 
     @property
     def changes(self):

@@ -44,6 +44,20 @@ def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_stud
     assert answering.messages == []
 
 
+def test_of_cells_that_are_pressed_in_quick_succession_only_the_last_one_is_waited_for(answering):
+    """Those before it are not begun."""
+    page = answering.page
+    page.evaluate(
+        """() => { const { panel } = forficula.panel.answers; const { ask } = panel.engine;
+        window.asked = 0; panel.engine.ask = (message) => { window.asked += 1; return ask(message); };
+        for (const point of [0, 1, 2, 3, 4, 1]) forficula.open(point); }"""
+    )
+    until(page, f"{SAID} !== 'Simulating …'", SECONDS)
+    assert "tendon rest length 9 cm: " in page.evaluate(SAID)
+    assert page.evaluate("window.asked") == 1
+    assert answering.messages == []
+
+
 def test_a_finer_map_around_a_point_comes_cell_by_cell_and_agrees_at_the_study_s_own_points(answering, table):
     page = answering.page
     page.evaluate("() => { forficula.open(0); }")

@@ -21,6 +21,14 @@ def page_with_engine(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
+def diverging_page(tmp_path_factory):
+    """Of a design whose steps are too long for it, driven or not."""
+    path = tmp_path_factory.mktemp("diverging") / "report.html"
+    write_wing(path, {"protocol.timestep": "3 ms"})
+    return path
+
+
+@pytest.fixture(scope="module")
 def trial(watch_all, page_with_engine):
     """The page with its panel open, at its fastest."""
     opened = watch_all(page_with_engine[-1])
@@ -53,6 +61,53 @@ def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
     trial.live.until("document.querySelector('.verdict').textContent !== ''")
     said = trial.page.locator(".verdict").inner_text()
     assert re.fullmatch(r"The wing folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
+
+
+def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its_design_file(trial):
+    """Which has the values that stand there in the end, from its start."""
+    note = trial.page.locator(".trial .note").first
+    begin_again(trial, {"tendon.stiffness": 0.7})
+    trial.live.do("Whole protocol")
+    assert note.inner_text() == ""
+    speed = trial.page.get_by_label("speed").last
+    speed.select_option("1/20")
+    trial.live.press("Whole protocol")
+    trial.live.until("window.forficula.trial.panel.frame.stage === 'fold'")
+    trial.live.put("tendon.stiffness", 0.6)
+    speed.select_option("real time")
+    trial.live.until("document.querySelector('.verdict').textContent !== ''")
+    assert "which no run of a design file does" in note.inner_text()
+    begin_again(trial)
+    assert note.inner_text() == ""
+    # a torque that does not act yet changes nothing of what was
+    trial.live.put("protocol.fold_torque", 0.5)
+    assert trial.live.do("Fold").startswith("The wing folded in")
+    assert note.inner_text() == ""
+    begin_again(trial)
+    trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })")
+    trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 0, force: null })")
+    trial.live.do("Fold")
+    assert "which no run of a design file does" in note.inner_text()
+
+
+@pytest.mark.parametrize("after", ["Let go", "slide", "push"])
+def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page, after):
+    """Nothing goes on from there, and the simulator answers all the same."""
+    opened = watch(diverging_page)
+    live = LiveWing(opened.page.evaluate)
+    live.do("Whole protocol")
+    assert opened.page.locator(".verdict").inner_text().startswith("Diverged at t = ")
+    if after == "Let go":
+        live.press(after)
+        live.until("window.forficula.trial.panel.frame.stage === null")
+        live.until("document.querySelector('.verdict').textContent !== ''")
+    elif after == "slide":
+        live.put("protocol.gravity", 0.5)
+    else:
+        opened.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })")
+    opened.page.wait_for_timeout(300)
+    assert opened.page.locator(".verdict").inner_text().startswith("Diverged at t = ")
+    assert live.do("Fold").startswith("Diverged at t = ")
 
 
 def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, page_with_engine):

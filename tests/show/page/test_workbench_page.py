@@ -209,6 +209,13 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     until(page, "document.querySelector('#view-landscape iframe') !== null", SECONDS)
     shown = page.frame_locator("#view-landscape iframe")
     shown.get_by_role("heading", name="binder2025-joint").wait_for()
+    # what has changed while it is surveyed is not what is shown then
+    bench.press("Survey it")
+    page.locator("#which-design").select_option("letter-fold")
+    until(page, "document.querySelector('h1').textContent === 'letter-fold'", SECONDS)
+    until(page, "document.querySelector('#view-landscape button:not([hidden])').disabled === false", SECONDS)
+    said = page.locator("#view-landscape .note").first.inner_text()
+    assert said == "This is of the design before its last change."
 
 
 def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
