@@ -90,16 +90,25 @@ def test_more_than_a_design_can_be_is_not_taken(served):
 
 
 @pytest.mark.parametrize(
-    ("body", "kind", "status"),
+    ("method", "body", "kind", "status", "why"),
     [
-        ("{}", "text/plain", 415),
-        ("no JSON", "application/json", 400),
-        ('{"path": "/etc/passwd"}', "application/json", 400),
-        ('{"files": [{"name": "../a.toml", "text": ""}]}', "application/json", 400),
+        ("POST", "{}", "text/plain", 415, "need application/json"),
+        ("POST", "no JSON", "application/json", 400, "Invalid JSON"),
+        ("POST", '{"path": "/etc/passwd"}', "application/json", 400, "path: "),
+        (
+            "POST",
+            '{"files": [{"name": "../a.toml", "text": ""}]}',
+            "application/json",
+            400,
+            "name: need a file name of ",
+        ),
+        ("PUT", "{}", "application/json", 405, "need GET or POST, got PUT"),
     ],
 )
-def test_what_no_page_of_its_own_asks_is_refused(served, body, kind, status):
-    assert served.request("POST", "design", body, {"Content-Type": kind})[0] == status
+def test_what_no_page_of_its_own_asks_is_refused(served, method, body, kind, status, why):
+    found, content = served.request(method, "design", body, {"Content-Type": kind})
+    assert found == status
+    assert why in json.loads(content)["refused"]
 
 
 def test_a_design_is_told_with_its_keys_its_file_and_the_command_that_runs_it(served):

@@ -31,6 +31,7 @@ def test_the_command_is_read_by_a_shell_as_what_was_set(settings):
         (Asked(), Opened(design="my wing.toml"), "forficula run 'my wing.toml'"),
         (Asked(), Opened(design="sheet.fold", unit=0.01), 'forficula run sheet.fold --unit "0.01 m"'),
         (Asked(design="binder2025"), Opened(design="sheet.fold", unit=0.01), "forficula run binder2025"),
+        (Asked(files=(SentFile(name="-rf.toml", text=""),)), LETTER, "forficula run ./-rf.toml"),
         (Asked(settings={"pattern.units": "2"}), LETTER, "forficula run letter-fold --set pattern.units=2"),
         (Asked(settings={"a.b": "2 cm"}), LETTER, 'forficula run letter-fold --set a.b="2 cm"'),
     ],

@@ -29,7 +29,8 @@ function entry(sample, text) {
 
 function energyEntry(text, energy) {
   const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
-  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}`);
+  // what a run's largest energy is need not be that of what a reader makes of it
+  bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}${energy.orMore ? " or more" : ""}`);
   return bar;
 }
 

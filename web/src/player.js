@@ -53,7 +53,7 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
     return { stage };
   }
   const picture = make("div", { className: "picture" }, stage.element, viewButtons(stage.eye, null, !look));
-  const legend = [makeLegend(entries, energy, stage.eye.size, null)];
+  const legend = [makeLegend(entries, { ...energy, orMore: true }, stage.eye.size, null)];
   if (clips.some((clip) => clip.strained)) legend.unshift(colourChoice(stage, legend[0]));
   element.replaceChildren(picture, ...legend);
   element.classList.add("player");

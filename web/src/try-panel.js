@@ -29,6 +29,8 @@ const ENERGIES = [
   ["nJ", 1e9, 0],
 ];
 
+const LEAST = 1e-15; // J, below which an energy is what is left of rounding
+
 /**
  * A panel of a page's clip and of what it has of the structure; `start` starts the engine.
  *
@@ -181,5 +183,5 @@ function timeOf(time) {
 
 function energyText(value) {
   const [unit, factor] = ENERGIES.find(([, , least]) => Math.abs(value) >= least);
-  return value === 0 ? "0 J" : `${short(factor * value)} ${unit}`;
+  return Math.abs(value) < LEAST ? "0 J" : `${short(factor * value)} ${unit}`;
 }

@@ -47,7 +47,7 @@ function makeSlider(knob, where, changed) {
   let value = knob.value;
 
   function show() {
-    const text = `${short(factor * value)} ${unit}`;
+    const text = `${short(factor * value)} ${unit.replaceAll("^2", "\u00b2").replaceAll("^3", "\u00b3")}`;
     output.textContent = text;
     input.setAttribute("aria-valuetext", value === knob.value ? `${text}, as in ${where}` : text);
     element.classList.toggle("changed", value !== knob.value);

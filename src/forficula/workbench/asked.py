@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 from forficula.design import Design, load_design, named_designs
 from forficula.design.part import LENGTH
@@ -20,6 +21,7 @@ from forficula.quantities import as_written, parse_quantity
 # of files that a design is read from, with what it names
 _ENDINGS = (".toml", ".fold", ".svg", ".dxf")
 _MOST_FILES = 20
+_NAME = re.compile(r"[^/\\:\x00-\x1f]{1,100}")
 
 
 class SentFile(BaseModel):
@@ -32,8 +34,15 @@ class SentFile(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    name: Annotated[str, Field(pattern=r"^[^/\\:\x00-\x1f]{1,100}$")]
+    name: str
     text: str
+
+    @field_validator("name")
+    @classmethod
+    def _is_a_name(cls, name: str) -> str:
+        if _NAME.fullmatch(name) is None:
+            raise ValueError(f"need a file name of at most 100 letters, none of them / \\ or :, got {as_written(name)}")
+        return name
 
 
 class Asked(BaseModel):
@@ -88,7 +97,11 @@ def asked_design(asked: Asked, opened: Opened) -> Design:
 
 def design_source(asked: Asked, opened: Opened) -> str:
     """What a command names to have the design that a page asks for, before its values."""
-    return asked.files[0].name if asked.files else asked.design or opened.design
+    if not asked.files:
+        return asked.design or opened.design
+    name = asked.files[0].name
+    # else it would be read as an option
+    return f"./{name}" if name.startswith("-") else name
 
 
 def _sent_design(asked: Asked, settings: Mapping[str, object]) -> Design:

@@ -162,7 +162,8 @@ class _Guarded(RequestHandler):
         self.finish({"refused": why})
 
     def write_error(self, status_code: int, **_: Any) -> None:
-        self.finish({"refused": f"the workbench failed ({status_code})"})
+        refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
+        self.finish({"refused": f"{refused} ({status_code})"})
 
     def asked(self) -> Asked | None:
         """What the page asks; None, and an answer that says why, where that cannot be read."""
@@ -173,7 +174,7 @@ class _Guarded(RequestHandler):
             return Asked.model_validate_json(self.request.body)
         except ValidationError as error:
             first = error.errors(include_url=False)[0]
-            self.refuse(400, f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
+            self.refuse(400, f"{'.'.join(map(str, first['loc']))}: {first['msg'].removeprefix('Value error, ')}")
             return None
 
 
