@@ -191,7 +191,8 @@ def leave_figures_empty(monkeypatch, tell):
             write_bytes(path, b"")
         return texts
 
-    for kind in ("convergence", "cycling", "landscape", "material", "run", "static_map", "study"):
+    kinds = ("convergence", "cycling", "identify", "landscape", "material", "optimum", "run", "static_map", "study")
+    for kind in (*kinds, "tolerance"):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
 
 

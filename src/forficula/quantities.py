@@ -6,7 +6,7 @@ import json
 import math
 import re
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING, TypeGuard
 
 from forficula.errors import InputError
@@ -65,6 +65,10 @@ def parse_quantity(text: object, unit: Unit) -> float:
         InputError: no unit, an unknown unit, the wrong dimension, no number, or a number that is not finite. The
             message names the value and a right example; the caller knows the key.
     """
+    return _parsed_text(text, unit) if isinstance(text, str) else _parsed(text, unit)
+
+
+def _parsed(text: object, unit: Unit) -> float:
     right, got = f'such as "{unit.example}"', f"got {as_written(text)}"
     if isinstance(text, float) and not math.isfinite(text):
         raise InputError(f"need a finite number with a unit {right}, {got}")
@@ -86,6 +90,10 @@ def parse_quantity(text: object, unit: Unit) -> float:
     if not math.isfinite(value):
         raise InputError(f"need a finite number with a unit {right}, {got}")
     return value
+
+
+# what a file says is read again with each design that is made of it
+_parsed_text = lru_cache(maxsize=4096)(_parsed)
 
 
 def format_quantity(value: float, unit: Unit) -> str:

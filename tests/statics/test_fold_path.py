@@ -38,7 +38,7 @@ def design(hub=0.015, sector=20.0, rest=0.09, stiffness=1000.0):
 designs = st.builds(design, st.floats(0.005, 0.03), st.floats(12, 30), st.floats(0, 0.1), st.floats(100, 6000))
 
 
-@settings(deadline=None, max_examples=15)
+@settings(deadline=None, max_examples=8)
 @given(designs)
 def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches(wing):
     path, hinges = fold_path(wing, 21), tendon_hinges(structure_of(wing))
@@ -53,7 +53,7 @@ def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches
     assert path.sheet_energy[path.pleat_angle == 0] == pytest.approx(0, abs=1e-15)
 
 
-@settings(deadline=None, max_examples=10)
+@settings(deadline=None, max_examples=6)
 @given(designs)
 def test_the_ring_folds_as_the_pattern_does(wing):
     path = fold_path(wing, 21)
@@ -75,7 +75,7 @@ def test_the_moment_is_what_the_energy_loses_by_the_pleat_angle(wing):
     assert path.ring_angle - path.ring_angle[0] == pytest.approx(moved, abs=1e-3)
 
 
-@settings(deadline=None, max_examples=10)
+@settings(deadline=None, max_examples=6)
 @given(st.floats(0.012, 0.03), st.floats(12, 30), st.floats(0.05, 0.1), st.floats(1000, 6000))
 @example(0.015, 20.0, 0.09, 1000.0)
 def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sector, rest, stiffness):

@@ -12,6 +12,8 @@ import pytest
 import forficula as ff
 from forficula.errors import InputError
 from forficula.statics import landscape_summary
+from forficula.statics.partial_folds import fold_levels
+from forficula.structure import structure_of
 
 
 @cache
@@ -61,7 +63,7 @@ def test_opening_slowly_takes_the_peak_moment_of_a_tendon(landscape):
 
 def test_levels_of_independent_tendons_are_those_of_the_paper():
     """About 18, 12, 6 and 0 J for 10 N/cm and no resting length (Binder et al. 2025, section 3.1)."""
-    levels = surveyed((("tendon.rest_length", "0 cm"),)).levels
+    levels = fold_levels(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))
     at_stop = 0.5 * 1000 * (0.11 * math.cos(math.radians(1.5))) ** 2
     assert levels == pytest.approx([3 * at_stop, 2 * at_stop, at_stop, 0], abs=1e-12)
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -32,11 +33,21 @@ def searched(tmp_path_factory, write_study_file):
     return study, table, folder, {kept.folder: kept for kept in kept_runs(runs_to_keep(study, table), folder)}
 
 
+@pytest.fixture(scope="module")
+def plain_once(tmp_path_factory, write_study_file):
+    """A study of plain runs, its file, its table and its folder, of which no run is kept."""
+    path = write_study_file(tmp_path_factory.mktemp("plain") / "small.toml", PLAIN)
+    study = load_study(path)
+    return study, path, run_study(study, path.parent / "out"), path.parent / "out"
+
+
 @pytest.fixture
-def plain(tmp_path, study_file):
-    """A study of plain runs, its table and its folder."""
-    study = load_study(study_file(PLAIN))
-    return study, run_study(study, tmp_path / "out"), tmp_path / "out"
+def plain(tmp_path, plain_once):
+    """A study of plain runs, its table and a folder of its own beside its file."""
+    study, path, table, folder = plain_once
+    shutil.copy(path, tmp_path)
+    shutil.copytree(folder, tmp_path / "out")
+    return study, table, tmp_path / "out"
 
 
 def value(table, name, point):

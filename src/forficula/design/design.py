@@ -71,7 +71,8 @@ class Design(Displayed, Part):
     @property
     def hash(self) -> str:
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
-        return hashlib.sha256(json.dumps(self.hash_values(), sort_keys=True).encode()).hexdigest()[:16]
+        name: str = self.once("hash", lambda: _hash(self.hash_values()))
+        return name
 
     @property
     def chosen(self) -> tuple[Choice, ...]:
@@ -100,6 +101,10 @@ class Design(Displayed, Part):
     def hash_values(self) -> dict[str, Any]:
         """The values but for what they are called, where they come from, and how parts are made: a run is the same."""
         return {key: value for key, value in super().hash_values().items() if key not in (*WORDS, "make")}
+
+
+def _hash(values: dict[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()[:16]
 
 
 def check_duration(design: Design, parts: int, what: str) -> None:

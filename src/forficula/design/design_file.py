@@ -21,6 +21,7 @@ from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.file_design import file_tables
 from forficula.design.joint import JointDesign
 from forficula.design.joint_sections import JointTendon
+from forficula.design.kept_parts import with_kept_parts
 from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
 from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
@@ -115,7 +116,7 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
         InputError: an unknown key, or a value that is not allowed.
     """
     try:
-        changed = _validate(_with_settings(design.as_tables(lambda value, _: value), values, si=True), si=True)
+        changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
     except RejectedError as error:
         raise InputError(f"{design.name}: {error}") from None
     if "source" in values:
@@ -267,6 +268,17 @@ def _validate(tables: dict[str, Any], *, si: bool) -> Design:
         return model.model_validate(tables, context={"si": si})
     except ValidationError as error:
         raise rejected(error, model) from None
+
+
+def _validate_changed(design: Design, tables: dict[str, Any]) -> Design:
+    """A design of the tables of another one, in SI, of which some values are others: only those are read again."""
+    if design_class(tables) is type(design):
+        try:
+            return type(design).model_validate(with_kept_parts(design, tables), context={"si": True})
+        except ValidationError:
+            # what is wrong is told of the tables alone
+            pass
+    return _validate(tables, si=True)
 
 
 def _validate_or_none(tables: dict[str, Any]) -> Design | None:

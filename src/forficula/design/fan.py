@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -104,7 +105,7 @@ class FanDesign(Design):
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
         self._layers_have_room()
-        apart, width = float(vein_gaps(self.fan, np.ones(1))[0]), _ring_chord(self.fan)
+        apart, width = _room_at_ring(self.fan)
         kept = None if self.contact is None else self.contact.thickness
         for key, value, bound, unit, fault in (
             ("vein.diameter", self.vein.diameter, apart, SMALL_LENGTH, "the veins overlap at the ring fold"),
@@ -251,21 +252,29 @@ class FanDesign(Design):
     @property
     def fan(self) -> EarwigFan:
         """The crease pattern's construction."""
-        chosen, two = self.pattern, self.pattern.ring_folds == 2
-        return EarwigFan(
-            proximal_length=chosen.proximal_length,
-            distal_length=chosen.distal_length,
-            hub_radius=chosen.hub_radius,
-            sector_angle=chosen.sector_angle,
-            units=chosen.units,
-            tangent=chosen.tangent,
-            ring_folds=chosen.ring_folds,
-            pitch=(chosen.pitch or self._least_pitch) if two else 0.0,
-            # a vein and a panel lie between the innermost layers
-            gusset_height=self.vein.diameter + self._layer[1] if two else 0.0,
-        )
+        two = self.pattern.ring_folds == 2
+        # a vein and a panel lie between the innermost layers
+        gusset_height = self.vein.diameter + self._layer[1] if two else 0.0
+        return _drawn_fan(self.pattern, (self.pattern.pitch or self._least_pitch) if two else 0.0, gusset_height)
 
 
-def _ring_chord(fan: EarwigFan) -> float:
+@lru_cache(maxsize=64)  # asked for again and again while a wing is checked and built, and while other values change
+def _drawn_fan(chosen: FanPatternSection, pitch: float, gusset_height: float) -> EarwigFan:
+    return EarwigFan(
+        proximal_length=chosen.proximal_length,
+        distal_length=chosen.distal_length,
+        hub_radius=chosen.hub_radius,
+        sector_angle=chosen.sector_angle,
+        units=chosen.units,
+        tangent=chosen.tangent,
+        ring_folds=chosen.ring_folds,
+        pitch=pitch,
+        gusset_height=gusset_height,
+    )
+
+
+@lru_cache(maxsize=64)
+def _room_at_ring(fan: EarwigFan) -> tuple[float, float]:
+    """From vein to vein at the ring fold, m: between their axes, and along the ring."""
     first, second = ring_vertices(fan)[:2]
-    return math.dist(first, second)
+    return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from types import UnionType
 from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
@@ -42,6 +43,18 @@ def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None
     Raises:
         InputError: there is no such key, or it holds several values.
     """
+    try:
+        return _quantity_of(key, model)
+    except InputError:
+        return _found_quantity(key, model, given)
+
+
+@lru_cache(maxsize=1024)  # what is off, optimised or identified asks for the same keys for each of its designs
+def _quantity_of(key: str, model: type[Design]) -> Quantity | None:
+    return _found_quantity(key, model, None)
+
+
+def _found_quantity(key: str, model: type[Design], given: object) -> Quantity | None:
     if key == "based_on":
         raise InputError("based_on: is no value of a design; name the design to start from instead")
     parts = key.split(".")

@@ -111,6 +111,9 @@ def field_quantity(field: FieldInfo) -> Quantity | None:
 class Part(BaseModel):
     """A section of a design file: frozen, no unknown keys."""
 
+    # what was worked out of it, which a slot keeps out of copies, of comparisons and of what is sent elsewhere
+    __slots__ = ("_worked_out",)
+
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     # over tables of it; without one its key is
@@ -140,10 +143,10 @@ class Part(BaseModel):
         for name, reader in _readers(type(self)).items():
             value = getattr(self, name)
             if isinstance(value, Part):
-                tables[name] = value.as_tables(write)
+                tables[name] = _tables(value, write)
             elif isinstance(value, tuple):
                 tables[name] = [
-                    item.as_tables(write)
+                    _tables(item, write)
                     if isinstance(item, Part)
                     else write(item, reader.unit)
                     if reader and isinstance(item, float)
@@ -154,6 +157,22 @@ class Part(BaseModel):
                 tables[name] = write(value, reader.unit) if reader and isinstance(value, float) else value
         return tables
 
+    def si_tables(self) -> dict[str, Any]:
+        """The part as tables with SI floats; made once, and not to be changed."""
+        tables: dict[str, Any] = self.once("tables", lambda: self.as_tables(in_si))
+        return tables
+
+    def once(self, what: str, make: Callable[[], Any]) -> Any:
+        """What is made of a part, by what it is called; made once, for a part is frozen."""
+        try:
+            made: dict[str, Any] = object.__getattribute__(self, "_worked_out")
+        except AttributeError:
+            made = {}
+            object.__setattr__(self, "_worked_out", made)
+        if what not in made:
+            made[what] = make()
+        return made[what]
+
     def hash_values(self) -> dict[str, Any]:
         """The values that tell it from others, SI, as plain data; what is absent is left out."""
         values: dict[str, Any] = {}
@@ -161,12 +180,26 @@ class Part(BaseModel):
         for name in _readers(type(self)):
             value = getattr(self, name)
             if isinstance(value, Part):
-                values[name] = value.hash_values()
+                values[name] = _hash_values(value)
             elif isinstance(value, tuple):
-                values[name] = [item.hash_values() if isinstance(item, Part) else item for item in value]
+                values[name] = [_hash_values(item) if isinstance(item, Part) else item for item in value]
             elif value is not None and (name not in self.later or value != defaults[name]):
                 values[name] = value
         return values
+
+
+def in_si(value: float, _: Unit) -> float:
+    """A value of tables that are SI."""
+    return value
+
+
+def _tables(part: Part, write: Callable[[float, Unit], object]) -> dict[str, Any]:
+    return part.si_tables() if write is in_si else part.as_tables(write)
+
+
+def _hash_values(part: Part) -> dict[str, Any]:
+    values: dict[str, Any] = part.once("hash values", part.hash_values)
+    return values
 
 
 @cache  # asked for every field of every section of every design that is read or changed

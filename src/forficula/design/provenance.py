@@ -32,15 +32,13 @@ def derived_source(base: Design, design: Design) -> str:
 
 def differing_keys(base: Design, design: Design) -> list[str]:
     """The dotted keys at which two designs differ, but for what they are called and where they come from."""
-    return _differing(base.as_tables(_unread), design.as_tables(_unread))
-
-
-def _unread(value: float, _: object) -> float:
-    return value
+    return _differing(base.si_tables(), design.si_tables())
 
 
 def _differing(base: object, given: object, key: str = "") -> list[str]:
     """The dotted keys at which tables differ, but for words; entries of lists by their names, if they have them."""
+    if base is given:
+        return []
     if isinstance(base, list | tuple) and isinstance(given, list | tuple):
         base, given = _by_name(base) or base, _by_name(given) or given
         if isinstance(base, dict) and isinstance(given, dict) and list(base) != list(given):

@@ -41,11 +41,9 @@ def check_rigid(design: SheetDesign) -> None:
         InputError: facets that are not flat, or that do not move, and some creases that open beside others that do not.
     """
     sheet = design.sheet
-    for facet, corners in enumerate(sheet.faces_vertices):
-        places = sheet.vertices_coords[list(corners)]
-        off = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
-        if off[2] > _OFF_PLANE * off[0]:
-            raise InputError(f"facet.kind: need flat facets to be rigid, got facet {facet}, which is not; {_INSTEAD}")
+    facet = _uneven_facet(sheet)
+    if facet is not None:
+        raise InputError(f"facet.kind: need flat facets to be rigid, got facet {facet}, which is not; {_INSTEAD}")
     creases = creases_by_edge(design)
     opening = _opening(design)
     try:
@@ -68,6 +66,17 @@ def check_rigid(design: SheetDesign) -> None:
     why = _stuck(sheet.vertices_coords.tobytes(), sheet.edges_vertices.tobytes(), letters, sheet.faces_vertices)
     if why:
         raise InputError(f"facet.kind: need a sheet that folds with rigid facets: {why}; {_INSTEAD}")
+
+
+@lru_cache(maxsize=64)
+def _uneven_facet(sheet: CreasePattern) -> int | None:
+    """The first facet whose corners lie in no plane; None where all do."""
+    for facet, corners in enumerate(sheet.faces_vertices):
+        places = sheet.vertices_coords[list(corners)]
+        off = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+        if off[2] > _OFF_PLANE * off[0]:
+            return facet
+    return None
 
 
 def check_rigid_supports(design: SheetDesign) -> None:
@@ -138,10 +147,19 @@ def check_rigid_creases(design: SheetDesign) -> None:
                 f" got {_shown(crease.start or folded)}"
             )
     if starts.any():
-        try:
-            folded_coordinates(sheet, starts)
-        except InputError as error:
-            raise InputError(f"crease.start: need angles at which the facets meet: {error}") from None
+        why = _torn(sheet, starts.tobytes())
+        if why:
+            raise InputError(f"crease.start: need angles at which the facets meet: {why}")
+
+
+@lru_cache(maxsize=64)
+def _torn(sheet: CreasePattern, angles: bytes) -> str:
+    """Why facets do not meet at fold angles; empty where they do."""
+    try:
+        folded_coordinates(sheet, np.frombuffer(angles))
+    except InputError as error:
+        return str(error)
+    return ""
 
 
 def _shown(value: float) -> str:

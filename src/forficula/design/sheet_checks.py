@@ -281,11 +281,15 @@ def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, writt
     measure = next((each for each in design.measure if each.name == written.name), None)
     creases = creases_by_edge(design)
     name = written.name if measure is None else str(measure.of)
+    # creases that stop alike are as one
+    first: dict[tuple[float, float], int] = {}
     for edge in creases_of(sheet, name, design.crease.group):
         low, high = stops(design, edge, creases[edge])
         if measure is not None and crease_sense(sheet, edge) < 0:
             # measures are valley positive
             low, high = -high, -low
+        first.setdefault((low, high), edge)
+    for (low, high), edge in first.items():
         check_bound(key, written, low, high, whose=f"crease {edge}")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from forficula.design.sheet_parts import CreaseGroup
 from forficula.errors import InputError
@@ -31,6 +32,11 @@ def creases_of(pattern: CreasePattern, text: str, groups: Sequence[CreaseGroup] 
     Raises:
         InputError: there are no such creases.
     """
+    return _named_creases(pattern, text, tuple(groups))
+
+
+@lru_cache(maxsize=1024)  # checks, structures and tables of designs on one sheet ask for the same
+def _named_creases(pattern: CreasePattern, text: str, groups: tuple[CreaseGroup, ...]) -> tuple[int, ...]:
     named = crease_groups(pattern, groups)
     terms = [" ".join(term.split()) for term in text.split(" and ")]
     found = [_of_a_term(pattern, term, named, text) for term in terms]
@@ -71,6 +77,7 @@ def crease_sense(pattern: CreasePattern, edge: int) -> int:
     return -1 if letter == "M" or (letter == "U" and pattern.edges_fold_angle[edge] < 0) else 1
 
 
+@lru_cache(maxsize=64)
 def fold_edges(pattern: CreasePattern) -> tuple[int, ...]:
     """Numbers of the edges at which a sheet folds, rising: mountains, valleys, unassigned ones between two facets."""
     return tuple(sorted(each.edge for each in shared_edges(pattern) if pattern.edges_assignment[each.edge] in "MVU"))

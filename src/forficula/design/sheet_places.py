@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,13 +37,17 @@ class SheetPlace:
 
     Attributes:
         facet: that carries it.
-        position: in the sheet as built, m, (3,).
+        position: in the sheet as built, m, (3,), read-only.
     """
 
     facet: int
     position: Array
 
+    def __post_init__(self) -> None:
+        self.position.setflags(write=False)
 
+
+@lru_cache(maxsize=1024)  # of one sheet, for all the designs that differ in something else
 def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
     """Find a place on a sheet.
 
@@ -102,6 +107,7 @@ def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:
     return int(found[1]), facet
 
 
+@lru_cache(maxsize=1024)
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
     """Whether two places stay as far from each other however a sheet of plates folds.
 

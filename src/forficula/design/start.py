@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
@@ -9,6 +11,7 @@ from scipy.spatial.transform import Rotation
 from forficula.pattern import EarwigFan, ring_directions, ring_vertices, tips
 
 
+@lru_cache(maxsize=64)  # asked of every design that is made of one, most of which start alike
 def start_stretch(fan: EarwigFan, overbend: float) -> float:
     """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -58,7 +59,12 @@ def facet_tree(
         InputError: no such facet, roots that hang together, an edge between facets that says nothing of them, a crease
             within what flat edges make one plate, facets that hang on nothing, or faces that are not counterclockwise.
     """
-    above, starts, around = _rooted(pattern, [root] if isinstance(root, int) else list(root), apart)
+    return _hung(pattern, (root,) if isinstance(root, int) else tuple(root), frozenset(apart))
+
+
+@lru_cache(maxsize=64)  # a pattern is frozen, and each of the values that a design may change is checked with the same
+def _hung(pattern: CreasePattern, roots: Sequence[int], apart: Collection[int]) -> tuple[FacetLink, ...]:
+    above, starts, around = _rooted(pattern, roots, apart)
     _check_plates(pattern, above, apart)
     below: list[list[FacetLink]] = [[] for _ in around]
     used = {link.edge for link in above.values()}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 from forficula.errors import InputError
@@ -32,6 +33,11 @@ def shared_edges(pattern: CreasePattern) -> list[SharedEdge]:
     Raises:
         InputError: faces that are not counterclockwise.
     """
+    return list(_shared(pattern))
+
+
+@lru_cache(maxsize=64)  # a pattern is frozen, and all that is checked of a design or built of it asks for them
+def _shared(pattern: CreasePattern) -> tuple[SharedEdge, ...]:
     left_of: dict[tuple[int, int], int] = {}
     for face, vertices in enumerate(pattern.faces_vertices):
         for side in face_sides(vertices):
@@ -46,4 +52,4 @@ def shared_edges(pattern: CreasePattern) -> list[SharedEdge]:
         left, right = left_of.get((tail, head)), left_of.get((head, tail))
         if left is not None and right is not None and pattern.edges_assignment[edge] != "C":
             shared.append(SharedEdge(edge, tail, head, left, right))
-    return shared
+    return tuple(shared)

@@ -122,9 +122,9 @@ def digest(found):
     return json.dumps(table.to_dict(), default=str, sort_keys=True)
 
 
-def test_killed_five_times_it_comes_to_the_same(design, tmp_path, found):
+def test_killed_three_times_it_comes_to_the_same(design, tmp_path, found):
     folder = tmp_path / "killed"
-    for after in (3, 100, 40, 10, 60):
+    for after in (3, 100, 60):
         with pytest.raises(KeyboardInterrupt):
             assessed(design, folder, SMALL, line, killed_after=after)
     assert digest(assessed(design, folder, SMALL, line)) == digest(found)

@@ -77,6 +77,7 @@ mass = "least"
 """
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_design_is_asked_under_the_settings_of_the_goal_and_they_are_told(called, tmp_path):
     (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
     said = called("tolerance", "letter-fold", "--goal", "goal.toml", "--minutes", "0.01", "--keep", "0").err

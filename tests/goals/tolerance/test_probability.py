@@ -1,6 +1,7 @@
 """The 95 % interval of a probability holds what a model's closed form says, also near 0 and 1."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -24,7 +25,12 @@ def in_ball(points, share):
 
 def in_half_space(points, share):
     """Below a plane across a diagonal, the sum of uniform shares being normal enough at this many: Irwin and Hall."""
-    return np.sum(points, axis=1) < stats.irwinhall.ppf(share, points.shape[1])
+    return np.sum(points, axis=1) < irwin_hall(share, points.shape[1])
+
+
+@cache
+def irwin_hall(share, dimension):
+    return stats.irwinhall.ppf(share, dimension)
 
 
 MODELS = [

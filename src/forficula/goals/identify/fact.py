@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Literal
 
 from forficula.goals.identify.row_quantity import Combination
@@ -76,6 +78,17 @@ class Term:
     def shape(self) -> tuple[int, ...]:
         """How many values each factor of the grid has."""
         return tuple(len(factor.values) for factor in self.over)
+
+    @cached_property
+    def conditions_by_point(self) -> Mapping[tuple[int, ...], Mapping[str, object]]:
+        """The values of every point of the grid by the numbers of its factors' values, the last factor fastest."""
+        keys = [factor.key for factor in self.over]
+        points = itertools.product(*(factor.values for factor in self.over))
+        numbers = itertools.product(*map(range, self.shape))
+        return {
+            number: {**self.settings, **dict(zip(keys, point, strict=True))}
+            for number, point in zip(numbers, points, strict=True)
+        }
 
     @property
     def staircase(self) -> bool:

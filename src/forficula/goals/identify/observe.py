@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,11 +90,9 @@ def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRu
     return Observed(value=value, low=low, high=high, untold=found.untold)
 
 
-def conditions(term: Term) -> list[dict[str, object]]:
+def conditions(term: Term) -> list[Condition]:
     """The values of every point of a term's grid, the last factor fastest; one without a grid."""
-    keys = [factor.key for factor in term.over]
-    points = itertools.product(*(factor.values for factor in term.over))
-    return [{**term.settings, **dict(zip(keys, point, strict=True))} for point in points]
+    return list(term.conditions_by_point.values())
 
 
 def _row(condition: Condition, term: Term, runs: SampleRuns, rows: Rows, wanted: Wanted) -> Row | None:
@@ -144,16 +142,17 @@ def _staircase(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
     """
     keys = [factor.key for factor in term.over]
     rising, falling = (tuple(keys.index(key) for key in each) for each in (term.rising, term.falling))
-    by_point = dict(zip(itertools.product(*map(range, term.shape)), conditions(term), strict=True))
-    states = np.full(term.shape, OPEN, dtype=np.int8)
-    known = states.copy()
-    while (point := _next(states.tobytes(), term.shape, rising, falling)) is not None:
+    by_point = term.conditions_by_point
+    known = np.full(term.shape, OPEN, dtype=np.int8)
+    while True:
+        states, point = _following(known.tobytes(), term.shape, rising, falling)
+        if point is None:
+            break
         wanted: Wanted = {}
         row = _row(by_point[point], term, runs, rows, wanted)
         if row is None:
             return wanted
         known[point] = _state(term, row)
-        states = follows(known, rising, falling)
     if not (states == HOLDS).any():
         return states
     for point in _far_corners(term.shape, rising, falling):
@@ -181,11 +180,21 @@ def _line(point: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, .
     return tuple(slice(None) if axis in (*rising, *falling) else place for axis, place in enumerate(point))
 
 
+@lru_cache(maxsize=2**16)
+def _following(
+    known: bytes, shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]
+) -> tuple[States, tuple[int, ...] | None]:
+    """What follows from what is known, and the next point to run: the same question comes up for many samples."""
+    states = follows(np.frombuffer(known, dtype=np.int8).reshape(shape), rising, falling)
+    states.setflags(write=False)
+    return states, _next(states.tobytes(), shape, rising, falling)
+
+
 @cache
 def _next(
     states: bytes, shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]
 ) -> tuple[int, ...] | None:
-    """The next point to run: the same question comes up for many samples."""
+    """The next point to run, which differs less often than what is known."""
     return next_point(np.frombuffer(states, dtype=np.int8).reshape(shape), rising, falling)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import Any
@@ -40,6 +41,10 @@ class ElasticLaw:
     cubic: float = 0.0
 
     def __post_init__(self) -> None:
+        numbers = (self.rest_length, self.linear, self.quadratic, self.cubic)
+        # as almost all are, and laws are made by the thousand
+        if all(isinstance(number, float) and 0 <= number < math.inf for number in numbers):
+            return
         units = {"rest_length": "m", "linear": "N/m", "quadratic": "N/m^2", "cubic": "N/m^3"}
         for name, unit in units.items():
             value = getattr(self, name)
