@@ -15,8 +15,8 @@ from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.study.runs import run
 from tests.show.legible import check_words
 
+# the reference is drawn where its words are read at every width
 NAMES = (
-    "reference",
     "small",
     "without rest length",
     "without hub",
