@@ -12,7 +12,6 @@ from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
-from forficula.study.runs import run
 from tests.show.legible import check_words
 
 # the reference is drawn where its words are read at every width
@@ -179,9 +178,9 @@ def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     assert top.get_ylabel() == "stored energy (mJ)"
 
 
-def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed):
+def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed, letter_run):
     landscape = surveyed("plates")
-    figure = draw_tendon(landscape, run(landscape.design))
+    figure = draw_tendon(landscape, letter_run)
     both = labelled(figure, "tendon and")
     for name in ("simulated, folding", "simulated, opening"):
         points = labelled(figure, name)

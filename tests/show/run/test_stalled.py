@@ -64,7 +64,7 @@ def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak, dr
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
     stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # of which the landscape tries no more
-    least = energy_landscape(stronger).least_torques["fold"]
+    least = energy_landscape(stronger, points=61).least_torques["fold"]
     assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
 
