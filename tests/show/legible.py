@@ -20,7 +20,7 @@ OVER = ("a", "b", "c")
 
 
 def check_words(figure, width):
-    """Check the words of a figure of at most a width, inch, and the text that stands for it."""
+    """Check the words of a figure of at most a width, inch, and the text that stands for it; returns the words."""
     assert figure.get_figwidth() <= width
     boxes, sides = _drawn(figure)
     assert boxes
@@ -42,6 +42,7 @@ def check_words(figure, width):
     assert told.endswith(".")
     assert len(told) > 60
     assert any(letter.isdigit() for letter in told)
+    return [text.get_text() for text, _ in boxes]
 
 
 def check_inside(figure):
