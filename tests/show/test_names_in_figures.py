@@ -18,7 +18,7 @@ def test_a_run_whose_names_are_broken_tex_is_kept_and_drawn_with_these_names(tmp
     design = with_values(ff.load_design("binder2025"), {"name": "$^{", "protocol.stages": stages})
     record = ff.run(design)
     outcome = ff.measure(record)
-    write_run(record, outcome, tmp_path)
+    write_run(record, outcome, tmp_path, engine=False)
     assert {"angles.png", "energy.png", "folding.png", "summary.json"} < {path.name for path in tmp_path.iterdir()}
     texts = draw_angles(record, outcome).findobj(Text)
     assert set(NAMES[1:]) <= {text.get_text() for text in texts}
