@@ -6,7 +6,6 @@ from unittest import mock
 import numpy as np
 from matplotlib._tight_bbox import adjust_bbox
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.text import Text
 from matplotlib.transforms import Affine2D, Bbox
 
@@ -21,9 +20,9 @@ OVER = ("a", "b", "c")
 
 
 def check_words(figure, width):
-    """Check the words of a figure of at most a width, inch, and the text that stands for it."""
+    """Check the words of a figure of at most a width, inch, and the text that stands for it; returns the words."""
     assert figure.get_figwidth() <= width
-    boxes = words(figure)
+    boxes, sides = _drawn(figure)
     assert boxes
     assert min(text.get_fontsize() for text, _ in boxes) >= SMALLEST
     across, upwards = 72 * figure.get_size_inches()
@@ -38,34 +37,84 @@ def check_words(figure, width):
             min(first.y1, second.y1) - max(first.y0, second.y0),
         )
         assert min(common) < 1.5, f"{one.get_text()!r} lies on {other.get_text()!r}"
-    figure.set_layout_engine("none")  # it has the places that were found for its words
-    check_inside(figure)
+    _check_sides(sides)
     told = description(figure)
     assert told.endswith(".")
     assert len(told) > 60
     assert any(letter.isdigit() for letter in told)
+    return [text.get_text() for text, _ in boxes]
 
 
 def check_inside(figure):
     """Check that nothing is drawn beyond the edges of a figure, where files and pages cut it off."""
-    width, height = figure.get_size_inches()
-    if isinstance(figure.get_layout_engine(), ConstrainedLayoutEngine):
-        figure.draw_without_rendering()
-    outside = {"above": 0.0, "below": 0.0, "to the left": 0.0, "to the right": 0.0}
+    _check_sides(_drawn(figure)[1])
+
+
+def words(figure):
+    """Every text that is drawn, and its box in points from the lower left corner."""
+    return _drawn(figure)[0]
+
+
+def _check_sides(sides):
+    for edge, side in sides.items():
+        assert 72 * side < _ROUNDED, f"something sticks out {edge} by {72 * side:.1f} pt"
+
+
+def _drawn(figure):
+    """Words of a figure, as `words` tells them, and how far what is drawn sticks out at each edge, inch.
+
+    It is drawn once for both, in a window that shows what lies beyond its edges. A legend of the whole figure would
+    stand at the edges of that window, so it is drawn by itself.
+    """
+    # finer than points: at one pixel a point letters are rounded to whole ones, and lines of them are longer
+    figure.set_dpi(_DOTS)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    _lay_out(figure)
+    beyond, boxes = [-np.inf] * 4, []
     for legend in figure.legends:
-        box = legend.get_window_extent().transformed(Affine2D().scale(1 / figure.dpi))
-        sides = (box.y1 - height, -box.y0, -box.x0, box.x1 - width)
-        outside = {edge: max(before, side) for (edge, before), side in zip(outside.items(), sides, strict=True)}
-        # in a larger window they would stand at its edges
+        boxes += _boxes(lambda legend=legend: legend.draw(renderer), renderer, 0.0)[1]
+        beyond = np.maximum(beyond, _beyond(figure, legend.get_window_extent().extents / _DOTS))
         legend.set_visible(False)
+    pixels, others = _boxes(lambda: pixels_with_margin(figure), renderer, _BEYOND)
+    red, green, blue = np.moveaxis(pixels, 2, 0)
+    marks = np.minimum(np.minimum(red, green), blue) < 255 * _WHITE
+    rows, columns = (np.flatnonzero(marks.any(axis=axis)) for axis in (1, 0))
+    left, right, top, bottom = np.array([columns[0], columns[-1] + 1, rows[0], rows[-1] + 1]) / _DOTS - _BEYOND
+    height = figure.get_figheight()
+    sides = np.maximum(beyond, _beyond(figure, (left, height - bottom, right, height - top)))
+    return boxes + others, dict(zip(("to the left", "below", "to the right", "above"), sides.tolist(), strict=True))
+
+
+def _boxes(draw, renderer, margin):
+    """What a drawing returns, and the texts that it draws with their boxes as `words` tells them, less a margin."""
+    boxes, draw_text = {}, Text.draw
+    shrink = Affine2D().scale(1 / _FINE).translate(-72 * margin, -72 * margin)
+
+    def note(text, *others):
+        if text.get_visible() and text.get_text().strip():
+            # ticks are somewhere else once the window is
+            boxes[text] = Text.get_window_extent(text, renderer).transformed(shrink)
+        return draw_text(text, *others)
+
+    with mock.patch.object(Text, "draw", note):
+        drawn = draw()
+    return drawn, list(boxes.items())
+
+
+def _beyond(figure, extents):
+    """How far a box sticks out of a figure to the left, below, to the right and above, inch."""
+    (left, bottom, right, top), (width, height) = extents, figure.get_size_inches()
+    return [-left, -bottom, right - width, top - height]
+
+
+def _lay_out(figure):
+    """Find the places of axes and words once, and leave them there."""
+    if (layout := figure.get_layout_engine()) is not None:
+        layout.execute(figure)
     figure.set_layout_engine("none")
-    drawn = (pixels_with_margin(figure) < 255 * _WHITE).any(axis=2)
-    rows, columns = (np.flatnonzero(drawn.any(axis=axis)) for axis in (1, 0))
-    first, last = np.array([rows[0], columns[0]]) / _DOTS, np.array([rows[-1] + 1, columns[-1] + 1]) / _DOTS
-    sides = (_BEYOND - first[0], last[0] - _BEYOND - height, _BEYOND - first[1], last[1] - _BEYOND - width)
-    for (edge, of_legend), side in zip(outside.items(), sides, strict=True):
-        out = 72 * max(of_legend, side)
-        assert out < _ROUNDED, f"something sticks out {edge} by {out:.1f} pt"
+    for axes in figure.axes:
+        locator = axes.get_axes_locator()
+        axes.apply_aspect(locator(axes, None) if locator else None)
 
 
 def pixels_with_margin(figure):
@@ -74,7 +123,6 @@ def pixels_with_margin(figure):
     As `savefig` with `bbox_inches` draws it, which draws everything twice and packs it as a file.
     """
     width, height = figure.get_size_inches()
-    figure.set_dpi(_DOTS)
     canvas = FigureCanvasAgg(figure)
     window = Bbox([[-_BEYOND, -_BEYOND], [width + _BEYOND, height + _BEYOND]])
     put_back = adjust_bbox(figure, window, canvas.get_renderer())
@@ -88,22 +136,3 @@ def pixels_with_margin(figure):
 def colours(pixels):
     """How many a picture has, (row, column, 3 or 4) of bytes; one number a pixel, for rows are slow to sort."""
     return np.unique(pixels.astype(np.uint32) @ (1 << 8 * np.arange(pixels.shape[-1], dtype=np.uint32))).size
-
-
-def words(figure):
-    """Every text that is drawn, and its box in points from the lower left corner."""
-    # finer than points: at one pixel a point letters are rounded to whole ones, and lines of them are longer
-    figure.set_dpi(72 * _FINE)
-    canvas = FigureCanvasAgg(figure)
-    seen, draw = [], Text.draw
-
-    def note(text, renderer, *others):
-        if text.get_visible() and text.get_text().strip():
-            seen.append(text)
-        return draw(text, renderer, *others)
-
-    with mock.patch.object(Text, "draw", note):
-        figure.draw_without_rendering()  # words are asked for their places only
-    shrink = Affine2D().scale(1 / _FINE)
-    boxes = [Text.get_window_extent(text, canvas.get_renderer()) for text in dict.fromkeys(seen)]
-    return [(text, box.transformed(shrink)) for text, box in zip(dict.fromkeys(seen), boxes, strict=True)]

@@ -24,7 +24,6 @@ from forficula.study.static_map import map_study, static_map
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle
 from tests.show.legible import check_inside, check_words
-from tests.show.sheets import sheet_run
 from tests.show.study.test_convergence_figure import STAGES
 from tests.show.study.test_maps import TWO, many_ends, planted
 
@@ -58,7 +57,6 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
     )
     statics = static_map(map_study(reference, over))
     stuck = run(with_values(reference, SHORT | {"protocol.fold_torque": "1 N cm"}))
-    sheet, sheet_outcome = sheet_run("miura with a tendon")
     every = {
         "run": run_drawings(reference_run, reference_outcome),
         "landscape": landscape_drawings(surveyed("reference"), reference_run),
@@ -70,7 +68,6 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
         "map": static_map_drawings(statics),
         "beside": static_map_drawings(statics, simulated(statics)),
         "stuck": run_drawings(stuck, measure(stuck)),
-        "sheet": run_drawings(sheet, sheet_outcome),
         "cycling": cycling_drawings(cycling),
     }
     return {f"{of}, {kind}": draw for of, kinds in every.items() for kind, draw in kinds.items()}
@@ -82,11 +79,12 @@ KINDS = [
     *(f"material, {kind}" for kind in ("cycles", "modulus", "drift", "fit")),
     "three cycles, cycles",
     *(f"converge, {kind}" for kind in ("angles", "times")),
-    *(f"{of}, {kind}" for of in ("study", "failures") for kind in ("status", "torques", "works", "energy")),
-    "study, fold_times",
+    *(f"failures, {kind}" for kind in ("status", "torques", "works", "energy")),
+    # where nothing fails, and no legend takes room from the numbers
+    *(f"study, {kind}" for kind in ("torques", "energy", "fold_times")),
     "map, map",
     "beside, map",
-    *(f"{of}, {kind}" for of in ("stuck", "sheet") for kind in ("pattern", "angles", "energy", "folding")),
+    *(f"stuck, {kind}" for kind in ("angles", "energy", "folding")),
     "cycling, cycles",
 ]
 

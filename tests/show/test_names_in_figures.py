@@ -1,5 +1,6 @@
 """Names that a user gives are shown as they are, whatever they mean to TeX."""
 
+import pytest
 from matplotlib.text import Text
 
 import forficula as ff
@@ -9,6 +10,7 @@ from forficula.show import draw_angles, write_run
 NAMES = ["$\\frac{", "a$_b^{$", "\\$ & < _x"]
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_a_run_whose_names_are_broken_tex_is_kept_and_drawn_with_these_names(tmp_path):
     stage = {"drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.01}
     drives = ("none", "fold", "unfold")
@@ -16,7 +18,7 @@ def test_a_run_whose_names_are_broken_tex_is_kept_and_drawn_with_these_names(tmp
     design = with_values(ff.load_design("binder2025"), {"name": "$^{", "protocol.stages": stages})
     record = ff.run(design)
     outcome = ff.measure(record)
-    write_run(record, outcome, tmp_path)
+    write_run(record, outcome, tmp_path, engine=False)
     assert {"angles.png", "energy.png", "folding.png", "summary.json"} < {path.name for path in tmp_path.iterdir()}
     texts = draw_angles(record, outcome).findobj(Text)
     assert set(NAMES[1:]) <= {text.get_text() for text in texts}

@@ -23,9 +23,9 @@ from forficula.study.refinement import MESH, YOUNGS_MODULUS
 
 
 @pytest.fixture(scope="module")
-def called():
+def called(surveyed):
     """A landscape of a fan that is called a flower, and closes."""
-    landscape = ff.energy_landscape(ff.load_design("binder2025"), points=61)
+    landscape = surveyed("reference")
     structure = landscape.structure
     words = ("closing", "blooming")
     return replace(

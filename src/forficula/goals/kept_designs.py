@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from itertools import islice
 
 from forficula.design import Design
 from forficula.study.kept_runs import RunToKeep
@@ -19,10 +20,24 @@ def designs_to_keep(designs: Sequence[Design | str], wanted: Iterable[int], most
         wanted: numbers of those that are worth it, the first ones first; one that cannot be built is left out.
         most: of them.
     """
-    width = len(str(len(designs)))
-    chosen = [(number, designs[number]) for number in dict.fromkeys(wanted)]
-    built = [(number, design) for number, design in chosen if isinstance(design, Design)]
+    return runs_to_keep(len(designs), designs.__getitem__, wanted, most)
+
+
+def runs_to_keep(
+    count: int, design_of: Callable[[int], Design | str], wanted: Iterable[int], most: int
+) -> list[RunToKeep]:
+    """As `designs_to_keep`, of designs that are built one after another until there are enough.
+
+    Args:
+        count: of all designs.
+        design_of: builds the one with a number, or says why there is none.
+        wanted: numbers of those that are worth it, the first ones first; one that cannot be built is left out.
+        most: of them.
+    """
+    width = len(str(count))
+    chosen = ((number, design_of(number)) for number in dict.fromkeys(wanted))
+    built = ((number, design) for number, design in chosen if isinstance(design, Design))
     return [
         RunToKeep(point=number, part="run", name=f"{number + 1:0{width}d}", design=design)
-        for number, design in built[: max(most, 0)]
+        for number, design in islice(built, max(most, 0))
     ]

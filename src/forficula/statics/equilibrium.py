@@ -146,7 +146,7 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
         squares = (along / shifted) ** 2
         square = squares.sum(axis=1)
         longer = np.sqrt(square) / radius
-        if not (longer > 1).any():
+        if not (longer > 1).any():  # further ones would change nothing
             break
         rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=longer > 1)
         damping = damping + rise * (longer - 1)

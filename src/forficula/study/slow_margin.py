@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 MORE = 10.0
 
 
-def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
+def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None = None) -> tuple[Array, ...]:
     """The least slowly growing torques of every transition, to 1 %, up to ten times the protocol's.
 
     Statics without inertia. In a simulation the least torque that makes a transition is no smooth function of the
@@ -26,16 +26,17 @@ def least_slow_torques(designs: Sequence[Design]) -> tuple[Array, ...]:
 
     Args:
         designs: that differ in their tendons only.
+        names: of the transitions that are asked for; all if not given.
 
     Returns:
-        By transition, each from where the one before leads, N m, nan where none makes it or the protocol does not try,
-        (design,).
+        By transition, each from where the one before leads, N m, nan where none makes it, the protocol does not try or
+        it is not asked for, (design,).
     """
     structures = ensemble_of(designs)
     start = start_state(structures).position
     found = []
     for transition in structures.structure.transitions:
-        tried = transition.stage is not None
+        tried = transition.stage is not None and (names is None or transition.name in names)
         found.append(_least(structures, start, transition) if tried else np.full(len(designs), np.nan))
         if transition is not structures.structure.transitions[-1]:
             start = state_beyond(structures, transition).position

@@ -71,13 +71,16 @@ def test_the_figure_shows_what_was_not_seen_and_where_the_wing_stops(cycling):
     assert len(shaded) == 6
 
 
-@pytest.mark.parametrize("count", [1, 2, 4])
+@pytest.mark.parametrize("count", [1, 2])
 def test_few_cycles_without_a_failure_can_be_drawn(cycling, count):
     for seen in ((2, 4), (1, 4), None):
         few = replace(
             cycling, runs=tuple(replace(each, measured=seen is not None) for each in cycling.runs[:count]), seen=seen
         )
         FigureCanvasAgg(draw_cycling(few)).draw()
+
+
+def test_cycles_without_numbers_can_be_drawn(cycling):
     nothing = replace(cycling, runs=tuple(run(n, **STUCK) for n in (1, 2)), transitions=cycling.transitions[:1])
     FigureCanvasAgg(draw_cycling(nothing)).draw()
 
@@ -95,9 +98,10 @@ def test_all_cycles_are_in_the_table_and_in_json(cycling, tmp_path):
     assert {key: str(value) if value is not None else "" for key, value in content["cycles"][5].items()} == rows[5]
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cycling, tmp_path, reference_run):
     write_cycling(cycling, tmp_path / "run")
-    write_run(reference_run, ff.measure(reference_run), tmp_path / "run")
+    write_run(reference_run, ff.measure(reference_run), tmp_path / "run", engine=False)
     assert not set(CYCLING_FILES) & set(files_in(tmp_path / "run"))
     assert "record.nc" in files_in(tmp_path / "run")
 

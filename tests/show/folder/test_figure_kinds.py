@@ -84,6 +84,7 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
     assert sorted(folder_drawings(folders / name)) == KINDS[name]
 
 
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize(("tendons", "kinds"), [(True, ["levels", "rests", "tendon"]), (False, ["rests"])])
 def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, surveyed, tendons, kinds):
     write_landscape(surveyed("plates" if tendons else "plates without tendons"), tmp_path / "out")
@@ -168,7 +169,7 @@ def test_cycles_are_read_as_they_were_written(folders, cycling):
 
 @pytest.mark.parametrize(("width", "points"), [(COLUMN_WIDTH, "252pt"), (PAGE_WIDTH, "511.2pt"), (None, "252pt")])
 def test_a_figure_is_as_wide_as_asked_for(folders, tmp_path, width, points):
-    write_figure(folders / "study", "energy", tmp_path / "a.svg", width)
+    write_figure(folders / "study", "works", tmp_path / "a.svg", width)
     assert f'width="{points}"' in (tmp_path / "a.svg").read_text()
 
 

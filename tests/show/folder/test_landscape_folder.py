@@ -10,7 +10,7 @@ from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import write_landscape
 from forficula.study.runs import run
 
-pytestmark = pytest.mark.usefixtures("no_figures")
+pytestmark = pytest.mark.usefixtures("undrawn")
 
 FILES = ["design.toml", "figures", "landscape.json", "levels.png", "report.html", "tendon.png", "wing.png"]
 
@@ -38,9 +38,9 @@ def test_a_landscape_leaves_its_files_and_the_design_gives_the_same_again(survey
     assert content["simulation"]["peak_speed_rad_per_s"] < predicted["final_speed_rad_per_s"]
 
 
-def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surveyed, tmp_path):
+def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surveyed, letter_run, tmp_path):
     landscape = surveyed("plates")
-    write_landscape(landscape, tmp_path / "there", run(landscape.design))
+    write_landscape(landscape, tmp_path / "there", letter_run)
     assert sorted(path.name for path in (tmp_path / "there").iterdir()) == sorted({*FILES, "rests.png"} - {"wing.png"})
     content = read(tmp_path / "there")
     assert (content["hinge"], content["wing"], content["tips"]) == (None, None, None)
@@ -101,7 +101,7 @@ def test_a_simulation_that_diverged_is_named_and_the_rest_is_written(surveyed, t
     assert (tmp_path / "tendon.png").exists()
 
 
-def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path):
+def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path, no_figures):  # noqa: ARG001
     landscape = surveyed("reference")
     blocked = tmp_path / "blocked"
     (blocked / "wing.png").mkdir(parents=True)

@@ -22,9 +22,9 @@ def names(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
-@pytest.fixture(scope="module")
-def written(tpu_material, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("material") / "deep" / "tpu"
+@pytest.fixture
+def written(tpu_material, tmp_path):
+    folder = tmp_path / "deep" / "tpu"
     write_material(tpu_material, folder)
     return folder
 
@@ -55,6 +55,7 @@ def test_the_page_of_a_material_shows_the_fit_with_its_residual_and_every_value_
     assert "<script" not in page
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_without_a_law_the_law_of_an_earlier_material_goes(tpu_material, lawless_material, tmp_path):
     write_material(tpu_material, tmp_path)
     (tmp_path / "mine.txt").write_text("stays", "utf-8")

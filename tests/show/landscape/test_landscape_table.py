@@ -101,9 +101,8 @@ def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed)
     assert landscape_summary(surveyed("folds by itself"))["wing"]["single_hinge_barriers_J"] is None
 
 
-def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(surveyed):
-    landscape = surveyed("plates")
-    text = printed(landscape, run(landscape.design))
+def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(surveyed, letter_run):
+    text = printed(surveyed("plates"), letter_run)
     assert text.startswith(
         "letter-fold: rests stably: flat, closed, opened (as flat); 4 of 4 states with some hinges folded stay"
     )

@@ -20,9 +20,14 @@ def joint():
     return make_parts("binder2025-joint", "joint")
 
 
-@pytest.mark.parametrize(("name", "part"), [("binder2025-joint", "joint"), ("binder2025", "section")])
-def test_words_of_the_figure_of_parts_can_be_read(name, part):
-    check_words(drawings_of(make_parts(name, part))["parts"](COLUMN_WIDTH), COLUMN_WIDTH)
+@pytest.fixture(scope="module")
+def section():
+    return make_parts("binder2025", "section")
+
+
+def test_words_of_the_figure_of_parts_can_be_read(joint, section):
+    check_words(drawings_of(joint)["parts"](COLUMN_WIDTH), COLUMN_WIDTH)
+    check_words(draw_parts(section, COLUMN_WIDTH), COLUMN_WIDTH)
 
 
 @pytest.mark.usefixtures("no_column_figures")
@@ -61,11 +66,11 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
     assert not meet((layout.lower + layout.upper) / 2)
 
 
-def test_bars_of_several_roles_look_different_and_parts_alike_alike():
-    looks, own = part_looks(parts := make_parts("binder2025", "section"))
+def test_bars_of_several_roles_look_different_and_parts_alike_alike(section):
+    looks, own = part_looks(section)
     assert [look.name for look in looks] == ["proximal bar", "distal bar", "pin", "strap", "hub", "root"]
     assert len({look.colour for look in looks}) == len(looks)
-    assert all(looks[look].kind == part.kind for part, look in zip(parts.parts, own, strict=True))
+    assert all(looks[look].kind == part.kind for part, look in zip(section.parts, own, strict=True))
 
 
 def test_values_are_told_in_the_units_that_parts_are_drawn_in():

@@ -32,7 +32,8 @@ def pixels(figure):
     return np.asarray(canvas.buffer_rgba())[..., :3]
 
 
-@pytest.mark.parametrize("name", ["reference", "settled", "not folded", "diverged"])
+# the reference is drawn where its words are read
+@pytest.mark.parametrize("name", ["settled", "not folded", "diverged"])
 def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
     record = runs[name]
     outcome = measure(record)

@@ -21,6 +21,12 @@ def weak():
     return run(load_design("binder2025", WEAK))
 
 
+@pytest.fixture(scope="module")
+def drawings(weak):
+    """What draws it, with the torque that it needs worked out once."""
+    return run_drawings(weak, measure(weak))
+
+
 def lines(axes):
     return {line.get_label(): line for line in axes.lines}
 
@@ -36,9 +42,9 @@ def test_energies_are_their_changes_since_the_stage_that_missed_its_goal(weak):
     assert max(whole.get_ylim()) < 0.5 * 1e3 * weak.series["tendon_energy"].sum(axis=1).max()
 
 
-def test_the_motion_is_close_up_in_time_and_angle(weak):
+def test_the_motion_is_close_up_in_time_and_angle(weak, drawings):
     stage = stalled_stage(weak)
-    figure = run_drawings(weak, measure(weak))["angles"](7.1)
+    figure = drawings["angles"](7.1)
     whole, fold = figure.axes[:2]
     assert whole.get_ylabel() == "turn angle (deg)"
     moved = still_time(weak, stage.start, stage.end) - stage.start
@@ -50,15 +56,15 @@ def test_the_motion_is_close_up_in_time_and_angle(weak):
     assert high - low <= max(0.1, 1.4 * np.ptp(ring))
 
 
-def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak):
-    figure = run_drawings(weak, measure(weak))["angles"](7.1)
+def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak, drawings):
+    figure = drawings["angles"](7.1)
     place = next(place for place, axes in enumerate(figure.axes) if axes.get_ylabel() == "torque (N cm)")
     drawn = lines(figure.axes[place + 1])  # of the stage, in ms
     acts = drawn["acts on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
     stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # of which the landscape tries no more
-    least = energy_landscape(stronger).least_torques["fold"]
+    least = energy_landscape(stronger, points=61).least_torques["fold"]
     assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
 
@@ -70,10 +76,10 @@ def test_where_no_torque_does_there_is_no_line_but_words(weak):
     assert "needed at least, slowly" not in told
 
 
-def test_the_advice_stands_beside_the_verdict(weak):
+def test_the_advice_stands_beside_the_verdict(weak, drawings):
     outcome = measure(weak)
     for kind in ("angles", "energy", "folding"):
-        heading = run_drawings(weak, outcome)[kind](3.5).get_suptitle().replace("\n", " ")
+        heading = drawings[kind](3.5).get_suptitle().replace("\n", " ")
         assert heading.lower() == f"{outcome.status}. {outcome.advice}".lower()
 
 

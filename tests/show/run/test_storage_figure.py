@@ -14,8 +14,10 @@ from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from tests.show.legible import check_words
 
 
-@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-@pytest.mark.parametrize("kind", ["storage", "angles", "energy"])
+@pytest.mark.parametrize(
+    ("kind", "width"),
+    [*((kind, COLUMN_WIDTH) for kind in ("storage", "angles", "energy")), ("storage", PAGE_WIDTH)],
+)
 def test_the_words_of_its_figures_can_be_read(stored_run, kind, width):
     check_words(run_drawings(stored_run, ff.measure(stored_run))[kind](width), width)
 

@@ -69,6 +69,7 @@ def test_a_time_that_is_not_there_is_none_and_not_a_number(studies):
     assert all(row["unfold_time_s"] is None for row in rows)
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_the_page_of_a_study_has_every_run_the_limit_its_order_and_the_curves(studies, tmp_path):
     study = studies[TIMESTEP]
     write_convergence(study, tmp_path)
@@ -83,6 +84,7 @@ def test_the_page_of_a_study_has_every_run_the_limit_its_order_and_the_curves(st
     assert escaped(study.verdict.rstrip(".")) in page
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_a_study_leaves_all_files_or_none(studies, tmp_path):
     study = studies[TIMESTEP]
     blocked = tmp_path / "blocked"

@@ -47,19 +47,18 @@ def studied(tmp_path_factory):
     return study
 
 
-def check(study, table, tmp_path, kinds, sentence):
-    """All figures there are, drawn, with a page and a summary."""
+def check(study, table, tmp_path, kinds, sentence, *, engine=False):
+    """All figures there are, drawn where there is least room, with a page and a summary."""
     drawings = study_drawings(table)
     assert set(drawings) == kinds
     for drawing in drawings.values():
-        for width in (COLUMN_WIDTH, PAGE_WIDTH):
-            figure = drawing(width)
-            FigureCanvasAgg(figure).draw()
-            assert not re.search("wing| fold", description(figure))
-    write_study(study, table, tmp_path / "written")
+        figure = drawing(COLUMN_WIDTH)
+        FigureCanvasAgg(figure).draw()
+        assert not re.search("wing| fold", description(figure))
+    write_study(study, table, tmp_path / "written")  # those of a page are composed for it
     print_study(study, table)
     assert study_sentence(study, table) == sentence
-    page = study_page(study, table, (), 0)
+    page = study_page(study, table, (), 0, engine=engine)
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
 
 
@@ -72,7 +71,7 @@ def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(
     study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
     sentence = "4 points: 4 get closed, with 1 N cm to 6 N cm (2 did not stay closed); 1 get opened again, with 3 N cm."
-    data = check(study, table, tmp_path, kinds, sentence)
+    data = check(study, table, tmp_path, kinds, sentence, engine=True)
     assert table["least_close_value"].values.tolist() == [[0.01, 0.01], [0.06, 0.06]]
     assert table["least_close_value"].attrs["long_name"] == "least torque that gets closed"
     np.testing.assert_array_equal(table["least_open_value"].values, [[0.03, np.nan], [0.01, 0.03]])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from forficula.design import Design
 from forficula.goals.deviation import off_values
-from forficula.goals.kept_designs import designs_to_keep
+from forficula.goals.kept_designs import runs_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.samples import built_design
 from forficula.goals.tolerance.tolerance import Tolerance
@@ -26,8 +27,9 @@ def samples_to_keep(found: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]:
     told = [place for place in near if samples.answers[place] in (Answer.WORKS, Answer.FAILS)]
     turns = [[place for place in told if samples.outcomes[place] == outcome] for outcome in found.outcomes]
     wanted = [turn[number] for number in range(len(told)) for turn in turns if number < len(turn)]
-    designs = [
-        built_design(question.design, off_values(question.design, question.deviations, each))
-        for each in samples.offsets.tolist()
-    ]
-    return designs_to_keep(designs, wanted, most)
+
+    def design_of(number: int) -> Design | str:
+        values = off_values(question.design, question.deviations, samples.offsets[number].tolist())
+        return built_design(question.design, values)
+
+    return runs_to_keep(len(samples.offsets), design_of, wanted, most)

@@ -49,5 +49,5 @@ def needed_torque(record: Record) -> float | None:
     missed, structure = stalled_transition(record), record.structure
     if missed is None or is_net(structure) or drive_unit(structure, drive_of(structure, missed.drive)) != "N m":
         return None
-    by_transition = zip(structure.transitions, least_slow_torques([record.design]), strict=True)
+    by_transition = zip(structure.transitions, least_slow_torques([record.design], [missed.name]), strict=True)
     return next((float(least[0]) for each, least in by_transition if each is missed), math.nan)

@@ -250,11 +250,13 @@ def _cells(view: View, panel: Panel, scale: _Scale) -> Array:
 
 def _write_numbers(figure: Figure, view: View, drawn: Sequence[tuple[Axes, Panel, _Scale]]) -> None:
     """Every value in its cell, in the ink that shows on its colour, with as many digits as fit those of all maps."""
+    cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
+    if not any(np.isfinite(values).any() for _, _, values in cells):
+        return
     layout = figure.get_layout_engine()
     assert layout is not None
     layout.execute(figure)  # then it is known how wide they are
     fonts = FontProperties(size=_NUMBER)
-    cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
     for digits in (3, 2, 1):
         texts = [_short_texts(values, digits) for _, _, values in cells]
         widths = {
