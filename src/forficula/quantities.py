@@ -65,7 +65,7 @@ def parse_quantity(text: object, unit: Unit) -> float:
         InputError: no unit, an unknown unit, the wrong dimension, no number, or a number that is not finite. The
             message names the value and a right example; the caller knows the key.
     """
-    return _parsed_text(text, unit) if isinstance(text, str) else _parsed(text, unit)
+    return _parsed_text(text, unit) if isinstance(text, str) and len(text) <= _LONGEST_KEPT else _parsed(text, unit)
 
 
 def _parsed(text: object, unit: Unit) -> float:
@@ -92,6 +92,7 @@ def _parsed(text: object, unit: Unit) -> float:
     return value
 
 
+_LONGEST_KEPT = 100
 # what a file says is read again with each design that is made of it
 _parsed_text = lru_cache(maxsize=4096)(_parsed)
 

@@ -154,7 +154,7 @@ def test_the_timestep_that_is_chosen_does_not_diverge(values):
 
 def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
     # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
-    monkeypatch.setattr("forficula.dynamics.stages._FAR", math.inf)
+    monkeypatch.setattr("forficula.dynamics.stage_plan._FAR", math.inf)
     longest = stable_timestep(reference)
     # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy import stats
 
 from forficula.goals.tolerance.indices import line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.points import exchanged, two_samples
@@ -76,26 +75,6 @@ def test_a_group_holds_what_its_factors_do_together():
 def test_one_group_of_all_decides_everything():
     found = indices(linear, 5, 256, groups=[[0, 1, 2, 3, 4]])
     np.testing.assert_allclose([found.first[0, 0], found.total[0, 0]], 1, atol=0.1)
-
-
-@pytest.mark.parametrize("results", [1, 3])
-def test_indices_and_their_intervals_are_scipys_of_each_resample_to_the_bit(results):
-    rows, factors, random = 64, 4, np.random.default_rng(7)
-    first, second = random.standard_normal((2, results, rows))
-    mixed = random.standard_normal((factors, results, rows))
-
-    def scipys(pick):
-        func = {"f_A": first[:, pick], "f_B": second[:, pick], "f_AB": mixed[:, :, pick]}
-        found = stats.sobol_indices(func=func, n=rows)
-        return [each.reshape(results, factors) for each in (found.first_order, found.total_order)]
-
-    names = [[f"{kind} {number}" for number in range(count)] for kind, count in (("r", results), ("f", factors))]
-    found = sobol_indices(*names, first, second, mixed, 3)
-    np.testing.assert_array_equal([found.first, found.total], scipys(np.arange(rows)))
-    resampled = np.array([scipys(pick) for pick in np.random.default_rng(3).integers(rows, size=(999, rows))])
-    ends = np.quantile(resampled, [0.025, 0.975], axis=0)
-    np.testing.assert_allclose([found.first_low, found.total_low], ends[0], rtol=1e-12)
-    np.testing.assert_allclose([found.first_high, found.total_high], ends[1], rtol=1e-12)
 
 
 def test_every_result_has_its_own_indices():

@@ -25,7 +25,7 @@ from forficula.study import run_study
 from forficula.study.runs import run
 from forficula.study.study_file import study_of
 from tests.plate_sheets import miura, plates, vertex
-from tests.show.page.live_wing import ONE_FOLD, check_as_recorded
+from tests.show.page.live_wing import check_as_recorded
 
 BUILT = resources.files("forficula.show.page") / "built"
 TIME = 1e-4  # s, of a record's
@@ -96,7 +96,8 @@ def test_the_reference_folds_and_opens_in_a_page_as_it_is_recorded(run_in_page):
 
 def test_what_is_asked_of_a_page_is_of_the_design_but_for_the_values_that_are_asked(run_in_page):
     """Whatever a reader has changed meanwhile, as while a map is refined."""
-    design = with_values(with_timestep(load_design("binder2025")), ONE_FOLD)
+    stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
+    design = with_timestep(load_design("binder2025", {"protocol.stages": stages}))
     alone, _, after = outcomes(run_in_page(design, [{}, {"tendon.damping": 0.9, "protocol.fold_torque": 0.4}, {}]))
     assert after["transitions"] == alone["transitions"]
 

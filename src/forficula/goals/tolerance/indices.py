@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import stats
 
 from forficula.goals.share_interval import LEVEL
 
@@ -15,8 +16,6 @@ Values = NDArray[np.float64]
 # Below this share of the largest value, a scatter is rounding.
 _ROUNDING = 1e-12
 _RESAMPLES = 999
-# Of resamples side by side: these stay in the cache of a core.
-_MOST_VALUES = 2**16
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,16 +69,11 @@ def sobol_indices(
     for group, values in zip(groups, at_mixed, strict=True):
         _check_finite(results, values, f"the points with {group} exchanged")
     rows = at_first.shape[1]
-    first, total = (each[0] for each in _estimates(at_first[np.newaxis], at_second[np.newaxis], at_mixed[np.newaxis]))
+    first, total = _estimates(at_first, at_second, at_mixed)
     picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
-    together = max(1, _MOST_VALUES // at_mixed.size)
-    resampled = [
-        _estimates(*(_picked(values, picks[start : start + together]) for values in (at_first, at_second, at_mixed)))
-        for start in range(0, _RESAMPLES, together)
-    ]
-    ends = [(1 - LEVEL) / 2, (1 + LEVEL) / 2]
-    (first_low, first_high), (total_low, total_high) = (
-        np.quantile(np.concatenate(each), ends, axis=0) for each in zip(*resampled, strict=True)
+    resampled = np.array([_estimates(at_first[:, pick], at_second[:, pick], at_mixed[:, :, pick]) for pick in picks])
+    (first_low, total_low), (first_high, total_high) = np.quantile(
+        resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0
     )
     still = ~_varies(at_first, at_second)
     for values in (first, total, first_low, first_high, total_low, total_high):
@@ -181,26 +175,13 @@ def total_effects(at_first: Values, at_mixed: Values, steps: Values) -> Values:
     return np.asarray(np.mean((at_mixed - at_first) ** 2, axis=1) / np.mean(steps**2, axis=1) / 12)
 
 
-def _picked(values: Values, picks: NDArray[np.int64]) -> Values:
-    """Resampled rows, the resamples first."""
-    return np.ascontiguousarray(np.moveaxis(values[..., picks], -2, 0))
-
-
 def _estimates(at_first: Values, at_second: Values, at_mixed: Values) -> tuple[Values, Values]:
-    """First-order and total indices of resamples side by side, (resamples, results, groups) each; 0 if nothing varies.
-
-    As scipy.stats.sobol_indices has them of each alone, to the bit.
-    """
-    mean = np.mean(np.stack([at_first, at_second], axis=1), axis=(1, -1))[..., np.newaxis]
-    first, second, mixed = at_first - mean, at_second - mean, at_mixed - mean[:, np.newaxis]
-    variance = np.var(np.stack([first, second], axis=1), axis=(1, -1))[:, np.newaxis]
-    first, second = first[:, np.newaxis], second[:, np.newaxis]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        alone = np.mean(second * (mixed - first), axis=-1) / variance
-        total = 0.5 * np.mean((first - mixed) ** 2, axis=-1) / variance
-    for shares in (alone, total):
-        shares[~np.isfinite(shares)] = 0
-    return alone.transpose(0, 2, 1), total.transpose(0, 2, 1)
+    """First-order and total indices, (results, groups) each."""
+    # a group that changes nothing keeps scipy from dropping the axis of a single one
+    padded = np.concatenate([at_mixed, at_first[np.newaxis]])
+    found = stats.sobol_indices(func={"f_A": at_first, "f_B": at_second, "f_AB": padded}, n=at_first.shape[1])
+    shape = (len(at_first), len(padded))
+    return found.first_order.reshape(shape)[:, :-1], found.total_order.reshape(shape)[:, :-1]
 
 
 def _check_finite(results: Sequence[str], values: Values, where: str) -> None:
