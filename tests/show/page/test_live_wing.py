@@ -128,7 +128,9 @@ def test_what_the_engine_would_move_otherwise_is_told_with_the_reason(show, tmp_
     assert "it moves in air or water" in page.evaluate("document.querySelector('#try').textContent")
 
 
-def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path):
+def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path, request):
+    if request.node.callspec.params["show"] == "Firefox" and os.environ.get("FORFICULA_EVERY_BROWSER") != "1":
+        pytest.skip("memory of Firefox is not looked at: that is make browsers, before a release")
     write_wing(tmp_path / "report.html", {"protocol.stages": [SETTLE, FOLD]})
     wing = LiveWing(show(tmp_path / "report.html", *SMALL).evaluate)
     held = []

@@ -59,6 +59,14 @@ class Bench:
         says = "document.querySelector('.says p[role=status]').textContent"
         until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
 
+    def begin_again(self):
+        """All as it was opened."""
+        self.page.set_viewport_size(DEFAULTS["viewport"])
+        self.page.evaluate("(keys) => forficula.open({ design: '', files: [], unit: '' }, keys)", SETTINGS)
+        self.page.get_by_label("Find a key").fill("")
+        self.page.get_by_role("tab").first.click()
+        self.settled()
+
     def field(self, key):
         """The field of a key, which is looked for as a reader does."""
         self.page.get_by_label("Find a key").fill(key)
@@ -94,11 +102,19 @@ class Bench:
         self.page.get_by_role("button", name=name, exact=True).click()
 
 
-@pytest.fixture
-def bench(browser, address):
+@pytest.fixture(scope="module")
+def opened(browser, address):
     opened = Bench(browser, address)
     yield opened
     opened.context.close()
+
+
+@pytest.fixture
+def bench(opened):
+    """The page as it was opened; it is the same for all tests, for each opens a simulator."""
+    opened.messages.clear()
+    opened.begin_again()
+    yield opened
     assert opened.messages == []
 
 
@@ -288,13 +304,15 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
 
 
 @pytest.mark.parametrize(("key", "width"), [("Tab", 1280), ("Shift+Tab", 390)])
-def test_the_keyboard_reaches_every_field_and_shows_where_it_is(bench, key, width):
-    bench.page.set_viewport_size({"width": width, "height": 844})
-    stops = walk(bench, key)
+def test_the_keyboard_reaches_every_field_and_shows_where_it_is(browser, address, key, width):
+    # of its own: keys go on from where a page was last pressed
+    opened = Bench(browser, address, viewport={"width": width, "height": 844})
+    stops = walk(opened, key)
     assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
-    fields = bench.page.locator("[data-key]:visible").count()
+    fields = opened.page.locator("[data-key]:visible").count()
     assert fields > 10
     assert sum('id="key-' in stop["what"] for stop in stops) == fields
+    opened.context.close()
 
 
 @pytest.mark.parametrize(("width", "schemes"), [(1280, {"light": ALL, "dark": CONTRAST}), (390, {"light": ALL})])
