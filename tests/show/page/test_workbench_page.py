@@ -11,7 +11,7 @@ from forficula.design import design_from_text
 from forficula.study.runs import run
 from tests.show.page.conftest import DEFAULTS, until
 from tests.show.page.keyboard import walk
-from tests.show.page.test_accessible_pages import ALL, CONTRAST, asked
+from tests.show.page.test_accessible_pages import ALL, CONTRAST, WIDTH, asked
 from tests.workbench.serving import SECONDS, serving
 from tests.workbench.test_server import SQUARE
 
@@ -315,7 +315,7 @@ def test_the_keyboard_reaches_every_field_and_shows_where_it_is(browser, address
     opened.context.close()
 
 
-@pytest.mark.parametrize(("width", "schemes"), [(1280, {"light": ALL, "dark": CONTRAST}), (390, {"light": ALL})])
+@pytest.mark.parametrize(("width", "schemes"), [(1280, {"light": ALL, "dark": CONTRAST}), (390, {"light": WIDTH})])
 def test_it_is_for_readers_of_every_kind(browser, address, width, schemes):
     opened = Bench(browser, address, viewport={"width": width, "height": 844})
     page = opened.page
