@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull, QhullError
 
 from forficula.dynamics import Record
 from forficula.structure import Structure
@@ -53,7 +53,7 @@ def package_of(places: Array, radius: float) -> Package:
     height = float(np.ptp(places @ upwards))
     plane = np.linalg.svd(upwards[None])[2][1:]
     outline = places @ plane.T
-    hull = ConvexHull(outline)
+    hull = scipy.spatial.ConvexHull(outline)
     sides = np.diff(outline[[*hull.vertices, hull.vertices[0]]], axis=0)
     normals = np.column_stack([-sides[:, 1], sides[:, 0]]) / np.linalg.norm(sides, axis=1)[:, None]
     widths = np.ptp(outline @ normals.T, axis=0)
@@ -77,8 +77,8 @@ def _thinnest(places: Array) -> Array:
     if len(sizes) < 3 or sizes[2] <= _FLAT * sizes[0]:
         return np.asarray(axes[2])
     try:
-        hull = ConvexHull(centred)
-    except QhullError:
+        hull = scipy.spatial.ConvexHull(centred)
+    except scipy.spatial.QhullError:
         return np.asarray(axes[2])
     pairs = np.unique(np.sort(hull.simplices[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0)
     edges = centred[pairs[:, 1]] - centred[pairs[:, 0]]

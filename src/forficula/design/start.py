@@ -5,8 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from scipy.optimize import brentq
-from scipy.spatial.transform import Rotation
+import scipy
 
 from forficula.pattern import EarwigFan, ring_directions, ring_vertices, tips
 
@@ -28,7 +27,9 @@ def start_stretch(fan: EarwigFan, overbend: float) -> float:
     # odd veins are valleys, as `earwig_pattern` has them
     senses = (-1.0) ** (np.arange(len(flat)) + 1)
     for fold in reversed(range(fan.ring_folds)):
-        turned = Rotation.from_rotvec(overbend / fan.ring_folds * senses[:, None] * ring_directions(fan))
+        turned = scipy.spatial.transform.Rotation.from_rotvec(
+            overbend / fan.ring_folds * senses[:, None] * ring_directions(fan)
+        )
         ring = ring_vertices(fan, fold=fold)
         bent = ring + turned.apply(bent - ring)
     distances = (np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (bent, flat))
@@ -37,5 +38,5 @@ def start_stretch(fan: EarwigFan, overbend: float) -> float:
 
 def largest_start(fan: EarwigFan, stretch: float, bend: float) -> float:
     """How far one may bend towards a bend, rad, at which tips are further apart than so many times as when flat."""
-    share = brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
+    share = scipy.optimize.brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
     return float(share * bend)

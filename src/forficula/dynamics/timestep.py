@@ -8,8 +8,8 @@ from functools import lru_cache
 
 import mujoco
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from forficula.design import AnyDesign, Design, as_design, with_values
 from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
@@ -114,7 +114,7 @@ def _limit(model: Model, linear: _Linear) -> float:
         return _LONGEST
     if sign(shortest) < 0:
         raise InputError(f"{model.design.name}: no timestep is short enough: a part is too stiff or too light")
-    return float(10.0 ** brentq(sign, shortest, longest, xtol=1e-4))
+    return float(10.0 ** scipy.optimize.brentq(sign, shortest, longest, xtol=1e-4))
 
 
 def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]]) -> float:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.part import Part, Quantity, field_quantity
@@ -28,7 +28,7 @@ _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
 # of normal distributions: quantiles beyond 4.8 deviations are not drawn
 _TAIL = 1e-6
 _SHARE = Unit(display="%", si="", example="10 %")
-_NINETY_FIVE = float(stats.norm.ppf(0.975))
+_NINETY_FIVE = float(scipy.special.ndtri(0.975))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,7 +54,7 @@ class Deviation:
     def offsets(self, shares: Array) -> Array:
         """By how many widths the value is off below which these shares of what is built lie, in the shares' shape."""
         if self.distribution == "normal":
-            return np.asarray(stats.norm.ppf(np.clip(shares, _TAIL, 1 - _TAIL)))
+            return np.asarray(scipy.stats.norm.ppf(np.clip(shares, _TAIL, 1 - _TAIL)))
         return np.asarray(2.0 * shares - 1.0)
 
     def text(self, unit: Unit) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scipy import special
+import scipy
 
 LEVEL = 0.95
 
@@ -20,7 +20,7 @@ def share_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
         return 0.0, 1.0
     beyond = (1 - LEVEL) / looks / 2
     # the shares of which so many or more, and so few or fewer, come that seldom: quantiles of beta distributions
-    low = float(special.betaincinv(count, of - count + 1, beyond)) if count else 0.0
+    low = float(scipy.special.betaincinv(count, of - count + 1, beyond)) if count else 0.0
     return low, _least_above(count, of, beyond)
 
 
@@ -41,4 +41,4 @@ def largest_share(count: int, of: int) -> float:
 
 def _least_above(count: int, of: int, chance: float) -> float:
     """The share of which so few or fewer come with that chance; 1 where all are counted."""
-    return float(special.betainccinv(count + 1, of - count, chance)) if count < of else 1.0
+    return float(scipy.special.betainccinv(count + 1, of - count, chance)) if count < of else 1.0

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from forficula.make.sections import Section
 from forficula.structure.parts import Array
@@ -73,4 +73,4 @@ class Column:
             return self.section.stress(push, push * self.bows(push)) - strength
 
         most = _NEAR * self.buckles_at
-        return most if missing(most) <= 0 else float(brentq(missing, most * 1e-9, most))
+        return most if missing(most) <= 0 else float(scipy.optimize.brentq(missing, most * 1e-9, most))

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
-from scipy.special import ellipe, ellipj, ellipk, elliprd, elliprf
 
 # of its length, and more: it is straight
 _STRAIGHT = 1 - 1e-9
@@ -31,12 +30,14 @@ def elastica(length: float, apart: float, points: int = 33) -> NDArray[np.float6
         straight[:, 0] = np.linspace(0.0, apart, points)
         return straight
     # where both ends are in one place m is 0.8261; beyond, they would pass each other
-    parameter = float(brentq(lambda m: 2 * ellipe(m) / ellipk(m) - 1 - share, 0.0, 0.9))
-    quarter = float(ellipk(parameter))
+    parameter = float(
+        scipy.optimize.brentq(lambda m: 2 * scipy.special.ellipe(m) / scipy.special.ellipk(m) - 1 - share, 0.0, 0.9)
+    )
+    quarter = float(scipy.special.ellipk(parameter))
     u = np.linspace(-quarter, quarter, points)
-    sine, cosine, delta, _ = ellipj(u, parameter)
+    sine, cosine, delta, _ = scipy.special.ellipj(u, parameter)
     # by Carlson's forms: SciPy's incomplete integral is off at single amplitudes, by 0.1 at -0.729 for m = 0.698
     squares = (cosine**2, delta**2, 1.0)
-    second = sine * elliprf(*squares) - parameter / 3 * sine**3 * elliprd(*squares)
+    second = sine * scipy.special.elliprf(*squares) - parameter / 3 * sine**3 * scipy.special.elliprd(*squares)
     along = (2 * second - u) * length / (2 * quarter)
     return np.column_stack([along - along[0], math.sqrt(parameter) * cosine * length / quarter])

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import ConvexHull
+import scipy
 
 from forficula.design import MakeSection
 from forficula.make.joint import above_bed
@@ -84,7 +84,7 @@ def hub_solid(roots: Sequence[Root]) -> Solid:
     corners = ends[:, None, :2] + thickness / 2 * _circle()[None]
     flat = corners.reshape(-1, 2)
     plate = Prism(
-        outline=flat[ConvexHull(flat).vertices],
+        outline=flat[scipy.spatial.ConvexHull(flat).vertices],
         origin=np.array([0.0, 0.0, (low + high) / 2]),
         frame=np.eye(3),
         height=high - low,

@@ -7,8 +7,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
 
 from forficula.errors import InputError
 from forficula.make.regions import distance_to
@@ -148,7 +148,7 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
     cross = (flat[:, 0] * built[:, 1] - flat[:, 1] * built[:, 0]).sum()
     nearest = math.atan2(cross, (flat * built).sum())
     # one side of the least rectangle lies along a side of the hull (Freeman and Shapira 1975)
-    corners = flat[ConvexHull(flat).vertices]
+    corners = flat[scipy.spatial.ConvexHull(flat).vertices]
     sides = np.roll(corners, -1, axis=0) - corners
     angles = -np.arctan2(sides[:, 1], sides[:, 0])
     turned = [corners @ _turn(angle)[:2, :2].T for angle in angles]

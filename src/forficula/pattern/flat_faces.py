@@ -6,10 +6,10 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import face_area, face_sides
@@ -120,7 +120,7 @@ def check_edges_apart(points: NDArray[np.float64], edges: NDArray[np.int64], num
 def _check_places(points: NDArray[np.float64], edges: NDArray[np.int64], tolerance: float) -> None:
     """Refuse two vertices at one place; those of very short edges are none."""
     used = np.unique(edges)
-    pairs = used[cKDTree(points[used]).query_pairs(tolerance, output_type="ndarray")]
+    pairs = used[scipy.spatial.cKDTree(points[used]).query_pairs(tolerance, output_type="ndarray")]
     if len(pairs):
         short = np.linalg.norm(points[edges[:, 1]] - points[edges[:, 0]], axis=1) <= tolerance
         parts = parts_of(len(points), edges[short])

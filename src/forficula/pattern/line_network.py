@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import ASSIGNMENTS
@@ -91,7 +91,7 @@ def joined_points(
     Raises:
         InputError: a chain of close points is longer than twice the tolerance.
     """
-    pairs = cKDTree(points).query_pairs(tolerance, output_type="ndarray")
+    pairs = scipy.spatial.cKDTree(points).query_pairs(tolerance, output_type="ndarray")
     near = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(points), len(points)))
     count, groups = connected_components(near, directed=False)
     first = np.full(count, len(points))
@@ -122,7 +122,7 @@ def _splits(
         splits.setdefault(edge, set()).add(point)
     pairs, places = crossings(starts, ends, tolerance)
     if len(pairs):
-        nearest, point = cKDTree(points).query(places)
+        nearest, point = scipy.spatial.cKDTree(points).query(places)
         new = nearest > tolerance
         if new.any():
             labels, middles, _ = joined_points(places[new], tolerance)

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import linprog
 from scipy.sparse import coo_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
@@ -84,7 +84,9 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
     lower = np.where(signs > 0, 1.0, -np.inf)
     upper = np.where(signs < 0, -1.0, np.inf)
     equations = _sparse(rows, len(signs))
-    found = linprog(np.zeros(len(signs)), A_eq=equations, b_eq=np.zeros(len(rows)), bounds=np.stack([lower, upper], 1))
+    found = scipy.optimize.linprog(
+        np.zeros(len(signs)), A_eq=equations, b_eq=np.zeros(len(rows)), bounds=np.stack([lower, upper], 1)
+    )
     return bool(found.status == 0)
 
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
@@ -148,11 +148,11 @@ def _inclination(sectors: NDArray[np.float64], senses: NDArray[np.float64]) -> f
         return 0.0
     if not saddle.any():
         most = (math.pi - float(sectors[largest])) / 2  # there the largest sector takes half a turn
-        return float(brentq(surplus if surplus(most) >= 0 else surplus_of_others, 0.0, most, xtol=1e-15))
+        return float(scipy.optimize.brentq(surplus if surplus(most) >= 0 else surplus_of_others, 0.0, most, xtol=1e-15))
     most = min(float(np.min(sectors[saddle] / apart[saddle])), math.pi / 2)  # there a facet is upright
     if surplus(most) > 0:
         _refuse_saddle(sectors)
-    return float(brentq(surplus, 0.0, most, xtol=1e-15))
+    return float(scipy.optimize.brentq(surplus, 0.0, most, xtol=1e-15))
 
 
 def _refuse_saddle(sectors: NDArray[np.float64]) -> NoReturn:

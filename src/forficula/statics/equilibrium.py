@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
 Array = NDArray[np.float64]
 Cases = NDArray[np.int64]
@@ -234,7 +234,7 @@ def _stationary(path: PathEnergy, low: float, high: float, kind: Literal["minimu
 
     ends = (slope(low), slope(high))
     if ends[0] * ends[1] < 0:
-        zero = float(brentq(slope, low, high, xtol=1e-14))
+        zero = float(scipy.optimize.brentq(slope, low, high, xtol=1e-14))
     else:
         zero = low if abs(ends[0]) <= abs(ends[1]) else high
     return _state(kind, zero, path(np.array([zero]))[0][0])

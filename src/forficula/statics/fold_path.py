@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from forficula.errors import InputError
 from forficula.statics.equilibrium import Equilibria, PathState, states_along
@@ -122,7 +122,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     # the slope of the least energy is that with the open hinges held (envelope theorem)
     of_tendons = (on_sheet - found.slope)[:, folds].sum(axis=1) * fold_slope
     slope = of_tendons + found.slope[:, turns].sum(axis=1) / 2 - on_sheet[:, folds].sum(axis=1) * fold_slope
-    curve = CubicHermiteSpline(pleat, found.energy, slope)
+    curve = scipy.interpolate.CubicHermiteSpline(pleat, found.energy, slope)
     by_angle = curve.derivative()
     quiet = _quiet_moment(structures.structure, fold, of_tendons, fold_slope)
     return FoldPath(

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
@@ -317,7 +317,7 @@ def peak_opening_torque(hinge: TendonHinge) -> PeakTorque | None:
     before, after = folds[max(largest - 1, 0)], folds[min(largest + 1, _SCAN - 1)]
     fold = float(folds[largest])
     if stiffness(before) < 0 < stiffness(after):
-        fold = float(brentq(stiffness, before, after, xtol=1e-15))
+        fold = float(scipy.optimize.brentq(stiffness, before, after, xtol=1e-15))
     angle = -fold - hinge.offset_angle
     return PeakTorque(torque=float(-hinge.moment(angle)), angle=angle)
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from scipy.integrate import quad
+import scipy
 
 from forficula.errors import InputError
 from forficula.statics.hinge import TendonHinge, released_energy
@@ -70,7 +70,7 @@ def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
 
     def taut(before: float, after: float) -> float:
         ends = (math.acosh(max(each / start, 1.0)) for each in (before, after))
-        return float(quad(slowness, *ends, epsabs=0, epsrel=_ACCURACY, limit=200)[0])
+        return float(scipy.integrate.quad(slowness, *ends, epsabs=0, epsrel=_ACCURACY, limit=200)[0])
 
     end, slack = hinge.top_to_fold, hinge.slack_distance
     if slack is None or slack > end:

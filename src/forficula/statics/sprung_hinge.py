@@ -7,8 +7,8 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 from forficula.statics.equilibrium import PathState, states_along
 from forficula.statics.hinge import PeakTorque, TendonHinge, slack_angle
@@ -110,7 +110,7 @@ def _peak(hinge: TendonHinge, spring: HingeSpring, top: PathState, folded: PathS
     folds = np.linspace(top.coordinate, folded.coordinate, _FINE)
     steepest = int(np.argmin(path(folds)[1]))
     around = folds[max(steepest - 1, 0)], folds[min(steepest + 1, len(folds) - 1)]
-    best = minimize_scalar(slope, bounds=around, method="bounded", options={"xatol": 1e-12})
+    best = scipy.optimize.minimize_scalar(slope, bounds=around, method="bounded", options={"xatol": 1e-12})
     fold = min((float(folds[steepest]), float(best.x)), key=slope)
     return PeakTorque(torque=-slope(fold), angle=-fold)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
@@ -68,15 +69,13 @@ class Distribution:
 
     def quantiles(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
         """The values below which these shares of draws lie."""
-        from scipy import stats  # here, as few studies draw, and it is slow to import
-
         match self.name:
             case "normal":
-                drawn = stats.norm.ppf(shares, self.first, self.second)
+                drawn = scipy.stats.norm.ppf(shares, self.first, self.second)
             case "log-uniform":
-                drawn = stats.loguniform.ppf(shares, self.first, self.second)
+                drawn = scipy.stats.loguniform.ppf(shares, self.first, self.second)
             case _:
-                drawn = stats.uniform.ppf(shares, self.first, self.second - self.first)
+                drawn = scipy.stats.uniform.ppf(shares, self.first, self.second - self.first)
         return np.asarray(drawn)
 
 
@@ -178,11 +177,9 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
         seed: of the generator; the same seed draws the same points.
     """
     if method == "sobol":
-        from scipy import stats
-
         # a power of two keeps the points balanced; the first `count` of it are what was asked
         power = math.ceil(math.log2(max(count, 1)))
-        shares = stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
+        shares = scipy.stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
     else:
         shares = np.random.default_rng(seed).random((count, len(factors)))
     columns = [

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 Array = NDArray[np.float64]
 
@@ -103,4 +103,4 @@ def _best_order(scaled: Array, times: Array) -> float:
     orders = np.geomspace(_LOWEST_ORDER, _HIGHEST_ORDER, 47)
     least = int(np.argmin([misfit(order) for order in orders]))
     bounds = orders[max(0, least - 1)], orders[min(len(orders) - 1, least + 1)]
-    return float(minimize_scalar(misfit, bounds=bounds, method="bounded", options={"xatol": 1e-6}).x)
+    return float(scipy.optimize.minimize_scalar(misfit, bounds=bounds, method="bounded", options={"xatol": 1e-6}).x)

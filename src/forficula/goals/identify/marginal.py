@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 if TYPE_CHECKING:
     import xarray
@@ -53,7 +53,7 @@ def marginals(result: xarray.Dataset) -> list[Marginal]:
     for name in unknowns_of(result):
         shares = result[f"{name}_share"].values
         others = shares[drawn & ~agrees]
-        chance = float(stats.ks_2samp(shares[agrees], others).pvalue) if agrees.any() and len(others) else 1.0
+        chance = float(scipy.stats.ks_2samp(shares[agrees], others).pvalue) if agrees.any() and len(others) else 1.0
         values = result[name].values
         found.append(
             Marginal(

@@ -6,8 +6,8 @@ import math
 from collections.abc import Generator, Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from forficula.goals.optimise.archive import Aim, Archive, archive_of, bases_of
 from forficula.goals.optimise.axis import Axis, Point, placed
@@ -55,7 +55,7 @@ def batches(
     """
     trials: list[Trial] = []
     asked: set[Point] = set()
-    filling = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+    filling = scipy.stats.qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
     weights, number = aim_weights(objectives), 0
     while True:
         generator = np.random.default_rng([seed, number])
@@ -90,7 +90,7 @@ def filling_count(axes: Sequence[Axis], batch: int) -> int:
     return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
 
 
-def _filling_points(filling: qmc.Sobol, count: int) -> NDArray[np.float64]:
+def _filling_points(filling: scipy.stats.qmc.Sobol, count: int) -> NDArray[np.float64]:
     """Further points of a sequence; drawn one by one, for together scipy warns of counts that are no power of two."""
     return np.array([filling.random()[0] for _ in range(count)])
 

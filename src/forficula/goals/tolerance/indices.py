@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from forficula.goals.share_interval import LEVEL
 
@@ -179,7 +179,7 @@ def _estimates(at_first: Values, at_second: Values, at_mixed: Values) -> tuple[V
     """First-order and total indices, (results, groups) each."""
     # a group that changes nothing keeps scipy from dropping the axis of a single one
     padded = np.concatenate([at_mixed, at_first[np.newaxis]])
-    found = stats.sobol_indices(func={"f_A": at_first, "f_B": at_second, "f_AB": padded}, n=at_first.shape[1])
+    found = scipy.stats.sobol_indices(func={"f_A": at_first, "f_B": at_second, "f_AB": padded}, n=at_first.shape[1])
     shape = (len(at_first), len(padded))
     return found.first_order.reshape(shape)[:, :-1], found.total_order.reshape(shape)[:, :-1]
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from forficula.goals.share_interval import LEVEL
 from forficula.goals.tolerance.probability import Probability, probability
@@ -15,7 +15,7 @@ from forficula.goals.tolerance.probability import Probability, probability
 Values = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
-_NORMAL = float(stats.norm.ppf((1 + LEVEL) / 2))
+_NORMAL = float(scipy.special.ndtri((1 + LEVEL) / 2))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,7 +52,7 @@ def narrowed(offsets: Values, works: Booleans, distribution: Literal["uniform", 
     if distribution == "uniform":
         weights = np.where(np.abs(offsets) <= 0.5, 2.0, 0.0)
     else:
-        weights = stats.norm.pdf(offsets, scale=0.5) / stats.norm.pdf(offsets)
+        weights = scipy.stats.norm.pdf(offsets, scale=0.5) / scipy.stats.norm.pdf(offsets)
     gain = scatter = 0.0
     if weights.any():
         share, mean = weights / np.mean(weights), float(np.mean(works))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scipy import stats
+import scipy
 
 from forficula.goals.share_interval import LEVEL, share_interval
 
@@ -75,4 +75,4 @@ def surely_less(one: Probability, other: Probability, looks: int) -> bool:
         looks: how many such pairs are looked at, of which in all no more than 5 in 100 may differ by chance.
     """
     counts = [[one.works, one.fails], [other.works, other.fails]]
-    return bool(stats.fisher_exact(counts, alternative="less").pvalue < (1 - LEVEL) / looks)
+    return bool(scipy.stats.fisher_exact(counts, alternative="less").pvalue < (1 - LEVEL) / looks)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
@@ -62,8 +63,6 @@ def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
     Raises:
         InputError: the data do not determine a value, or the best one is none; the message names it.
     """
-    from scipy.optimize import least_squares
-
     if form.damper > 1 and one_rate(problem) is not None:
         raise InputError(_left_open([f"viscosity.{term}" for term in TERMS[: form.damper]], problem))
     needed = _POINTS_BY_VALUE * len(form.keys)
@@ -78,7 +77,7 @@ def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
     else:
         raise InputError(_left_open(open_keys, problem))
     peak = problem.peak
-    found = least_squares(
+    found = scipy.optimize.least_squares(
         lambda values: (model.fitted(values) - problem.stress) / peak,
         start,
         jac=lambda values: model.sensitivity(values) / peak,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from forficula.material.law.law_form import LawForm
@@ -260,8 +261,6 @@ class Model:
 
     def softening_share(self, moduli: Triple, extended: Array, others: Array) -> Array:
         """Ogden and Roxburgh's eta in each row, shape (rows,), from the strain of the spring, of the same shape."""
-        from scipy.special import erf
-
         energy = spring_energy(moduli, extended)
         ends = np.cumsum([len(each.time) for each in self.problem.histories])[:-1]
         largest = np.concatenate([np.maximum.accumulate(each) for each in np.split(energy, ends)])
@@ -269,7 +268,7 @@ class Model:
         beta = others[-1] if self.form.softening == "m and beta" else 0.0
         least = 1e-9 * float(np.max(np.abs(energy))) + np.finfo(float).tiny
         width = np.maximum(np.exp(np.clip(logarithm, -_LOG, _LOG)) + beta * largest, least)
-        return np.asarray(1 - lost * erf((largest - energy) / width))
+        return np.asarray(1 - lost * scipy.special.erf((largest - energy) / width))
 
     def _set_strain(self, others: Array) -> Array:
         at = float(others[self.form.branches]) if self.form.permanent_set != "none" else 0.0

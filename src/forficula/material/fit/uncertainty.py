@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
@@ -81,8 +82,6 @@ def half_widths(sensitivity: Array, residual: Array, specimen: NDArray[np.int64]
     Returns:
         Shape (values,), in the values' units.
     """
-    from scipy.special import stdtrit  # here, as all of scipy in this folder: slow to import, and few need it
-
     count = sensitivity.shape[1]
     norms = np.linalg.norm(sensitivity, axis=0)
     unit = sensitivity / norms
@@ -91,13 +90,15 @@ def half_widths(sensitivity: Array, residual: Array, specimen: NDArray[np.int64]
     freedom = max(effective - count, 1.0)
     # mean square by freedom, and by as many more points as are alike
     variance = float(residual @ residual) / freedom
-    widths = stdtrit(freedom, 0.975) * np.sqrt(variance * np.diag(inverse))
+    widths = scipy.special.stdtrit(freedom, 0.975) * np.sqrt(variance * np.diag(inverse))
     specimens = np.unique(specimen)
     if len(specimens) >= _FEWEST_SPECIMENS:
         scores = np.array([unit[specimen == index].T @ residual[specimen == index] for index in specimens])
         few = len(specimens) / (len(specimens) - 1)
         scatter = few * np.diag(inverse @ scores.T @ scores @ inverse)
-        widths = np.maximum(widths, stdtrit(len(specimens) - 1, 0.975) * np.sqrt(np.maximum(scatter, 0.0)))
+        widths = np.maximum(
+            widths, scipy.special.stdtrit(len(specimens) - 1, 0.975) * np.sqrt(np.maximum(scatter, 0.0))
+        )
     return np.asarray(widths / norms)
 
 
@@ -110,9 +111,7 @@ def mean_half_width(values: Array) -> float:
     Returns:
         In the values' unit; 0 where one specimen tells nothing of others.
     """
-    from scipy.special import stdtrit
-
     count = len(values)
     if count == 1:
         return 0.0
-    return float(stdtrit(count - 1, 0.975) * np.std(values, ddof=1) / np.sqrt(count))
+    return float(scipy.special.stdtrit(count - 1, 0.975) * np.std(values, ddof=1) / np.sqrt(count))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from forficula.material.law.tendon_law import TendonLaw
 
@@ -81,7 +81,9 @@ def _own_length(law: TendonLaw, distance: float, forces: Array, follows: Array) 
         return (linear * rest + slope * distance - total) / (linear + slope)
     # there both pull
     end = max(rest, distance - total / slope)
-    root = brentq(lambda length: _force(law, length) + total + slope * (length - distance), distance, end, xtol=1e-15)
+    root = scipy.optimize.brentq(
+        lambda length: _force(law, length) + total + slope * (length - distance), distance, end, xtol=1e-15
+    )
     return float(root)
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
@@ -125,8 +126,6 @@ def _course(kind: str, numbers: Array, length: float) -> Array:
 
 def _of_kind(kind: Kind, numbers: Array, levelled: Array) -> tuple[float, Kind, float, float, float]:
     """BIC, kind, rate, half of its interval and length of the plateau of the best drift of a kind."""
-    from scipy.special import stdtrit
-
     length = _plateau_length(numbers, levelled) if kind == "plateau" else 0.0
     course = _course(kind, numbers, length)
     course = course - course.mean()
@@ -137,13 +136,12 @@ def _of_kind(kind: Kind, numbers: Array, levelled: Array) -> tuple[float, Kind, 
     points, count = levelled.size, own + len(levelled)
     bic = points * math.log(squares / points) + count * math.log(points)
     freedom = max(points - count, 1)
-    half = float(stdtrit(freedom, 0.975)) * math.sqrt(squares / freedom / weight) if weight else 0.0
+    half = float(scipy.special.stdtrit(freedom, 0.975)) * math.sqrt(squares / freedom / weight) if weight else 0.0
     return bic, kind, rate, half, length
 
 
 def _plateau_length(numbers: Array, levelled: Array) -> float:
     """The length, in cycles, that fits best; between a part of a cycle and the cycles seen."""
-    from scipy.optimize import least_squares
 
     def residual(logarithm: Array) -> Array:
         course = _course("plateau", numbers, float(np.exp(logarithm[0])))
@@ -152,5 +150,5 @@ def _plateau_length(numbers: Array, levelled: Array) -> float:
         return np.asarray((levelled - rate * course).ravel())
 
     bounds = (math.log(0.3), math.log(float(np.ptp(numbers))))
-    found = least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
+    found = scipy.optimize.least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
     return float(np.exp(found.x[0]))

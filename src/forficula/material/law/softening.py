@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.errors import InputError
@@ -54,13 +55,11 @@ class OgdenRoxburgh:
         Returns:
             Between 1 - 1/r and 1, in the common shape.
         """
-        from scipy.special import erf  # here, because a design needs this module and not scipy, which is slow to import
-
         most, now = np.asarray(largest, dtype=np.float64), np.asarray(energy, dtype=np.float64)
         width = self.m + self.beta * most
         # virgin and unloaded with m = 0 is 0/0: nothing is lost there
         way = np.divide(most - now, width, out=np.zeros(np.broadcast_shapes(most.shape, now.shape)), where=width > 0)
-        return np.asarray(1 - erf(way) / self.r)
+        return np.asarray(1 - scipy.special.erf(way) / self.r)
 
 
 def spring_stress(moduli: Triple, strain: ArrayLike) -> Array:
@@ -92,8 +91,6 @@ def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tu
     Raises:
         InputError: the peak is no strain > 0.
     """
-    from scipy.optimize import nnls
-
     if not (np.isfinite(peak) and peak > 0):
         raise InputError(f"peak: need a strain > 0, got {peak:g}")
     strain = np.linspace(0, peak, _CURVE_POINTS)
@@ -102,7 +99,7 @@ def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tu
     powers = np.stack([(strain / peak) ** power for power in (1, 2, 3)], axis=1)
     terms = np.linalg.lstsq(powers, stress, rcond=None)[0]
     if not pulls(*terms):
-        terms = nnls(powers, stress)[0]
+        terms = scipy.optimize.nnls(powers, stress)[0]
     error = float(np.max(np.abs(powers @ terms - stress)) / max(stress[-1], np.finfo(float).tiny))
     first, second, third = (float(term / peak**power) for power, term in enumerate(terms, start=1))
     return (first, second, third), error

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy import stats
+import scipy
 
 from forficula.files import write_text
 from forficula.goals.identify.exclusion import Together
@@ -113,7 +113,7 @@ def telling_unknowns(results: Dataset) -> list[str]:
         values = results.get(f"{name}_share", results[name]).values
         if values.dtype.kind not in "iuf":
             values = np.unique(values.astype(str), return_inverse=True)[1]
-        far[name] = float(stats.ks_2samp(values[agrees & drawn], values[drawn]).statistic)
+        far[name] = float(scipy.stats.ks_2samp(values[agrees & drawn], values[drawn]).statistic)
     return sorted(names, key=lambda name: -far[name])
 
 

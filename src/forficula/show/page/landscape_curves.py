@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from forficula.analysis.simulated_snap import crossed_hinge
 from forficula.dynamics import Record
@@ -163,7 +163,7 @@ def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> C
     """A line with so many places that a barrier of a few degrees is round; the moment is its slope."""
     rising = hinge.angle[::-1]
     angle = np.unique(np.concatenate([rising, np.linspace(rising[0], rising[-1], _PLACES)]))[::-1]
-    spline = CubicHermiteSpline(rising, energy[::-1], -moment[::-1])
+    spline = scipy.interpolate.CubicHermiteSpline(rising, energy[::-1], -moment[::-1])
     return Course(name=name, angle=hinge.sense * angle, energy=spline(angle))
 
 

@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import KDTree
 
 from forficula.show.structure.polygon import is_convex, triangles_of
 from forficula.structure import (
@@ -303,7 +303,7 @@ def _creases(
         for edge, letter in zip(pattern.edges_vertices.tolist(), pattern.edges_assignment, strict=True)
     }
     ends = [point for bar in structure.bars for point in bar.points]
-    away, nearest = KDTree(pattern.vertices_coords).query(anchors[ends].reshape(-1, 3))
+    away, nearest = scipy.spatial.KDTree(pattern.vertices_coords).query(anchors[ends].reshape(-1, 3))
     # what is beside the pattern is on none of its edges
     found = np.where(away <= within, nearest, -1).reshape(-1, 2)
     bars = [frozenset(pair) for pair in found.tolist()]
