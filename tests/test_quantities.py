@@ -1,4 +1,6 @@
 import math
+import subprocess
+import sys
 import time
 
 import pytest
@@ -8,6 +10,7 @@ from hypothesis import strategies as st
 from forficula.design import design as units_of_a_design
 from forficula.errors import InputError
 from forficula.quantities import (
+    _USUAL,
     Unit,
     as_written,
     dimension,
@@ -74,6 +77,20 @@ def test_torque_is_read_however_the_field_writes_it(text):
 def test_decimal_factors_are_exact():
     assert parse_quantity("1.27 g/cm^3", DENSITY) == 1270.0
     assert parse_quantity("12 cm", LENGTH) == 0.12
+
+
+@pytest.mark.parametrize(("si", "name"), [(si, name) for si, names in _USUAL.items() for name in (si, *names) if name])
+def test_usual_units_have_the_factors_that_pint_has_for_them(si, name):
+    unit = Unit(display=name, si=si, example=f"1 {name}")
+    spelled = "percent" if name == "%" else f"({name})"  # which are not looked up
+    assert parse_quantity(f"1 {name}", unit) == parse_quantity(f"1 {spelled}", unit)
+
+
+def test_a_design_is_read_without_what_is_slow_to_load():
+    code = "import sys, forficula; forficula.load_design('letter-fold'); print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "forficula.design" in loaded
+    assert not {"matplotlib", "mujoco", "pint", "scipy.optimize", "scipy.stats", "xarray"} & set(loaded)
 
 
 @settings(deadline=None)
