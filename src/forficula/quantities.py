@@ -40,7 +40,7 @@ _USUAL = {
     "1/s": {},
     "J": {"mJ": 1e-3},
     "J/m^3": {"kJ/m^3": 1e3},
-    "N": {},
+    "N": {"mN": 1e-3},
     "N m": {"N cm": 1e-2, "mN cm": 1e-5},
     "N m s/rad": {},
     "N m s/rad/m": {},
@@ -51,7 +51,7 @@ _USUAL = {
     "N/m": {"N/cm": 1e2},
     "N/m^2": {},
     "Pa": {"kPa": 1e3, "MPa": 1e6, "GPa": 1e9},
-    "Pa s": {"MPa s": 1e6},
+    "Pa s": {"kPa s": 1e3, "MPa s": 1e6},
     "Pa s^2": {"MPa s^2": 1e6},
     "Pa s^3": {"MPa s^3": 1e6},
     "dimensionless": {"%": 0.01},
@@ -63,7 +63,7 @@ _USUAL = {
     "m^2": {"mm^2": 1e-6},
     "rad": {"deg": math.radians(1.0)},
     "rad/s": {"deg/s": math.radians(1.0)},
-    "s": {"ms": 1e-3, "d": 86400.0},
+    "s": {"µs": 1e-6, "ms": 1e-3, "min": 60.0, "h": 3600.0, "d": 86400.0},
 }
 
 
