@@ -1,5 +1,6 @@
 """What several test modules need: the reference run, and one tendon across one hinge."""
 
+import gc
 import math
 import os
 from collections.abc import Mapping
@@ -14,6 +15,15 @@ from forficula.design import Design, with_values
 from forficula.dynamics import Model, Record, simulate
 from forficula.structure.veins import structure_of_veins
 from tests.structures import compiled, straight_vein
+
+# thousands of tests and what they import stay to the end: garbage is not looked for among them
+gc.disable()
+
+
+def pytest_collection_finish():
+    gc.freeze()
+    gc.enable()
+
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
