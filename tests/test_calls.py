@@ -23,6 +23,7 @@ def record(letter_run):
     return letter_run
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_every_example_is_true(tmp_path, monkeypatch, design, record):
     monkeypatch.chdir(tmp_path)
     known = {"ff": ff, "design": design, "record": record}
