@@ -26,6 +26,7 @@ def called(tmp_path, monkeypatch, capsys):
     return call
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_a_tolerance_leaves_a_folder_that_says_how_likely_it_works_and_draws_its_figures(called, tmp_path):
     told = json.loads(called("tolerance", "letter-fold", *FEW, "--keep", "1", "--json").out)
     assert told["works"]["works"] + told["works"]["fails"] + told["works"]["unknown"] == 16

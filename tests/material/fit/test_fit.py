@@ -102,12 +102,12 @@ def test_specimens_that_differ_widen_the_intervals():
 @pytest.mark.parametrize(
     ("law", "history", "form"),
     [
-        (VISCOUS, two_rates(10_000), LawForm(damper=1)),
+        (VISCOUS, two_rates(4000), LawForm(damper=1)),
         (PRONY, two_rates(1500), LawForm(order=3, branches=2)),
         (YIELDING, two_rates(1500), LawForm(order=3, damper=1, permanent_set="yield")),
         (SOFT, cycles(1500, 5, 0.003), LawForm(order=3, softening="m")),
     ],
-    ids=["viscous, 10 000 rows", "Prony", "yielding", "soft"],
+    ids=["viscous, 4000 rows", "Prony", "yielding", "soft"],
 )
 def test_the_planted_law_is_chosen_among_all(law, history, form):
     fit = fit_law([measured(law, history, 3)], name="tpu", source="planted")
