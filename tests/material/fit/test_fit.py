@@ -121,7 +121,7 @@ def test_the_planted_law_is_chosen_among_all(law, history, form):
     assert tried >= set(all_forms())
     # one more branch than is there was tried, and no more
     assert {each.branches for each in tried - set(all_forms())} == ({3} if form.branches == 2 else set())
-    assert fit.misfit == pytest.approx(5e4 / np.sqrt(len(history[0]) // fit.points), rel=0.1)
+    assert fit.misfit == pytest.approx(5e4 / np.sqrt(len(history[0]) / fit.points), rel=0.1)
     residual = fit.residuals[0]
     assert residual.fitted - residual.stress == pytest.approx(np.zeros(fit.points), abs=5 * fit.misfit)
 
