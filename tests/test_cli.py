@@ -320,7 +320,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     ran = call("run", "wing.toml", "--out", "there", "--json")
     assert json.loads(ran.out) == json.loads((in_an_empty_folder / "there" / "summary.json").read_text())
     # flags of the whole may stand before the command, too
-    surveyed = call("--json", "landscape", "wing.toml", "--no-simulation", "--out", "energy").out
+    surveyed = call("--json", "landscape", "binder2025-joint", "--no-simulation", "--out", "energy").out
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
     assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
@@ -567,7 +567,7 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     study_file(TENDONS)
     for arguments, said in (
-        (("landscape", "letter-fold", "--no-simulation"), "a: replaces the landscape of letter-fold there\n"),
+        (("landscape", "binder2025-joint", "--no-simulation"), "a: replaces the landscape of binder2025-joint there\n"),
         (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
         (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
     ):

@@ -59,7 +59,7 @@ def tolerated(folder, cluster):
 def identified(folder, cluster):
     fact = {"name": "soon", "quantity": "close_time", "until": "close", "absent": "2 s", "at_most": "0.3 s"}
     unknown = {"tendon.left.stiffness": {"distribution": "uniform", "low": "0.2 N/cm", "high": "1 N/cm"}}
-    sampling = {"samples": 32, "directed": 0}
+    sampling = {"samples": 24, "directed": 0}
     tables = {"design": DESIGN, "unknown": unknown, "sampling": sampling, "fact": [fact]}
     return identify(observations_of(tables), folder, cluster=cluster)
 

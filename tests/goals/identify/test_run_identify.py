@@ -39,7 +39,7 @@ def planted():
          "tolerance": "2 mJ"},
     ]  # fmt: skip
     tables = {"name": "planted", "design": "letter-fold", "unknown": UNKNOWN, "fact": facts}
-    return observations_of({**tables, "sampling": {"samples": 16, "directed": 32}})
+    return observations_of({**tables, "sampling": {"samples": 16, "directed": 24}})
 
 
 @pytest.fixture(scope="module")
@@ -85,8 +85,8 @@ design = "letter-fold"
 "tendon.left.stiffness" = { distribution = "uniform", low = "0.2 N/cm", high = "1 N/cm" }
 "crease.damping" = { distribution = "log-uniform", low = "0.01 N m s/rad/m", high = "0.1 N m s/rad/m" }
 [sampling]
-samples = 24
-directed = 16
+samples = 16
+directed = 8
 [[fact]]
 name = "closes soon"
 quantity = "close_time"
@@ -121,7 +121,7 @@ def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(t
     with forks(IMPORTS, IDENTIFY, file, out) as kill_once:
         killed = [
             kill_once(lambda rows=rows: journal.exists() and journal.read_bytes().count(b"\n") > rows)
-            for rows in (3, 24)
+            for rows in (3, 16)
         ]
     assert killed[0]
     assert not (out / "identified.nc").exists()
