@@ -23,6 +23,7 @@ def record(letter_run):
     return letter_run
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_every_example_is_true(tmp_path, monkeypatch, design, record):
     monkeypatch.chdir(tmp_path)
     known = {"ff": ff, "design": design, "record": record}
@@ -93,8 +94,8 @@ def test_a_run_is_looked_for_in_its_folder(tmp_path, record):
 
 
 def test_figures_are_drawn_of_whatever_a_call_hands_back(tmp_path, record):
-    surveyed = ff.landscape("binder2025")
-    assert ff.figure(surveyed, "levels", width="page").get_size_inches()[0] == pytest.approx(7.1)
+    surveyed = ff.landscape("binder2025-joint")
+    assert ff.figure(surveyed, "rests", width="page").get_size_inches()[0] == pytest.approx(7.1)
     assert ff.figure(record, "angles", width=5.0).get_size_inches()[0] == pytest.approx(5.0)
     ff.save_record(record, tmp_path / "record.nc")
     assert ff.figure(tmp_path, "energy").get_size_inches()[0] == pytest.approx(3.5)

@@ -37,10 +37,33 @@ def everything_in(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
 
 
-def forficula(*arguments):
-    """Run the command line in a process of its own, as a user does."""
+# the command line, which leaves the figures of runs empty
+UNDRAWN = """\
+import os, signal, sys
+from forficula.cli import main
+from forficula.files import write_bytes
+from forficula.show.folder import run_folder
+def save_nothing(drawings, folder):
+    return {stem: str(write_bytes(folder / f"{stem}.png", b"")) for stem in drawings}
+run_folder.save_figures = save_nothing
+%s
+main(sys.argv[1:])
+"""
+# dies while it replaces what is there
+DIES = """\
+replace = os.replace
+def die(source, target):
+    replace(source, target)
+    if "record.nc" in str(target) and "old" in str(target):
+        os.kill(os.getpid(), signal.SIGKILL)
+os.replace = die
+"""
+
+
+def process(*arguments):
+    """Run Python in a process of its own, as a user's shell does."""
     return subprocess.run(
-        [sys.executable, "-m", "forficula", *arguments],
+        [sys.executable, *arguments],
         capture_output=True,
         text=True,
         check=False,
@@ -89,7 +112,7 @@ def refusal(in_an_empty_folder, capsys):
 
 
 def test_a_bad_value_ends_the_process_with_1_and_one_line(in_an_empty_folder):
-    done = forficula("run", "binder2025", "--set", "tendon.stiffness=10 N", "--out", "result")
+    done = process("-m", "forficula", "run", "binder2025", "--set", "tendon.stiffness=10 N", "--out", "result")
     message = '"N" is not a unit of the right kind; write it such as "10 N/cm", got "10 N"'
     assert (done.returncode, done.stdout, done.stderr) == (1, "", f"forficula: tendon.stiffness: {message}\n")
     assert everything_in(in_an_empty_folder) == []
@@ -97,7 +120,7 @@ def test_a_bad_value_ends_the_process_with_1_and_one_line(in_an_empty_folder):
 
 def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
-    done = forficula("run", "my-wing.toml", "--set", "tendon.stiffness=20 N/cm")
+    done = process("-c", UNDRAWN % "", "run", "my-wing.toml", "--set", "tendon.stiffness=20 N/cm")
     assert done.returncode == 0
     assert "Traceback" not in done.stderr
     assert done.stdout.startswith("my-wing: settled\n")
@@ -122,7 +145,6 @@ def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
     call("run", "wild.toml", "--set", "protocol.timestep=10 ms", "--out", "there", "--tolerate")
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_folder, call):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
     output = call("landscape", "my-wing.toml", "--set", "tendon.rest_length=0 cm")
@@ -138,7 +160,6 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
     assert content["levels_J"] == pytest.approx([18, 12, 6, 0], abs=0.2)
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     output = call("landscape", "letter-fold", "--no-simulation", "--out", "there")
     assert output.out.startswith("letter-fold: rests stably: flat, closed, opened (as flat); ")
@@ -179,7 +200,6 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     ]
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_scaled_design_is_written_and_can_be_run(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     assert "small.toml" in call("scale", "wing.toml", "--length", "0.5", "--out", "small.toml").out
@@ -300,7 +320,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     ran = call("run", "wing.toml", "--out", "there", "--json")
     assert json.loads(ran.out) == json.loads((in_an_empty_folder / "there" / "summary.json").read_text())
     # flags of the whole may stand before the command, too
-    surveyed = call("--json", "landscape", "wing.toml", "--no-simulation", "--out", "energy").out
+    surveyed = call("--json", "landscape", "binder2025-joint", "--no-simulation", "--out", "energy").out
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
     assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
@@ -547,7 +567,7 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     study_file(TENDONS)
     for arguments, said in (
-        (("landscape", "letter-fold", "--no-simulation"), "a: replaces the landscape of letter-fold there\n"),
+        (("landscape", "binder2025-joint", "--no-simulation"), "a: replaces the landscape of binder2025-joint there\n"),
         (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
         (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
     ):
@@ -564,21 +584,8 @@ def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_
         return {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
     before = files("killed")
-    script = (
-        "import os, signal, sys\nfrom forficula.cli import main\nfrom forficula.files import write_bytes\n"
-        "from forficula.show.folder import run_folder\n"
-        "def save_nothing(drawings, folder):\n"
-        "    return {stem: str(write_bytes(folder / f'{stem}.png', b'')) for stem in drawings}\n"
-        "run_folder.save_figures = save_nothing\n"
-        "replace = os.replace\n"
-        "def die(source, target):\n"
-        "    replace(source, target)\n"
-        "    if 'record.nc' in str(target) and 'old' in str(target):\n"
-        "        os.kill(os.getpid(), signal.SIGKILL)\n"
-        "os.replace = die\n"
-        "main(['run', 'wing.toml', '--set', 'tendon.stiffness=20 N/cm', '--out', 'killed/there'])\n"
-    )
-    done = subprocess.run([sys.executable, "-c", script], check=False, capture_output=True)
+    changed = ("wing.toml", "--set", "tendon.stiffness=20 N/cm", "--out", "killed/there")
+    done = process("-c", UNDRAWN % DIES, "run", *changed)
     assert done.returncode == -signal.SIGKILL
     assert not (in_an_empty_folder / "killed" / "there" / "record.nc").exists()
     for place in ("filmed", "run"):
@@ -593,7 +600,6 @@ def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_
 TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     output = call("study", "small.toml")
@@ -639,10 +645,10 @@ def test_a_shard_says_how_to_collect_and_collecting_gives_the_same_table(in_an_e
     output = call("study", "small.toml", "--shard", "1/2", "--out", "there")
     assert output.out == "shard 1/2 is done; when all are: forficula study small.toml --out there --collect\n"
     assert everything_in(in_an_empty_folder / "there") == ["journal-1-of-2.jsonl"]
-    call("study", "small.toml", "--shard", "2/2", "--out", "there")
+    call("study", "small.toml", "--shard", "2/2", "--out", "there", "--keep", "0")
     table = (in_an_empty_folder / "there" / "table.csv").read_bytes()
     (in_an_empty_folder / "there" / "table.csv").unlink()
-    call("study", "small.toml", "--out", "there", "--collect")
+    call("study", "small.toml", "--out", "there", "--collect", "--keep", "0")
     assert (in_an_empty_folder / "there" / "table.csv").read_bytes() == table
 
 
@@ -756,7 +762,6 @@ stages = [
 """
 
 
-@pytest.mark.usefixtures("no_figures")
 def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(CYCLED)
     lines = call("run", "wing.toml", "--cycles", "3").out.splitlines()
@@ -801,7 +806,6 @@ SIZE = ("--length", "60 mm", "--area", "5 mm^2")
 
 
 @pytest.mark.usefixtures("specimen_files")
-@pytest.mark.usefixtures("no_figures")
 def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_folder, call):
     output = call("material", "tpu-*.csv", *SIZE, "--law", "linear", "--out", "out/tpu")
     assert output.out.startswith("tpu: 3 specimens, length 60 mm, area 5 mm², cycles 2 to 3\n")

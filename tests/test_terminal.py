@@ -1,5 +1,6 @@
 """What the command line writes, whatever it writes to."""
 
+import io
 import os
 import subprocess
 import sys
@@ -12,28 +13,33 @@ from forficula.cli import main
 LAW = "name = 'Ĝummi µ'\nsource = ''\n[modulus]\nlinear = '4.8 MPa'\n"
 
 
-def forficula(*arguments, **variables):
-    """Run the command line in a process of its own, as a user does; what it writes is bytes."""
-    return subprocess.run(
-        [sys.executable, "-m", "forficula", *arguments], capture_output=True, check=False, env=os.environ | variables
-    )
-
-
 @pytest.mark.parametrize(
     ("encoding", "length", "name"),
     [("ascii", b"50 um", b"Gummi u"), ("cp1252", "50 µm".encode("cp1252"), "Gummi µ".encode("cp1252"))],
 )
-def test_letters_that_the_output_lacks_are_spelled(tmp_path, encoding, length, name):
+def test_letters_that_the_output_lacks_are_spelled(tmp_path, monkeypatch, encoding, length, name):
+    def called(*arguments):
+        """The bytes that a command writes to its two outputs, and what it ends with."""
+        status = 0
+        with monkeypatch.context() as patch:
+            for output in ("stdout", "stderr"):
+                patch.setattr(sys, output, io.TextIOWrapper(io.BytesIO(), encoding))
+            try:
+                main(arguments)
+            except SystemExit as ended:
+                status = ended.code
+            sys.stderr.flush()
+            return status, sys.stdout.buffer.getvalue(), sys.stderr.buffer.getvalue()
+
     (tmp_path / "law.toml").write_text(LAW, "utf-8")
     small = ["--material", str(tmp_path / "law.toml"), "--length", "50 µm"]
-    done = forficula("size", "binder2025", *small, "--stiffness", "10 N/cm", PYTHONIOENCODING=encoding)
+    status, output, errors = called("size", "binder2025", *small, "--stiffness", "10 N/cm")
     # on a busy machine it says how long it took
-    assert (done.returncode, [line for line in done.stderr.splitlines() if not line.startswith(b"took ")]) == (0, [])
-    assert name in done.stdout
-    refused = forficula("run", "binder2025", "--set", "tendon.rest_length=5 µJ", PYTHONIOENCODING=encoding)
-    assert refused.returncode == 1
-    assert refused.stderr.count(b"\n") == 1
-    assert length[-2:-1] + b"J" in refused.stderr
+    assert (status, [line for line in errors.splitlines() if not line.startswith(b"took ")]) == (0, [])
+    assert name in output
+    status, output, errors = called("run", "binder2025", "--set", "tendon.rest_length=5 µJ")
+    assert (status, output, errors.count(b"\n")) == (1, b"", 1)
+    assert length[-2:-1] + b"J" in errors
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full device here")  # noqa: PTH110

@@ -15,6 +15,7 @@ from forficula.study import dask_cluster
 
 distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install 'forficula[cluster]'")
 
+DESIGN = load_design("letter-fold", {"protocol.timestep": "0.3 ms"})
 STIFFNESS = {"tendon.left.stiffness": {"low": "0.4 N/cm", "high": "0.6 N/cm"}}
 
 
@@ -41,7 +42,7 @@ def optimised(folder, cluster):
     goal = goal_of(
         {
             "name": "closes",
-            "design": "letter-fold",
+            "design": DESIGN,
             "vary": STIFFNESS,
             "objectives": {"close_work": "least"},
             "search": {"runs": 16, "batch": 16},
@@ -51,15 +52,15 @@ def optimised(folder, cluster):
 
 
 def tolerated(folder, cluster):
-    question = question_of(load_design("letter-fold"), {"facet.thickness": "1 %"})
+    question = question_of(DESIGN, {"facet.thickness": "1 %"})
     return tolerance_table(assess_tolerance(question, folder, minutes=0.01, cluster=cluster))
 
 
 def identified(folder, cluster):
     fact = {"name": "soon", "quantity": "close_time", "until": "close", "absent": "2 s", "at_most": "0.3 s"}
     unknown = {"tendon.left.stiffness": {"distribution": "uniform", "low": "0.2 N/cm", "high": "1 N/cm"}}
-    sampling = {"samples": 32, "directed": 0}
-    tables = {"design": "letter-fold", "unknown": unknown, "sampling": sampling, "fact": [fact]}
+    sampling = {"samples": 24, "directed": 0}
+    tables = {"design": DESIGN, "unknown": unknown, "sampling": sampling, "fact": [fact]}
     return identify(observations_of(tables), folder, cluster=cluster)
 
 

@@ -7,6 +7,7 @@ import pytest
 import forficula as ff
 from forficula.cli import main
 
+pytestmark = pytest.mark.usefixtures("no_column_figures")
 # bridges that burn away
 NARROW = ("--set", "make.crease_style=perforation", "--set", "make.crease_bridge=0.05 mm")
 

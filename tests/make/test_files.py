@@ -27,6 +27,7 @@ from forficula.make.mesh import Mesh
 from forficula.make.mesh_checks import mesh_checks
 from forficula.show.folder.parts_folder import write_parts
 from forficula.show.style import figure_files
+from tests.make.one_figure import write_with_one_figure
 from tests.make.readers import (
     faults_of_stl,
     faults_of_three_mf,
@@ -44,8 +45,8 @@ WRITE = """\
 import sys
 from pathlib import Path
 from forficula.make.make_parts import make_parts
-from forficula.show.folder.parts_folder import write_parts
-write_parts(make_parts("binder2025-joint"), (), Path(sys.argv[1]))
+from tests.make.one_figure import write_with_one_figure
+write_with_one_figure(make_parts("binder2025-joint"), Path(sys.argv[1]))
 """
 
 
@@ -57,7 +58,7 @@ def joint():
 @pytest.fixture(scope="module")
 def folder(joint, tmp_path_factory):
     folder = tmp_path_factory.mktemp("parts")
-    write_parts(joint, (), folder)
+    write_with_one_figure(joint, folder)
     return folder
 
 

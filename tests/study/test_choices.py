@@ -189,6 +189,7 @@ def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_pat
     path = tmp_path / "steps.toml"
     path.write_text(
         f'design = "binder2025"\n{ALONE}\nsettings.protocol.timestep = "auto"\n'
+        'settings.protocol.stages.0.time_limit = "10 ms"\nsettings.protocol.stages.1.time_limit = "20 ms"\n'
         '[factors]\n"protocol.timestep" = ["0.4 ms", "0.2 ms"]\n'
         '"tendon.area" = ["12.5 mm^2"]\n"tendon.law" = ["tpu-82a"]'
     )

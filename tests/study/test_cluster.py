@@ -164,12 +164,6 @@ def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs)
         left -= size
 
 
-def test_an_address_where_nothing_listens_is_one_error():
-    words = r"--dask: no Dask scheduler answers at tcp://127\.0\.0\.1:9"
-    with pytest.raises(InputError, match=words), dask_cluster("tcp://127.0.0.1:9"):
-        pass
-
-
 @pytest.mark.parametrize("address", ["nonsense", "tcp://", "gopher://x:1"])
 def test_an_address_that_is_none_is_one_error(address):
     with pytest.raises(InputError, match=r"^--dask: [^\n]*$"), dask_cluster(address):
@@ -180,12 +174,14 @@ def clients():
     return [each for each in gc.get_objects() if isinstance(each, distributed.Client)]
 
 
-def test_a_client_that_failed_does_not_wait_to_be_collected_while_the_next_one_starts():
+def test_an_address_where_nothing_listens_is_one_error_and_its_client_does_not_wait_to_be_collected():
+    """Were that to happen while the next one starts, this one would wait for it."""
+    words = r"--dask: no Dask scheduler answers at tcp://127\.0\.0\.1:9"
     gc.disable()
     try:
         # those of tests before this one, whose schedulers went away, may still be about
         before = clients()
-        with pytest.raises(InputError), dask_cluster("tcp://127.0.0.1:9"):
+        with pytest.raises(InputError, match=words), dask_cluster("tcp://127.0.0.1:9"):
             pass
         assert not [each for each in clients() if not any(each is other for other in before)]
     finally:

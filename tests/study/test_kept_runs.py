@@ -1,12 +1,10 @@
 """Runs kept of a study: their outcomes are the table's, to the bit, and killing does not harm them."""
 
 import json
-import os
 import shutil
-import signal
 import subprocess
 import sys
-import time
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -16,6 +14,7 @@ from forficula.dynamics import load_record
 from forficula.errors import InputError
 from forficula.study import load_study, run_study
 from forficula.study.kept_runs import kept_runs, runs_to_keep
+from tests.forks import forks
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm"]'
 SEARCH = '[search]\nfold_with = "50 N cm"\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
@@ -199,28 +198,22 @@ def test_a_folder_that_cannot_be_written_is_an_error_that_names_it(plain):
         list(kept_runs(runs_to_keep(study, table), folder))
 
 
+IMPORTS = """
+import xarray
+from forficula.study import load_study
+from forficula.study.kept_runs import kept_runs, runs_to_keep
+study, table = load_study(sys.argv[1]), xarray.load_dataset(sys.argv[2], engine="h5netcdf")
+"""
+KEEP = "list(kept_runs(runs_to_keep(study, table), sys.argv[3]))"
+
+
 def test_killed_at_any_time_the_same_call_goes_on(plain, tmp_path):
     study, table, folder = plain
     whole = {each.folder: each for each in kept_runs(runs_to_keep(study, table), tmp_path / "whole")}
-    script = (
-        "import sys, xarray\n"
-        "from forficula.study import load_study\n"
-        "from forficula.study.kept_runs import kept_runs, runs_to_keep\n"
-        "table = xarray.load_dataset(sys.argv[2], engine='h5netcdf')\n"
-        "print('ready', flush=True)\n"
-        "runs = runs_to_keep(load_study(sys.argv[1]), table)\n"
-        "for each in kept_runs(runs, sys.argv[3]): print('kept', flush=True)\n"
-    )
     table.to_netcdf(tmp_path / "table.nc", engine="h5netcdf")
-    arguments = [str(tmp_path / "small.toml"), str(tmp_path / "table.nc"), str(folder)]
-    for words, wait in (("ready", 0.1), ("kept", 0.0)):
-        child = subprocess.Popen([sys.executable, "-c", script, *arguments], stdout=subprocess.PIPE, text=True)
-        while (line := child.stdout.readline()) and not line.startswith(words):
-            pass
-        time.sleep(wait)
-        os.kill(child.pid, signal.SIGKILL)
-        child.wait()
-        child.stdout.close()
+    with forks(IMPORTS, KEEP, tmp_path / "small.toml", tmp_path / "table.nc", folder) as kill_once:
+        assert kill_once((folder / ".runs.lock").exists)
+        kill_once((folder / "runs" / "1").exists)
     again = {each.folder: each for each in kept_runs(runs_to_keep(study, table), folder)}
     assert {name: repr(each.outcome) for name, each in again.items()} == {
         name: repr(each.outcome) for name, each in whole.items()
@@ -258,27 +251,17 @@ def test_a_run_of_the_user_in_that_folder_stays(plain):
 
 
 def test_two_processes_that_keep_runs_in_one_folder_take_turns(plain):
-    _, table, folder = plain
-    table.to_netcdf(folder / "table.nc", engine="h5netcdf")
-    script = (
-        "import sys, xarray\n"
-        "from forficula.study import load_study\n"
-        "from forficula.study.kept_runs import kept_runs, runs_to_keep\n"
-        "table = xarray.load_dataset(sys.argv[2], engine='h5netcdf')\n"
-        "runs = runs_to_keep(load_study(sys.argv[1]), table, int(sys.argv[4]))\n"
-        "for each in kept_runs(runs, sys.argv[3]):\n"
-        "    print('kept', flush=True)\n"
-        "    sys.stdin.readline()\n"
-    )
-    arguments = [folder.parent / "small.toml", folder / "table.nc", folder]
-    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
-    first = subprocess.Popen([sys.executable, "-c", script, *arguments, "100"], **pipes, text=True)
-    assert first.stdout.readline() == "kept\n"
+    study, table, folder = plain
+    first = kept_runs(runs_to_keep(study, table), folder)
+    next(first)
     # it wants none of those runs
-    second = subprocess.Popen([sys.executable, "-c", script, *arguments, "0"], **pipes, text=True)
-    assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"
-    assert len(names(folder)) >= 1
-    assert first.communicate("\n\n") == ("kept\n", "")
-    assert second.communicate()[0] == ""
-    assert (first.returncode, second.returncode) == (0, 0)
+    script = "import sys\nfrom forficula.study.kept_runs import kept_runs\nassert not list(kept_runs([], sys.argv[1]))"
+    command = [sys.executable, "-c", script, folder]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as second, closing(first):
+        assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"
+        assert len(names(folder)) >= 1
+        assert len(list(first)) == 1
+        assert names(folder) == ["1", "3"]
+        assert second.communicate()[1] == ""
+    assert second.returncode == 0
     assert not (folder / "runs").exists()

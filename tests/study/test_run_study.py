@@ -19,6 +19,7 @@ from forficula.study import collect, estimate, load_study, run_study, table_csv
 from forficula.study.evaluate import evaluate
 from forficula.study.run_study import _designs
 from forficula.study.search import point_design
+from tests.forks import forks
 from tests.show.study.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
@@ -279,47 +280,6 @@ def test_the_table_does_not_depend_on_where_the_study_stands(tmp_path, study_fil
     assert once.identical(twice)
 
 
-# runs a study without what the command line does before and after, which takes longer than these do
-RUN = "import sys\nfrom forficula.study import load_study, run_study\nrun_study(load_study(sys.argv[1]), sys.argv[2])"
-
-
-class Command:
-    """A process that runs a study, in a process group of its own."""
-
-    def __init__(self, study, out, *, script=None):
-        command = [sys.executable, "-m", "forficula", "study", str(study), "--out", str(out), "--keep", "0"]
-        if script is not None:
-            command = [sys.executable, "-c", script, str(study), str(out)]
-        self.journal = out / "journal.jsonl"
-        self.process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
-        )
-
-    def wait_for(self, size):
-        """Wait until the journal has so many bytes; False where the process ended before."""
-        while self.process.poll() is None:
-            if self.journal.exists() and self.journal.stat().st_size >= size:
-                return True
-            time.sleep(1e-3)
-        return False
-
-    def end(self, number=None):
-        if number is not None:
-            self.process.send_signal(number)
-        output, errors = self.process.communicate(timeout=60)
-        return self.process.returncode, output, errors
-
-    def left_behind(self):
-        """Processes of the group that still are, from Linux's /proc/PID/stat: the fifth field is the group."""
-        groups = []
-        for path in Path("/proc").glob("[0-9]*/stat"):
-            try:
-                groups.append(int(path.read_text().rpartition(")")[2].split()[2]))
-            except OSError:
-                continue
-        return groups.count(self.process.pid)
-
-
 # enough runs, and long enough, that a kill finds some done and some not
 MANY = """
 "tendon.stiffness" = "10..40 N/cm step 10"
@@ -340,17 +300,15 @@ def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_p
     table, folder = undisturbed(path)
     size = (folder / "journal.jsonl").stat().st_size
     out, killed, done = tmp_path / "killed", 0, 0
-    for share in sorted(moments.random() for _ in range(2)):
-        command = Command(path, out, script=RUN)
-        if command.wait_for(max(share * size, done + 1)):
-            time.sleep(moments.uniform(0, 0.02))
-            code, _, _ = command.end(signal.SIGKILL)
-            killed += code == -signal.SIGKILL
-        else:
-            command.end()
-        if Path("/proc/self/stat").exists():
-            assert command.left_behind() == 0
-        done = command.journal.stat().st_size
+    journal, imports = out / "journal.jsonl", "from forficula.study import load_study, run_study"
+    # without what the command line does before and after, which takes longer than these runs do
+    with forks(imports, "run_study(load_study(sys.argv[1]), sys.argv[2])", path, out) as kill_once:
+        for share in sorted(moments.random() for _ in range(2)):
+            least = max(share * size, done + 1)
+            killed += kill_once(
+                lambda least=least: journal.exists() and journal.stat().st_size >= least, moments.uniform(0, 0.02)
+            )
+            done = journal.stat().st_size
     assert killed >= 1
     main(["study", str(path), "--out", str(out), "--keep", "0"])
 
@@ -367,10 +325,16 @@ def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_p
 @pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
 def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_goes_on(tmp_path, study_file, whole):
     path = study_file(MANY, LEAST_TORQUES, FEW_TORQUES)
-    command = Command(path, tmp_path / "out")
-    assert command.wait_for(600)  # who writes it, and a row at least
-    code, output, errors = command.end(signal.SIGINT)
-    assert (code, output, errors) == (130, "", "forficula: stopped\n")
+    journal = tmp_path / "out" / "journal.jsonl"
+    command = [sys.executable, "-m", "forficula", "study", path, "--out", journal.parent, "--keep", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        # who writes it, and a row at least
+        while not (journal.exists() and journal.stat().st_size >= 600):
+            assert process.poll() is None
+            time.sleep(1e-3)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+    assert (process.returncode, output, errors) == (130, "", "forficula: stopped\n")
     before, rows = keys(tmp_path / "out")[0], []
     assert before
     table = run_study(load_study(path), tmp_path / "out", progress=lambda *each: rows.append(each))

@@ -1,10 +1,10 @@
 import os
 import shutil
 import subprocess
-import sys
 
 import pytest
 
+from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import collect, load_study, run_study, slurm_script
 
@@ -66,14 +66,7 @@ def test_a_job_of_the_array_runs_its_shard_of_the_study(tmp_path, study_file):
     path = study_file('"tendon.stiffness" = "10..30 N/cm step 10"', name="my study.toml")
     study, out = load_study(path), tmp_path / "my out"
     script = slurm_script(str(path), str(out), 2)
-    subprocess.run(
-        ["bash"],
-        input=script.replace("\nforficula ", f"\n'{sys.executable}' -m forficula "),
-        capture_output=True,
-        text=True,
-        check=True,
-        env=os.environ | {"SLURM_ARRAY_TASK_ID": "2"},
-    )
+    main(words(script, tmp_path, "2"))
     assert [path.name for path in out.glob("*.jsonl")] == ["journal-2-of-2.jsonl"]
     run_study(study, out, shard=(1, 2))
     assert collect(study, out).identical(run_study(study, tmp_path / "other"))

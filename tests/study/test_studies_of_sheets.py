@@ -24,7 +24,7 @@ name = "fold"
 drive = "fold"
 until = "time"
 hold = "0 s"
-time_limit = "0.05 s"
+time_limit = "0.025 s"
 state = "bent"
 [factors]
 "crease.group.gates.stiffness" = ["1e-3 N m/rad/m", "4e-3 N m/rad/m"]

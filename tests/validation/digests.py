@@ -41,6 +41,7 @@ from forficula.analysis.summary import summary
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.statics import EnergyLandscape, landscape_summary
+from forficula.statics.hinge_landscape import HingeLandscape
 from forficula.study.convergence import converge
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.static_map import map_study, static_map
@@ -410,6 +411,8 @@ def _fields(value: object, name: str = "") -> Iterator[tuple[str, object]]:
     inner: Mapping[str, object] | None = value if isinstance(value, Mapping) and value else None
     if dataclasses.is_dataclass(value):
         inner = {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+        if isinstance(value, HingeLandscape):
+            inner["fold_time"] = value.fold_time  # for whoever asks
     if inner is not None:
         for key, each in inner.items():
             yield from _fields(each, f"{name}.{key}" if name else key)

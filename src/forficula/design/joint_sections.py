@@ -64,6 +64,10 @@ class JointPattern(Part):
     @property
     def sheet(self) -> CreasePattern:
         """The crease pattern."""
+        drawn: CreasePattern = self.once("sheet", self._drawn)
+        return drawn
+
+    def _drawn(self) -> CreasePattern:
         return strip_pattern(
             self.proximal_length,
             self.distal_length,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple, NoReturn
 
 import numpy as np
@@ -29,6 +30,7 @@ class Triangulation(NamedTuple):
     facets: NDArray[np.int64]
 
 
+@lru_cache(maxsize=16)  # of one sheet many structures are built, whose creases differ
 def triangulated(pattern: CreasePattern) -> Triangulation:
     """Split every facet of more than three corners by diagonals.
 
@@ -63,7 +65,9 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
         edges_role=(*pattern.edges_role, *["diagonal"] * count),
         faces_vertices=tuple(triangles),
     )
-    return Triangulation(split, np.array(facets, dtype=np.int64))
+    of_facets = np.array(facets, dtype=np.int64)
+    of_facets.flags.writeable = False
+    return Triangulation(split, of_facets)
 
 
 def _ears(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
@@ -81,7 +82,6 @@ class HingeLandscape:
         time_scale: t*, s.
         growth_rate: at the top, 1/s.
         fold_start: from which the fold is let go, rad past the top.
-        fold_time: from there to the fold limit, s.
         final_speed: at the fold limit, rad/s.
         remarks: sentences on what does not exist and what to know of the rest.
         spring: of the hinge; None for none.
@@ -100,7 +100,6 @@ class HingeLandscape:
     time_scale: float | None
     growth_rate: float | None
     fold_start: float
-    fold_time: float | None
     final_speed: float | None
     remarks: tuple[str, ...]
     spring: HingeSpring | None = None
@@ -109,6 +108,11 @@ class HingeLandscape:
     def sense(self) -> int:
         """+1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense."""
         return self.hinge.sense
+
+    @cached_property
+    def fold_time(self) -> float | None:
+        """From where the fold is let go to the fold limit, s: an integral, for whoever asks. None with a spring."""
+        return None if self.spring is not None else fold_time(self.hinge, self.fold_start)
 
     @property
     def spring_energy(self) -> Array:
@@ -162,7 +166,6 @@ def hinge_landscape(
         time_scale=time_scale(hinge),
         growth_rate=growth_rate(hinge),
         fold_start=fold_start,
-        fold_time=fold_time(hinge, fold_start),
         final_speed=final_speed(hinge, fold_start),
         remarks=hinge_remarks(hinge, fold_start, overbend),
     )

@@ -64,7 +64,6 @@ def sprung_landscape(hinge: TendonHinge, spring: HingeSpring, points: int = 181)
         time_scale=None,
         growth_rate=None if top is None else _growth_rate(hinge, spring, top),
         fold_start=FOLD_START,
-        fold_time=None,
         final_speed=None,
         remarks=_remarks(hinge, stable, slack),
         spring=spring,

@@ -2,10 +2,6 @@
 
 import json
 import os
-import signal
-import subprocess
-import sys
-import time
 
 import numpy as np
 import pytest
@@ -20,6 +16,7 @@ from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.goals.identify_text import together_sentences
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study.evaluate import stored_energy
+from tests.forks import forks
 
 # a sheet that closes and opens in a fraction of a second
 HIDDEN = {"tendon.left.stiffness": "0.5 N/cm", "crease.damping": "0.04 N m s/rad/m"}
@@ -42,7 +39,7 @@ def planted():
          "tolerance": "2 mJ"},
     ]  # fmt: skip
     tables = {"name": "planted", "design": "letter-fold", "unknown": UNKNOWN, "fact": facts}
-    return observations_of({**tables, "sampling": {"samples": 16, "directed": 32}})
+    return observations_of({**tables, "sampling": {"samples": 16, "directed": 24}})
 
 
 @pytest.fixture(scope="module")
@@ -88,8 +85,8 @@ design = "letter-fold"
 "tendon.left.stiffness" = { distribution = "uniform", low = "0.2 N/cm", high = "1 N/cm" }
 "crease.damping" = { distribution = "log-uniform", low = "0.01 N m s/rad/m", high = "0.1 N m s/rad/m" }
 [sampling]
-samples = 24
-directed = 16
+samples = 16
+directed = 8
 [[fact]]
 name = "closes soon"
 quantity = "close_time"
@@ -106,24 +103,11 @@ at_most = "40 mJ"
 
 
 # identifies without what the command line does before and after, which takes longer than these runs do
-RUN = (
-    "import sys\nfrom forficula.goals.identify import load_observations\n"
-    "from forficula.goals.identify.run_identify import identify\n"
-    "identify(load_observations(sys.argv[1]), sys.argv[2])"
-)
-
-
-def killed_at(rows, file, out):
-    """Start a process, kill it once its journal has so many rows; whether it was still at work."""
-    command = [sys.executable, "-c", RUN, str(file), str(out)]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    journal = out / "journal.jsonl"
-    while process.poll() is None:
-        if journal.exists() and journal.read_bytes().count(b"\n") > rows:
-            process.kill()
-            break
-        time.sleep(1e-3)
-    return process.wait(timeout=60) == -signal.SIGKILL
+IMPORTS = """
+from forficula.goals.identify import load_observations
+from forficula.goals.identify.run_identify import identify
+"""
+IDENTIFY = "identify(load_observations(sys.argv[1]), sys.argv[2])"
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
@@ -133,7 +117,12 @@ def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(t
     file.write_text(SEEN, "utf-8")
     main(["identify", str(file), "--out", str(whole)])
     # among the drawn samples, and at the end of these or among the placed ones
-    killed = [killed_at(rows, file, out) for rows in (3, 24)]
+    journal = out / "journal.jsonl"
+    with forks(IMPORTS, IDENTIFY, file, out) as kill_once:
+        killed = [
+            kill_once(lambda rows=rows: journal.exists() and journal.read_bytes().count(b"\n") > rows)
+            for rows in (3, 16)
+        ]
     assert killed[0]
     assert not (out / "identified.nc").exists()
     main(["identify", str(file), "--out", str(out)])
@@ -163,6 +152,7 @@ def test_figures_tell_what_they_show(result, width):
     assert "tendon.left.stiffness" in told["pairs"]
 
 
+@pytest.mark.usefixtures("no_figures")
 def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     file = tmp_path / "seen.toml"
     file.write_text(

@@ -41,8 +41,10 @@ def test_ishigamis_function_has_its_closed_form_indices():
     np.testing.assert_allclose(found.total[0], TOTAL, atol=0.01)
 
 
-def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more():
+def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more(monkeypatch):
     """But for what 60 repetitions of nine in ten scatter, twice."""
+    # 5 of them are beyond either end
+    monkeypatch.setattr("forficula.goals.tolerance.indices._RESAMPLES", 199)
     found = [indices(ishigami, 3, 128, seed) for seed in range(60)]
     for exact, low, high in (
         (FIRST, [each.first_low[0] for each in found], [each.first_high[0] for each in found]),
