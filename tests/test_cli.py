@@ -37,8 +37,8 @@ def everything_in(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*"))
 
 
-# the command line, which leaves the figures of runs empty
-UNDRAWN = """\
+# the command line, which leaves the figures of runs empty and dies while it replaces what is there
+DYING = """\
 import os, signal, sys
 from forficula.cli import main
 from forficula.files import write_bytes
@@ -46,17 +46,13 @@ from forficula.show.folder import run_folder
 def save_nothing(drawings, folder):
     return {stem: str(write_bytes(folder / f"{stem}.png", b"")) for stem in drawings}
 run_folder.save_figures = save_nothing
-%s
-main(sys.argv[1:])
-"""
-# dies while it replaces what is there
-DIES = """\
 replace = os.replace
 def die(source, target):
     replace(source, target)
     if "record.nc" in str(target) and "old" in str(target):
         os.kill(os.getpid(), signal.SIGKILL)
 os.replace = die
+main(sys.argv[1:])
 """
 
 
@@ -120,7 +116,7 @@ def test_a_bad_value_ends_the_process_with_1_and_one_line(in_an_empty_folder):
 
 def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
-    done = process("-c", UNDRAWN % "", "run", "my-wing.toml", "--set", "tendon.stiffness=20 N/cm")
+    done = process("-m", "forficula", "run", "my-wing.toml", "--set", "tendon.stiffness=20 N/cm")
     assert done.returncode == 0
     assert "Traceback" not in done.stderr
     assert done.stdout.startswith("my-wing: settled\n")
@@ -585,7 +581,7 @@ def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_
 
     before = files("killed")
     changed = ("wing.toml", "--set", "tendon.stiffness=20 N/cm", "--out", "killed/there")
-    done = process("-c", UNDRAWN % DIES, "run", *changed)
+    done = process("-c", DYING, "run", *changed)
     assert done.returncode == -signal.SIGKILL
     assert not (in_an_empty_folder / "killed" / "there" / "record.nc").exists()
     for place in ("filmed", "run"):
