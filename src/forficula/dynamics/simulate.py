@@ -100,8 +100,9 @@ def _records(
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
     under_way: deque[tuple[NDArray[np.int64], Array, Pending]] = deque()
+    few = _FEW * stepper.threads * stepper.together
     while moving.any():
-        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], stepper.threads)):
+        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], few)):
             torques = tracker.torques(rows, _CHUNK)
             under_way.append((rows, torques, stepper.start(rows, tracker.controls(rows, torques), torques)))
         if under_way:
@@ -133,16 +134,16 @@ def _records(
                 moving[following[row]] = following[row] not in waiting
 
 
-def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], threads: int) -> NDArray[np.int64]:
+def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], few: int) -> NDArray[np.int64]:
     """Which of the moving structures to step next: half of them, so that Python can look at the others meanwhile.
 
-    Few go all together, or some threads would have none.
+    Fewer than `few` go all together, or some threads would have none.
     """
     free = moving.copy()
     for rows in under_way:
         free[rows] = False
     count = int(moving.sum())
-    if count < _FEW * threads:
+    if count < few:
         return np.flatnonzero(free & (not under_way))
     return np.flatnonzero(free)[: (count + 1) // 2 * (len(under_way) < 2)]
 
