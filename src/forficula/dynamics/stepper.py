@@ -103,8 +103,10 @@ class Stepper:
         # structures that a worker takes at least, if there are so many
         self.together = 1 if self._creases is None and self._drag is None else _TOGETHER
         self._engines: SimpleQueue[Batch] = SimpleQueue()
+        # that one worker has at a time; where some are done, it may be more than at the start
+        most = max(min(len(models), self.together), -(-len(models) // self.threads))
         for _ in range(self.threads):
-            self._engines.put(Batch(model, -(-len(models) // self._parts(len(models))), 1))
+            self._engines.put(Batch(model, most, 1))
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
         self._data = mujoco.MjData(model)
 
