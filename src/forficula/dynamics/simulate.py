@@ -25,7 +25,8 @@ Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
 # depends on it. A quarter of many structures and of those whose steps take Python, for looking takes less of their
-# time, and for sparse records, which keep what comes with the end of a stage.
+# time, for sparse records, which keep what comes with the end of a stage, and for steps of Runge and Kutta, whose
+# dampers are looked at anew where these begin, so that last digits of their work do depend on it.
 _CHUNK = 400
 _MANY = 8
 # Structures a thread below which all are stepped at once.
@@ -76,7 +77,8 @@ def simulate_each(
         return
     try:
         slow = models[0].creases is not None or models[0].drag is not None
-        chunk = max(1, _CHUNK // 4) if slow or sparse or len(models) > _MANY else _CHUNK
+        short = slow or sparse or models[0].explicit or len(models) > _MANY
+        chunk = max(1, _CHUNK // 4) if short else _CHUNK
         stepper = Stepper(models, threads, sparse, chunk)
         try:
             yield from _records(models, stepper, chunk, sparse, progress, enough)
