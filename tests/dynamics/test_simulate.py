@@ -182,10 +182,11 @@ def test_a_wing_that_blows_up_ends_those_that_follow_it_alike_and_no_others():
 
 def test_progress_tells_of_every_stage_and_never_passes_the_longest():
     seen = []
-    # told after every chunk of 50 steps, 20 ms, but not at the end
+    # told after every chunk, of 50 steps, 20 ms, but not at the end
     longer = with_values(SHORT, {f"protocol.stages.{stage}.hold": 0.03 for stage in range(1, 5)})
     longer = with_values(longer, {"protocol.stages.0.time_limit": 0.05})
-    ff.run(longer, lambda *each: seen.append(each))
+    with mock.patch.object(MODULE, "_CHUNK", 50):
+        ff.run(longer, lambda *each: seen.append(each))
     assert list(dict.fromkeys(stage for stage, _, _ in seen)) == [stage.name for stage in SHORT.protocol.stages]
     times = [time for _, time, _ in seen]
     assert times == sorted(times)

@@ -91,10 +91,17 @@ def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_te
     assert above == pytest.approx([peak], rel=0.02)
 
 
-def test_the_least_fold_torque_is_that_of_small_equal_steps():
+@pytest.fixture(scope="module")
+def slowly_folded():
+    """The reference, where it rests flat, and how a slowly growing torque of up to 20 N cm folds it."""
     wings = ensemble_of([REFERENCE])
     flat = flat_state(wings)
-    found = least_slow_torque(wings, flat, "fold", 0.5).torque[0]
+    return wings, flat, least_slow_torque(wings, flat, "fold", 0.2)
+
+
+def test_the_least_fold_torque_is_that_of_small_equal_steps(slowly_folded):
+    wings, flat, least_torque = slowly_folded
+    found = least_torque.torque[0]
     ramp = slow_transition(wings, flat, "fold", np.arange(0.0001, 0.01, 0.0001)).torque[0]
     # 1 % of the search, and one step of 1e-4 N m of 7e-3
     assert found == pytest.approx(ramp, rel=0.03)
@@ -120,12 +127,10 @@ def test_a_wing_at_its_goal_needs_no_torque_and_one_that_never_gets_there_has_no
     assert np.isnan(slow_transition(wings, flat, "fold", [0.001]).torque).all()
 
 
-def test_a_negative_torque_goes_the_other_way():
+def test_a_negative_torque_goes_the_other_way(slowly_folded):
     """The fold's drive turned round twice is the fold's drive."""
-    wings = ensemble_of([REFERENCE])
-    flat = flat_state(wings)
+    wings, flat, there = slowly_folded
     turned = Drive(name="turned", shares=(-1.0, 0.0), rise=0.0, key="", strength=-0.5)
-    there = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2)
     back = quasi_static.least_slow_torque(wings, flat, FOLD, 0.2, turned)
     assert there.torque == back.torque
     assert there.position == pytest.approx(back.position)

@@ -7,22 +7,22 @@ changed between steps, so that it has at any angle the moment and the slope that
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.model import Model
-from forficula.structure.flaps import cross, dot
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17
-# the right flap runs the other way along the edge
-_UP = np.array([1.0, -1.0])[None, :, None, None]
+# coordinates, so that the first three of four are those after each, and the last three those before
+_AROUND = np.array([1, 2, 0, 1])
+_DIAGONAL = np.arange(4)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,31 +30,30 @@ class CreaseRows:
     """Creases of structures of one topology, side by side.
 
     Attributes:
-        built: nodes in the built shape, each in its model's units, (structure, node, 3).
-        slides: place of each node's coordinates in the engine's positions, (node, 3); -1 where it is held.
-        flaps: tail, head, left and right corner, by node, (crease, 4).
+        built: tail, head, left and right corner in the built shape, in the models' units, (structure, 4, 3, crease).
+        slides: places of their coordinates in the engine's positions, (4, 3, crease); -1 where they are held.
         rows: in the engine's flex_bending, (crease,).
-        form: for each number of a row's form, which it is with tail, head, left and right in this order, (crease, 16).
+        form: for each number of a row's form, which it is with tail, head, left and right in this order, (16, crease).
         parity: of that order, +1 or -1, (crease,).
         moments: of the creases.
     """
 
     built: Array
     slides: Indices
-    flaps: Indices
     rows: Indices
     form: Indices
     parity: Array
     moments: CreaseMoments
 
-    def follow(
-        self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
-    ) -> tuple[Array, Array]:
+    def some(self, which: Indices) -> CreaseRows:
+        """Of some of the structures, in a rising order."""
+        return replace(self, built=self.built[which], moments=self.moments.some(which))
+
+    def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
         """Angles of creases, and the rows that have their moments and slopes there.
 
         Args:
-            which: structures.
-            positions: theirs, (structure, dof).
+            positions: of the structures, (structure, dof).
             velocities: alike.
             near: angles that theirs are near to, rad, (structure, crease).
             efforts: what their motors are set to, (structure, motor).
@@ -62,17 +61,18 @@ class CreaseRows:
         Returns:
             In own senses and without jumps, rad, (structure, crease); and (structure, crease, 17).
         """
-        own = self.moments.some(which)
-        senses = own.senses
-        edge, away = self._sides(self.built[which], positions)
-        edge_moves, moves = self._sides(None, velocities)
+        own, senses = self.moments, self.moments.senses
+        (edge, away), (edge_moves, moves) = self._sides(positions, velocities)
         # of the left and the right flap, whose normals are up in a flat sheet
-        normals = cross(edge[:, None], away) * _UP
-        square, area = dot(edge, edge), dot(normals, normals)
-        length, share = np.sqrt(square), dot(away, edge[:, None]) / square
-        volume = dot(away[:, 1], normals[:, 0])
-        angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
-        turning = length * (dot(normals, moves - share * edge_moves[:, None]) / area).sum(axis=0)
+        normals = _cross(edge[:, None], away)
+        # the right flap runs the other way along the edge
+        np.negative(normals[:, 1], out=normals[:, 1])
+        square, area = _dot(edge, edge), _dot(normals, normals)
+        length, share = np.sqrt(square), _dot(away, edge[:, None]) / square
+        volume = _dot(away[:, 1], normals[:, 0])
+        angles = without_jump(senses * np.arctan2(length * volume, _dot(normals[:, 0], normals[:, 1])), near)
+        turned = _dot(normals, moves - share * edge_moves[:, None]) / area
+        turning = length * (turned[0] + turned[1])
         moment, slope = own.at(angles, turning, efforts)
         # of the angle between the flaps, whose sense the row has
         rest = senses * (angles - np.arctan2(moment, slope))
@@ -81,40 +81,56 @@ class CreaseRows:
 
         # with the cotangent weights c of the nodes over |edge|, |c x|^2 = 2 (1 - cos angle) (Wardetzky et al. 2007)
         high = length / np.sqrt(area)
+        shared = share * high
         weights = np.empty((4, *angles.shape))
-        weights[1] = (share * high).sum(axis=0)
-        weights[0] = high.sum(axis=0) - weights[1]
-        weights[2:] = -high
+        np.add(shared[0], shared[1], out=weights[1])
+        np.subtract(high[0] + high[1], weights[1], out=weights[0])
+        np.negative(high, out=weights[2:])
         last = -sine * high[0] * high[1] / length
         # such a row pulls within the flaps, too, as soon as they are not in one plane: force densities along their
         # sides take that back, so that the force is that of the moment
         pull = cosine * (weights[1] * edge + weights[2] * away[:, 0] + weights[3] * away[:, 1])
         wrong = weights[2:] * pull[:, None] + last * normals[:, ::-1] - moment * length / area * normals
-        along, off = dot(wrong, edge[:, None]), dot(wrong, away)
-        across, far = share * square, dot(away, away)
+        along, off = _dot(wrong, edge[:, None]), _dot(wrong, away)
+        across, far = share * square, _dot(away, away)
         densities = np.zeros((4, 4, *angles.shape))
-        densities[2:, 1] = (along * far - off * across) / area
-        densities[2:, 0] = (along * across - off * square) / area - densities[2:, 1]
-        at_tail = weights[0] * dot(pull, edge) - last * volume
-        densities[1, 0] = at_tail / square - (densities[2:, 0] * share).sum(axis=0)
+        densities[2:, 1] = at_head = (along * far - off * across) / area
+        densities[2:, 0] = at_tail = (along * across - off * square) / area - at_head
+        by_side = at_tail * share
+        densities[1, 0] = (weights[0] * _dot(pull, edge) - last * volume) / square - (by_side[0] + by_side[1])
         densities += np.swapaxes(densities, 0, 1)
         form = cosine * weights[:, None] * weights[None] - densities
-        form[range(4), range(4)] += densities.sum(axis=0)
+        form[_DIAGONAL, _DIAGONAL] += densities.sum(axis=0)
         rows = np.empty((*angles.shape, _ROW))
-        rows[..., :_FORM] = form.reshape(_FORM, *angles.shape)[self.form.T, :, self._columns].transpose(2, 1, 0)
+        rows[..., :_FORM] = form.reshape(_FORM, *angles.shape)[self.form, :, self._columns].transpose(2, 1, 0)
         rows[..., _FORM] = self.parity * last
         return angles, rows
 
     @property
     def _columns(self) -> Indices:
-        return np.arange(len(self.flaps))
+        return np.arange(len(self.rows))
 
-    def _sides(self, built: Array | None, shifts: Array) -> tuple[Array, Array]:
-        """From tails to heads, (3, structure, crease), and to the corners on the left and right, (3, 2, ...)."""
-        held = np.concatenate([shifts, np.zeros((len(shifts), 1))], axis=1)
-        nodes = held[:, self.slides] if built is None else built + held[:, self.slides]
-        tail, head, left, right = np.transpose(nodes[:, self.flaps], (2, 3, 0, 1))
-        return head - tail, np.stack([left - tail, right - tail], axis=1)
+    def _sides(self, positions: Array, velocities: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """From tails to heads, (3, structure, crease), and to the corners, (3, 2, ...); and how these move."""
+        shifts = np.zeros((2, len(positions), max(positions.shape[1], velocities.shape[1]) + 1))
+        shifts[0, :, : positions.shape[1]], shifts[1, :, : velocities.shape[1]] = positions, velocities
+        nodes = np.take(shifts, self.slides, axis=2)
+        nodes[0] += self.built
+        sides = (nodes[:, :, 1:] - nodes[:, :, :1]).transpose(0, 3, 2, 1, 4)
+        at, moves = sides[0], sides[1]
+        return (at[:, 0], at[:, 1:]), (moves[:, 0], moves[:, 1:])
+
+
+def _dot(one: Array, other: Array) -> Array:
+    """As `dot`, with fewer calls of numpy, which is faster for few; of arrays with as many dimensions."""
+    products = one * other
+    return np.asarray(products[0] + products[1] + products[2])
+
+
+def _cross(one: Array, other: Array) -> Array:
+    """As `cross`, alike."""
+    one, other = one[_AROUND], other[_AROUND]
+    return np.asarray(one[:3] * other[1:] - one[1:] * other[:3])
 
 
 def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
@@ -122,13 +138,12 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
     creases = [model.creases for model in models if model.creases is not None]
     if not creases:
         return None
-    order, flaps = creases[0].order, models[0].folds.flaps
+    order, corners = creases[0].order, models[0].folds.flaps[:, [0, 1, 2, 5]]
     return CreaseRows(
-        built=np.array([model.folds.built for model in models]),
-        slides=models[0].folds.slides,
-        flaps=flaps[:, [0, 1, 2, 5]],
+        built=np.array([np.transpose(model.folds.built[corners], (1, 2, 0)) for model in models]),
+        slides=np.ascontiguousarray(np.transpose(models[0].folds.slides[corners], (1, 2, 0))),
         rows=creases[0].rows,
-        form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM),
+        form=(4 * order[:, :, None] + order[:, None, :]).reshape(-1, _FORM).T,
         parity=np.where(order[:, 0] == order[:, 2] - 2, 1.0, -1.0),
         moments=crease_moments(models),
     )
@@ -136,4 +151,4 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
 
 def without_jump(angles: Array, near: Array) -> Array:
     """Angles with as many whole turns as bring them closest to others, rad."""
-    return np.asarray(angles + 2 * np.pi * np.round((near - angles) / (2 * np.pi)))
+    return np.asarray(angles + 2 * np.pi * np.rint((near - angles) / (2 * np.pi)))

@@ -41,21 +41,29 @@ class PlateRows:
     forms: Array
     moments: CreaseMoments
 
-    def follow(
-        self, which: Indices, positions: Array, velocities: Array, near: Array, efforts: Array
-    ) -> tuple[Array, Array]:
+    def some(self, which: Indices) -> PlateRows:
+        """Of some of the structures, in a rising order."""
+        folds = self.folds
+        assert folds.placement is not None
+        return PlateRows(
+            folds=replace(folds, placement=folds.placement.some(which), places=folds.places[which]),
+            rows=self.rows,
+            forms=self.forms[which],
+            moments=self.moments.some(which),
+        )
+
+    def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
         """Angles of creases, and the rows that have their moments and slopes there; see `CreaseRows.follow`."""
-        folds, own = _of(self.folds, which), self.moments.some(which)
-        senses = own.senses
-        apart, turned = folds.turns(positions, velocities)
+        own, senses = self.moments, self.moments.senses
+        apart, turned = self.folds.turns(positions, velocities)
         angles = without_jump(senses * apart.angles, near)
         moment, slope = own.at(angles, turned, efforts)
         factors = -senses * moment * apart.slopes
         # of an energy that has the slope of the moment about the left plate's crease and no force where it is now
         upright, side = apart.values[:2]
         factors[:3] += slope / np.hypot(upright, side) * apart.values[:3]
-        values = np.moveaxis(factors, 0, -1).reshape(len(which), -1)
-        return angles, values[..., None] * self.forms[which]
+        values = np.moveaxis(factors, 0, -1).reshape(len(positions), -1)
+        return angles, values[..., None] * self.forms
 
 
 def plate_rows(models: Sequence[Model]) -> PlateRows:
@@ -84,9 +92,3 @@ def _forms(model: Model, order: Indices) -> Array:
     both = left[:, :, None] * right[:, None, :]
     forms = -(both + np.swapaxes(both, 1, 2)) / square[:, None, None]
     return np.concatenate([forms.reshape(len(order), -1), np.zeros((len(order), 1))], axis=1)
-
-
-def _of(folds: Folds, which: Indices) -> Folds:
-    """Of some of the structures whose constants `plate_rows` stacks."""
-    assert folds.placement is not None
-    return replace(folds, placement=folds.placement.some(which), places=folds.places[which])

@@ -24,8 +24,11 @@ Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
-# depends on it.
-_CHUNK = 100
+# depends on it. There are fewer where looking takes a small share of the time, of many structures and of those whose
+# steps take Python; for sparse records, which keep what comes with the end of a stage; and for steps of Runge and Kutta,
+# whose dampers are looked at anew where these begin, so that last digits of their work do depend on it.
+_CHUNK = 400
+_MANY = 8
 # Structures a thread below which all are stepped at once.
 _FEW = 2
 
@@ -73,9 +76,12 @@ def simulate_each(
     if not models:
         return
     try:
-        stepper = Stepper(models, threads, sparse, _CHUNK)
+        slow = models[0].creases is not None or models[0].drag is not None
+        short = slow or sparse or models[0].explicit or len(models) > _MANY
+        chunk = max(1, _CHUNK // 4) if short else _CHUNK
+        stepper = Stepper(models, threads, sparse, chunk)
         try:
-            yield from _records(models, stepper, sparse, progress, enough)
+            yield from _records(models, stepper, chunk, sparse, progress, enough)
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
@@ -87,6 +93,7 @@ def simulate_each(
 def _records(
     models: Sequence[Model],
     stepper: Stepper,
+    chunk: int,
     sparse: bool,
     progress: Progress | None,
     enough: Callable[[Record], bool] | None,
@@ -100,9 +107,10 @@ def _records(
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
     under_way: deque[tuple[NDArray[np.int64], Array, Pending]] = deque()
+    few = _FEW * stepper.threads * stepper.together
     while moving.any():
-        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], stepper.threads)):
-            torques = tracker.torques(rows, _CHUNK)
+        while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], few)):
+            torques = tracker.torques(rows, chunk)
             under_way.append((rows, torques, stepper.start(rows, tracker.controls(rows, torques), torques)))
         if under_way:
             rows, torques, steps = under_way.popleft()
@@ -133,16 +141,16 @@ def _records(
                 moving[following[row]] = following[row] not in waiting
 
 
-def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], threads: int) -> NDArray[np.int64]:
+def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], few: int) -> NDArray[np.int64]:
     """Which of the moving structures to step next: half of them, so that Python can look at the others meanwhile.
 
-    Few go all together, or some threads would have none.
+    Fewer than `few` go all together, or some threads would have none.
     """
     free = moving.copy()
     for rows in under_way:
         free[rows] = False
     count = int(moving.sum())
-    if count < _FEW * threads:
+    if count < few:
         return np.flatnonzero(free & (not under_way))
     return np.flatnonzero(free)[: (count + 1) // 2 * (len(under_way) < 2)]
 

@@ -16,11 +16,11 @@ import numpy as np
 from mujoco.batch import Batch
 from numpy.typing import NDArray
 
-from forficula.dynamics.crease_rows import crease_rows, without_jump
+from forficula.dynamics.crease_rows import CreaseRows, crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.model import Model
-from forficula.dynamics.plate_creases import plate_rows
+from forficula.dynamics.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.steps import State, Steps
 
 Array = NDArray[np.float64]
@@ -36,6 +36,9 @@ _OF_STATES = ("ten_length", "energy", "flexvert_xpos", "xpos", "xipos", "site_xp
 _OF_ACCOUNT = ("qfrc_damper", "qfrc_constraint")
 _OF_LETTING_GO = ("ten_velocity", "ten_J")
 _OF_CONTACT = ("sensordata", "ten_J")
+# structures with creases or drag that a worker takes at least: Python, which one worker runs at a time, takes hardly
+# longer for so many of them than for one, and much longer than the engine does
+_TOGETHER = 8
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,13 +94,19 @@ class Stepper:
         # where the creases of each were last, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
         self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
+        # what the engine's models have of them, to be written to
+        self._bends = [] if self._creases is None else [engine_rows(each) for each in self._models]
         self._blocks = deque(
             [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
         self.threads = int(Batch(model, len(models), threads).nthread)
+        # structures that a worker takes at least, if there are so many
+        self.together = 1 if self._creases is None and self._drag is None else _TOGETHER
         self._engines: SimpleQueue[Batch] = SimpleQueue()
+        # that one worker has at a time; where some are done, it may be more than at the start
+        most = max(min(len(models), self.together), -(-len(models) // self.threads))
         for _ in range(self.threads):
-            self._engines.put(Batch(model, -(-len(models) // self.threads), 1))
+            self._engines.put(Batch(model, most, 1))
         self._workers = ThreadPoolExecutor(max_workers=self.threads)
         self._data = mujoco.MjData(model)
 
@@ -117,7 +126,7 @@ class Stepper:
         self._blocks.rotate()
         mine = {name: each[: len(rows)] for name, each in self._memory[0].items()}
         angles = None if self._structures[0].creases is None else self._blocks[0][: len(rows)]
-        bounds = np.linspace(0, len(rows), min(len(rows), self.threads) + 1).astype(int).tolist()
+        bounds = np.linspace(0, len(rows), self._parts(len(rows)) + 1).astype(int).tolist()
         parts = [slice(*pair) for pair in itertools.pairwise(bounds)]
         late = {name: np.empty_like(mine[name]) for name in self._names} if self._explicit else None
         steps = Steps(
@@ -193,21 +202,26 @@ class Stepper:
         """Wait for the steps that are being made, and make no more."""
         self._workers.shutdown(cancel_futures=True)
 
+    def _parts(self, rows: int) -> int:
+        """How many workers share so many structures."""
+        return min(-(-rows // self.together), self.threads)
+
     def _roll(
         self,
         engine: Batch,
         rows: Indices,
+        state: Array,
         controls: Array,
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
     ) -> None:
-        """Take structures as many steps further as they have controls."""
+        """Take structures as many steps further from their states, (row, number), as they have controls."""
         first: dict[str, Array] = {}
         if late:
-            state = self._state[rows]
-            state[:, self._control] = controls[:, 0]
-            first = self._fields(engine, rows, state, self._names, mujoco.mjtStage.mjSTAGE_ACC)
-        self._put(engine, rows, self._state[rows])
+            driven = state.copy()
+            driven[:, self._control] = controls[:, 0]
+            first = self._fields(engine, rows, driven, self._names, mujoco.mjtStage.mjSTAGE_ACC)
+        self._put(engine, rows, state)
         out: dict[str | int | mujoco.mjtState, Array] = {**memory}
         with _quiet:
             engine.rollout(
@@ -215,7 +229,7 @@ class Stepper:
                 control=controls,
                 control_spec=_CONTROL,
                 record=tuple(out),
-                ids=np.arange(len(rows)),
+                ids=None if len(rows) == engine.nsim else np.arange(len(rows)),
                 out=out,
             )
         for name, each in late.items():
@@ -253,52 +267,55 @@ class Stepper:
 
         Where there are creases or drag, block by block: in each they have what they have at its start.
         """
-        engine = self._engines.get()
+        engine, state = self._engines.get(), self._state[rows]
         try:
             if angles is None and self._drag is None:
-                self._roll(engine, rows, controls, memory, late)
+                self._roll(engine, rows, state, controls, memory, late)
                 return
             followed = self._structures[0].followed
-            for block in range(controls.shape[1] // followed):
+            creases = None if self._creases is None else self._creases.some(rows)
+            own = {name: _block(each, followed) for name, each in memory.items()}
+            of_late = {name: _block(each, followed) for name, each in late.items()}
+            blocks = controls.shape[1] // followed
+            means = efforts.reshape(len(rows), blocks, followed, -1).mean(axis=2)
+            for block in range(blocks):
                 steps = slice(block * followed, (block + 1) * followed)
-                if angles is not None:
-                    near = self._angles[rows] if block == 0 else angles[:, block - 1]
-                    angles[:, block] = self._set_creases(rows, near, efforts[:, steps].mean(axis=1))
-                if self._drag is not None:
-                    self._set_drag(engine, rows)
-                mine = {name: np.ascontiguousarray(each[:, steps]) for name, each in memory.items()}
-                later = {name: np.ascontiguousarray(each[:, steps]) for name, each in late.items()}
-                self._roll(engine, rows, np.ascontiguousarray(controls[:, steps]), mine, later)
+                with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
+                    if angles is not None and creases is not None:
+                        near = self._angles[rows] if block == 0 else angles[:, block - 1]
+                        angles[:, block] = self._set_creases(rows, creases, state, near, means[:, block])
+                    if self._drag is not None:
+                        self._set_drag(engine, rows, state)
+                self._roll(engine, rows, state, np.ascontiguousarray(controls[:, steps]), own, of_late)
                 for name, each in memory.items():
-                    each[:, steps] = mine[name]
+                    each[:, steps] = own[name]
                 for field, each in late.items():
-                    each[:, steps] = later[field]
-                self._state[np.ix_(rows, self._moving)] = mine[_MOVING][:, -1]
+                    each[:, steps] = of_late[field]
+                state[:, self._moving] = own[_MOVING][:, -1]
+            self._state[rows] = state
         finally:
             self._engines.put(engine)
 
-    def _set_drag(self, engine: Batch, rows: Indices) -> None:
-        """Give structures the drag that they have where they are and as they move."""
+    def _set_drag(self, engine: Batch, rows: Indices, state: Array) -> None:
+        """Give structures in some states, (row, number), the drag that they have where they are and as they move."""
         assert self._drag is not None
-        _, velocity = self._motion(rows)
-        fields = self._fields(engine, rows, self._state[rows], KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
-        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
-            self._state[np.ix_(rows, self._applied)] = self._drag.forces(rows, fields, velocity)
+        _, velocity = self._motion(state)
+        fields = self._fields(engine, rows, state, KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
+        state[:, self._applied] = self._drag.forces(rows, fields, velocity)
 
-    def _motion(self, rows: Indices) -> tuple[Array, Array]:
-        """Positions and velocities of structures, (row, position) and (row, velocity)."""
-        engine, moving = self._structures[0].engine, self._state[np.ix_(rows, self._moving)][:, 1:]
+    def _motion(self, state: Array) -> tuple[Array, Array]:
+        """Positions and velocities in some states, (row, position) and (row, velocity)."""
+        engine, moving = self._structures[0].engine, state[:, self._moving][:, 1:]
         return moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
 
-    def _set_creases(self, rows: Indices, near: Array, efforts: Array) -> Array:
-        """Give the creases of structures what they have where they are; their angles, without jumps, (row, crease)."""
-        creases = self._creases
-        assert creases is not None
-        position, velocity = self._motion(rows)
-        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
-            angles, values = creases.follow(rows, position, velocity, near, efforts)
+    def _set_creases(
+        self, rows: Indices, creases: CreaseRows | PlateRows, state: Array, near: Array, efforts: Array
+    ) -> Array:
+        """Give the creases of structures what they have in some states; their angles, without jumps, (row, crease)."""
+        position, velocity = self._motion(state)
+        angles, values = creases.follow(position, velocity, near, efforts)
         for row, own in zip(rows.tolist(), values, strict=True):
-            engine_rows(self._models[row])[creases.rows] = own
+            self._bends[row][creases.rows] = own
         return angles
 
 
@@ -331,6 +348,11 @@ def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: i
     data = mujoco.MjData(models[0].engine)
     shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
+
+
+def _block(memory: Array, steps: int) -> Array:
+    """Room for a block of steps of what has room for more, (row, step, ...)."""
+    return np.empty((len(memory), steps, *memory.shape[2:]))
 
 
 def _columns(engine: mujoco.MjModel, part: int) -> Indices:

@@ -62,29 +62,39 @@ def descend(
         longest_step: in the space of the coordinates.
         force: largest slope that counts as none.
     """
-    lower, upper = np.broadcast_to(lower, start.shape), np.broadcast_to(upper, start.shape)
+    lower, upper = (np.array(np.broadcast_to(each, start.shape)) for each in (lower, upper))
     position = np.clip(start, lower, upper)
     value, slope, curvature = energy(position, np.arange(len(position)))
+    # last bits of sums by row depend on the order in memory
+    position, slope = np.ascontiguousarray(position), np.ascontiguousarray(slope)
     radius = np.full(len(position), longest_step)
     stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
     moving = np.arange(len(position))
+    rows: slice | Cases = slice(None)  # the same while all move, without copies
     for _ in range(_MOST_STEPS):
-        room = lower[moving] - position[moving], upper[moving] - position[moving]
-        step, held, stiffness[moving] = _step_within(room, -slope[moving], curvature[moving], radius[moving])
-        rests[moving] = np.all((np.abs(slope[moving]) <= force) | (held & (step == 0)), axis=1)
-        going = ~rests[moving] & (radius[moving] > _SMALLEST_STEP)
-        moving, step, free = moving[going], step[going], ~held[going]
-        if not len(moving):
-            break
-        tried = np.clip(position[moving] + step, lower[moving], upper[moving])
+        at, down = position[rows], -slope[rows]
+        least, most = lower[rows], upper[rows]
+        step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
+        rests[rows] = ((np.abs(down) <= force) | (held & (step == 0))).all(axis=1)
+        going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
+        if not going.all():
+            moving = rows = moving[going]
+            if not len(moving):
+                break
+            at, down, least, most = at[going], down[going], least[going], most[going]
+            step, held = step[going], held[going]
+        tried, free = np.clip(at + step, least, most), ~held
         new_value, new_slope, new_curvature = energy(tried, moving)
-        better = _better(new_value, new_slope * free, value[moving], slope[moving] * free)
-        wider = np.minimum(2 * radius[moving], longest_step)
-        narrower = np.minimum(radius[moving], np.linalg.norm(step, axis=1)) / 4
-        radius[moving] = np.where(better, wider, narrower)
-        taken = moving[better]
-        position[taken], value[taken] = tried[better], new_value[better]
-        slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
+        better = _better(new_value, new_slope * free, value[rows], down * free)
+        wider = np.minimum(2 * radius[rows], longest_step)
+        narrower = np.minimum(radius[rows], np.linalg.norm(step, axis=1)) / 4
+        radius[rows] = np.where(better, wider, narrower)
+        if better.all():
+            position[rows], value[rows], slope[rows], curvature[rows] = tried, new_value, new_slope, new_curvature
+        else:
+            taken = moving[better]
+            position[taken], value[taken] = tried[better], new_value[better]
+            slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 
@@ -108,17 +118,27 @@ def _step_within(
     Returns:
         The step; which coordinates their bounds hold, alike; the least curvature of the others, (case,).
     """
+    loose = np.flatnonzero((room[0] < room[1]).any(axis=0))
+    if len(loose) == down.shape[1] and len(down):
+        return _free_step(room, down, curvature, radius)
     step, held, least = np.zeros_like(down), np.ones(down.shape, dtype=bool), np.full(len(down), np.inf)
-    loose = np.flatnonzero(np.any(room[0] < room[1], axis=0))
     if len(loose) and len(down):
         room, down, curvature = (room[0][:, loose], room[1][:, loose]), down[:, loose], curvature[:, loose][:, :, loose]
-        to_bound = np.where(down < 0, *room)
-        held[:, loose] = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
-        values, axes = np.linalg.eigh(_without(curvature, held[:, loose]))
-        free = _trusted_step(np.where(held[:, loose], 0.0, down), values, axes, radius)
-        step[:, loose] = np.clip(np.where(held[:, loose], to_bound, free), *room)
-        least[~held.all(axis=1)] = values[~held.all(axis=1), 0]
+        step[:, loose], held[:, loose], least = _free_step(room, down, curvature, radius)
     return step, held, least
+
+
+def _free_step(
+    room: tuple[Array, Array], down: Array, curvature: Array, radius: Array
+) -> tuple[Array, NDArray[np.bool_], Array]:
+    """As `_step_within`, where every coordinate has room in some case."""
+    to_bound = np.where(down < 0, *room)
+    held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
+    values, axes = np.linalg.eigh(_without(curvature, held))
+    # last bits depend on the order in memory
+    free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
+    step = np.clip(np.where(held, to_bound, free), *room)
+    return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
 def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
@@ -143,14 +163,18 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
     damping = np.maximum(least, np.max(np.abs(along) / radius[:, None] - values, axis=1))
     for _ in range(_NEWTON_STEPS):
         shifted = values + damping[:, None]
-        squares = (along / shifted) ** 2
+        step = along / shifted
+        squares = step**2
         square = squares.sum(axis=1)
         longer = np.sqrt(square) / radius
-        if not (longer > 1).any():  # further ones would change nothing
+        beyond = longer > 1
+        if not beyond.any():  # further ones would change nothing
             break
-        rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=longer > 1)
+        rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=beyond)
         damping = damping + rise * (longer - 1)
-    return np.asarray((axes @ (along / (values + damping[:, None]))[..., None])[..., 0])
+    else:
+        step = along / (values + damping[:, None])
+    return np.asarray((axes @ step[..., None])[..., 0])
 
 
 @dataclass(frozen=True, kw_only=True)

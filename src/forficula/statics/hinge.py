@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,12 @@ class TendonHinge:
             if not np.all((least <= value) & (value <= limit)):
                 wrong = math.degrees(float(value[~((least <= value) & (value <= limit))].ravel()[0]))
                 raise InputError(f"{name}: need >= {math.degrees(least):g} deg and <= 180 deg, got {wrong:g} deg")
+
+    @cached_property
+    def _arms(self) -> tuple[Any, Any, Any]:
+        """Product of the arms, m^2, and lengths by which the tendon's follows from half the angle, m."""
+        product = self.proximal_arm * self.distal_arm
+        return product, np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm), 2 * np.sqrt(product)
 
     @property
     def top(self) -> float:
@@ -157,16 +164,15 @@ class TendonHinge:
     def expansion(self, angle: ArrayLike) -> tuple[Array, Array, Array]:
         """Energy, moment and stiffness at once, in the shape of `angle` (rad)."""
         half_sine, half_cosine = _half_angle(np.asarray(angle, dtype=np.float64) + self.offset_angle)
-        product = self.proximal_arm * self.distal_arm
-        shortest = np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm)
-        length = np.asarray(np.hypot(shortest, 2 * np.sqrt(product) * half_cosine))
+        product, shortest, longest = self._arms
+        length = np.asarray(np.hypot(shortest, longest * half_cosine))
         lever = _divide(2 * product * half_sine * half_cosine, length)
-        force, slope = self.law.force(length), self.law.stiffness(length)
+        energy, force, slope = self.law.expansion(length)
         # where the ends meet, force by length tends to the slope
         by_length = np.where(length > 0, _divide(force, length), slope)
         turned = by_length * self.proximal_arm * self.distal_arm * (half_cosine**2 - half_sine**2)
         stiffness = np.asarray((slope - by_length) * lever**2 - turned)
-        return self.law.energy(length), np.asarray(force * lever), stiffness
+        return np.asarray(energy), np.asarray(force * lever), stiffness
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -113,12 +113,12 @@ def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
     apart = sides[:, :, 0]
     length = np.linalg.norm(apart, axis=2)
     known = np.maximum(length, shortest)
-    along, force = apart / known[..., None], law.force(length)
+    stored, force, slope = law.expansion(length)
+    along = apart / known[..., None]
     outer = along[..., :, None] * along[..., None, :]
     by_length = (force / known)[..., None, None]
-    stiffness = law.stiffness(length)[..., None, None] * outer + by_length * (np.eye(3) - outer)
-    energy = law.energy(length).sum(axis=1)
-    return energy, (force[..., None] * along)[:, :, None], stiffness[:, :, None]
+    stiffness = slope[..., None, None] * outer + by_length * (np.eye(3) - outer)
+    return stored.sum(axis=1), (force[..., None] * along)[:, :, None], stiffness[:, :, None]
 
 
 def _numbers_of(law: ElasticLaw, which: Any) -> ElasticLaw:

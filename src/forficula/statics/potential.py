@@ -167,7 +167,9 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
     tendons, crossing = structures.tendons, angles[:, structures.crossed]
     tendon_energy, moment, stiffness = tendons.expansion(crossing)
     stored = tendon_energy.sum(axis=1)
-    torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
+    torques = np.asarray(torques)
+    if torques.shape != (len(angles), len(structures.motors)):
+        torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
     for motor, hinges in enumerate(structures.motors):
         stored = stored - torques[:, motor] * angles[:, hinges].sum(axis=1)
     energy += stored

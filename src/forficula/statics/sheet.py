@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 
 # A length limit is no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
 _LIMIT_STIFFNESS = 100.0
+# which of the stresses along, across and mixed belongs to two columns of a deformation gradient
+_BY_COLUMNS = np.array([[0, 2], [2, 1]])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,19 +166,19 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     columns = gradient.reshape(cases, count, -1, 2, 3)
     # strains along, across, and twice the mixed one, and their slopes
     squares = columns @ np.swapaxes(columns, 3, 4)
-    strain = np.stack([squares[..., 0, 0] - 1, squares[..., 1, 1] - 1, 2 * squares[..., 0, 1]], axis=-1) / 2
+    strain = np.empty((*columns.shape[:3], 3))
+    np.subtract(squares[..., [0, 1], [0, 1]], 1, out=strain[..., :2])
+    np.multiply(squares[..., 0, 1], 2, out=strain[..., 2])
+    strain /= 2
     by_column = np.zeros((*columns.shape[:3], 3, 6))
     by_column[..., 0, :3], by_column[..., 1, 3:] = columns[..., 0, :], columns[..., 1, :]
     by_column[..., 2, :3], by_column[..., 2, 3:] = columns[..., 1, :], columns[..., 0, :]
     stress = volumes * (strain @ patch.law)
     pull = stress[..., None, :] @ by_column
     curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
-    for coordinate in range(3):
-        one, other = coordinate, coordinate + 3
-        curvature[..., one, one] += stress[..., 0]
-        curvature[..., other, other] += stress[..., 1]
-        curvature[..., one, other] += stress[..., 2]
-        curvature[..., other, one] += stress[..., 2]
+    # of one column by another, coordinate by coordinate
+    blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
+    blocks += stress[..., _BY_COLUMNS, None]
     energy = np.sum((stress * strain).reshape(cases, -1, 3), axis=(1, 2)) / 2
     return energy, pull.reshape(cases, count, -1, 3), curvature
 

@@ -104,10 +104,13 @@ class CreaseLaw:
 
     def moment_and_slope(self, angle: Array, further: Array | float = 0.0) -> tuple[Array, Array]:
         """The moment and its slope, as `moment` and `slope`, in half the time."""
-        within, share, room = self._locked(angle)
+        within = np.clip(angle, self.lock_below, self.lock_above)
         spring = self.stiffness * (within - self.rest_angle - further)
-        slope = np.broadcast_to(np.asarray(self.stiffness, dtype=np.float64), angle.shape)
-        if share.any():
+        slope = np.asarray(self.stiffness, dtype=np.float64)
+        if slope.shape != angle.shape:
+            slope = np.broadcast_to(slope, angle.shape)
+        if (within != angle).any():
+            _, share, room = self._locked(angle)
             spring = spring + self.stiffness * (2 * room / math.pi * np.tan(math.pi / 2 * share))
             slope = slope / np.cos(math.pi / 2 * share) ** 2
         stopped = self._stopped(angle)

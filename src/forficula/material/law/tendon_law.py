@@ -77,6 +77,14 @@ class ElasticLaw:
         slope = self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
         return np.where(np.asarray(length) < self.rest_length, 0.0, slope)
 
+    def expansion(self, length: Array) -> tuple[Array, Array, Array]:
+        """Energy, pull and slope of the force at once, in the shape of `length` (m)."""
+        x = self._extension(length)
+        force = x * (self.linear + x * (self.quadratic + x * self.cubic))
+        energy = x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4))
+        slope = self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
+        return energy, force, np.where(length < self.rest_length, 0.0, slope)
+
     def released(self, length: ArrayLike, shortening: ArrayLike) -> Array:
         """Energy given back when the tendon shortens.
 

@@ -77,7 +77,7 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
     if net.membranes is not None:
         pieces.append(_stretched(net.membranes, triangles))
     stored = sum(piece[0] for piece in pieces) - float(np.sum(layout.weight * shape.positions))
-    slope = layout.sides.T @ np.concatenate([piece[1].reshape(-1, 3) for piece in pieces]) - layout.weight
+    slope = layout.on_nodes @ np.concatenate([piece[1].reshape(-1, 3) for piece in pieces]) - layout.weight
     energy = stored
     if load is not None:
         slope = slope - factor * load.forces
@@ -108,12 +108,14 @@ def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
 
 def load_slope(net: Net, shape: Shape, load: Load) -> Array:
     """What forces and torques of a load exert on the nodes in a shape, N, (node, 3)."""
+    if not load.torques.any():
+        return load.forces + 0.0  # as a sum, without a 0 that is negative
     slopes, layout = angle_slopes(net, shape)
     springs, tendons, creases, _ = layout.counts
     sides = np.zeros((layout.sides.shape[0], 3))
     begin = springs + tendons
     sides[begin : begin + 3 * creases] = (load.torques[:, None, None] * slopes).reshape(-1, 3)
-    return np.asarray(layout.sides.T @ sides + load.forces)
+    return np.asarray(layout.on_nodes @ sides + load.forces)
 
 
 def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
@@ -141,8 +143,8 @@ def _length(sides: Array) -> Array:
 
 def _bars(net: Net, sides: Array, shortest: float) -> Piece:
     stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
-    length = np.maximum(_length(sides), shortest)
-    rise = _length(sides) - rest_length
+    apart = _length(sides)
+    length, rise = np.maximum(apart, shortest), apart - rest_length
     # of a pull F at a length L along n, the curvature is F' n n^T + F / L (1 - n n^T)
     per_length = np.where(rest_length > 0, stiffness * rise / length, stiffness)
     blocks = _along(sides / length[:, None], stiffness, per_length)
@@ -150,10 +152,11 @@ def _bars(net: Net, sides: Array, shortest: float) -> Piece:
 
 
 def _pulls(net: Net, sides: Array, shortest: float) -> Piece:
-    law, length = net.tendons.law, _length(sides)
-    per_length = law.force(length) / np.maximum(length, shortest)
-    blocks = _along(sides / np.maximum(length, shortest)[:, None], law.stiffness(length), per_length)
-    return float(np.sum(law.energy(length))), per_length[:, None] * sides, blocks
+    length = _length(sides)
+    energy, force, stiffness = net.tendons.law.expansion(length)
+    known = np.maximum(length, shortest)
+    per_length = force / known
+    return float(np.sum(energy)), per_length[:, None] * sides, _along(sides / known[:, None], stiffness, per_length)
 
 
 def _along(unit: Array, stiffness: Array, per_length: Array) -> Array:
@@ -164,10 +167,10 @@ def _along(unit: Array, stiffness: Array, per_length: Array) -> Array:
 def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piece:
     law = net.creases.law
     slope, curvature = fold_angle_derivatives(sides)
-    moment = law.moment(angles)
+    moment, stiffness = law.moment_and_slope(angles)
     acting = moment if torques is None else moment - torques
     blocks = acting[:, None, None, None, None] * curvature
-    rising = law.slope(angles)[:, None, None] * slope
+    rising = stiffness[:, None, None] * slope
     blocks += rising[:, :, None, :, None] * slope[:, None, :, None, :]
     return float(np.sum(law.energy(angles))), acting[:, None, None] * slope, blocks
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,11 +23,14 @@ class Factor:
 
     Attributes:
         lower_upper: of SuperLU; None for a matrix without rows.
-        index: how many eigenvalues are below 0: negative pivots (Sylvester's law of inertia).
     """
 
     lower_upper: Any
-    index: int
+
+    @cached_property
+    def index(self) -> int:
+        """How many eigenvalues are below 0: negative pivots (Sylvester's law of inertia)."""
+        return 0 if self.lower_upper is None else int(np.count_nonzero(self.lower_upper.U.diagonal() < 0))
 
     def solve(self, right: Array) -> Array:
         """The solution for a right-hand side, (coordinate,), or several in columns."""
@@ -40,7 +44,7 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
     inertia.
     """
     if not matrix.shape[0]:
-        return Factor(lower_upper=None, index=0)
+        return Factor(lower_upper=None)
     scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0
     for nudge in (0.0, _NUDGE * scale, -10 * _NUDGE * scale, 100 * _NUDGE * scale):
         by = shift + nudge
@@ -50,7 +54,7 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
         except RuntimeError:  # exactly singular
             continue
         if np.array_equal(parts.perm_r, parts.perm_c):
-            return Factor(lower_upper=parts, index=int(np.count_nonzero(parts.U.diagonal() < 0)))
+            return Factor(lower_upper=parts)
     raise ArithmeticError("a curvature that no shift makes regular")
 
 

@@ -40,29 +40,33 @@ def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
     Returns:
         1/m, (crease, 3, 3): by side; 1/m^2, (crease, 3, 3, 3, 3): by side and side, then by their coordinates.
     """
+    count = len(sides)
     slope = np.zeros_like(sides)
-    curvature = np.zeros((len(sides), 3, 3, 3, 3))
+    curvature = np.zeros((count, 3, 3, 3, 3))
     length = np.linalg.norm(sides[:, 0], axis=1)
     along = sides[:, 0] / length[:, None]
-    for side, sign in ((1, 1.0), (2, -1.0)):
-        corner = sides[:, side]
-        normal = _cross(along, corner)
-        height = np.linalg.norm(normal, axis=1)
-        normal = normal / height[:, None]
-        across = _cross(normal, along)
-        share = _dot(corner, along) / length
-        mixed = _outer(normal, across)
-        mixed = mixed + np.swapaxes(mixed, 1, 2)
-        lifted = _outer(along, normal)
-        bent = -mixed / (height**2)[:, None, None]
-        tilted = -share[:, None, None] * bent - lifted / (length * height)[:, None, None]
-        slope[:, side] = sign * normal / height[:, None]
-        slope[:, 0] -= sign * (share / height)[:, None] * normal
-        curvature[:, side, side] = sign * bent
-        curvature[:, side, 0] = sign * tilted
-        curvature[:, 0, side] = sign * np.swapaxes(tilted, 1, 2)
-        both = (lifted + np.swapaxes(lifted, 1, 2)) * (share / (height * length))[:, None, None]
-        curvature[:, 0, 0] += sign * ((share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None])
+    # all left corners, then all right ones, for which everything has the other sign
+    corner, twice, length = np.concatenate([sides[:, 1], sides[:, 2]]), np.tile(along, (2, 1)), np.tile(length, 2)
+    normal = _cross(twice, corner)
+    height = np.linalg.norm(normal, axis=1)
+    normal = normal / height[:, None]
+    across = _cross(normal, twice)
+    share = _dot(corner, twice) / length
+    mixed = _outer(normal, across)
+    mixed = mixed + np.swapaxes(mixed, 1, 2)
+    lifted = _outer(twice, normal)
+    bent = -mixed / (height**2)[:, None, None]
+    tilted = -share[:, None, None] * bent - lifted / (length * height)[:, None, None]
+    by_corner, by_along = normal / height[:, None], (share / height)[:, None] * normal
+    both = (lifted + np.swapaxes(lifted, 1, 2)) * (share / (height * length))[:, None, None]
+    twisted = (share**2)[:, None, None] * bent + both - mixed / (2 * length**2)[:, None, None]
+    for side, sign, mine in ((1, 1.0, slice(None, count)), (2, -1.0, slice(count, None))):
+        slope[:, side] = sign * by_corner[mine]
+        slope[:, 0] -= sign * by_along[mine]
+        curvature[:, side, side] = sign * bent[mine]
+        curvature[:, side, 0] = sign * tilted[mine]
+        curvature[:, 0, side] = sign * np.swapaxes(tilted[mine], 1, 2)
+        curvature[:, 0, 0] += sign * twisted[mine]
     return slope, curvature
 
 
@@ -76,4 +80,6 @@ def _outer(a: Array, b: Array) -> Array:
 
 def _cross(a: Array, b: Array) -> Array:
     (ax, ay, az), (bx, by, bz) = a.T, b.T
-    return np.stack((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx), axis=1)
+    crossed = np.empty((len(a), 3))
+    crossed[:, 0], crossed[:, 1], crossed[:, 2] = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    return crossed

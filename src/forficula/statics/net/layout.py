@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,6 +45,11 @@ class Layout:
     free_rows: Indices
     free_starts: Indices
     weight: Array
+
+    @cached_property
+    def on_nodes(self) -> csc_array:
+        """By which forces along sides add up to those on nodes, (node, side)."""
+        return csc_array(self.sides.T)
 
     def whole(self, blocks: Array) -> bsr_array:
         """The curvature by all coordinates, of the blocks of pairs of sides, (pair, 3, 3)."""
