@@ -25,8 +25,8 @@ Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
 # depends on it. There are fewer where looking takes a small share of the time, of many structures and of those whose
-# steps take Python; for sparse records, which keep what comes with the end of a stage; and for steps of Runge and Kutta,
-# whose dampers are looked at anew where these begin, so that last digits of their work do depend on it.
+# steps take Python; for sparse records, which keep what comes with the end of a stage; and for steps of Runge and
+# Kutta, whose dampers are looked at anew where these begin, so that last digits of their work do depend on it.
 _CHUNK = 400
 _MANY = 8
 # Structures a thread below which all are stepped at once.
