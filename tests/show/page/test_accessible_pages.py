@@ -65,9 +65,9 @@ def kind(request):
 
 
 @pytest.fixture(scope="module")
-def opened(browser, pages, kind):
+def opened(context, pages, kind):
     """A page of each kind, one after another."""
-    with watching(browser) as watch:
+    with watching(context) as watch:
         yield watch(pages[kind], viewport=dict(zip(("width", "height"), WIDE, strict=True)))
 
 

@@ -44,9 +44,9 @@ def address(tmp_path_factory):
 class Bench:
     """The page, with what it writes to the console."""
 
-    def __init__(self, browser, address, **options):
-        self.context = browser.new_context(**DEFAULTS | options)
-        self.page = self.context.new_page()
+    def __init__(self, context, address, viewport=DEFAULTS["viewport"]):
+        self.page = context.new_page()
+        self.page.set_viewport_size(viewport)
         self.messages = []
         self.page.on("console", lambda said: "GPU stall" in said.text or self.messages.append(said.text))
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
@@ -66,6 +66,11 @@ class Bench:
         self.page.get_by_label("Find a key").fill("")
         self.page.get_by_role("tab").first.click()
         self.settled()
+        # what hardly moves is hardly drawn
+        self.pace("1/100")
+
+    def pace(self, name):
+        self.page.locator(".trial .choices select").first.select_option(name)
 
     def field(self, key):
         """The field of a key, which is looked for as a reader does."""
@@ -103,10 +108,16 @@ class Bench:
 
 
 @pytest.fixture(scope="module")
-def opened(browser, address):
-    opened = Bench(browser, address)
-    yield opened
-    opened.context.close()
+def connected(browser):
+    """Pages that reach the workbench."""
+    context = browser.new_context(**DEFAULTS)
+    yield context
+    context.close()
+
+
+@pytest.fixture(scope="module")
+def opened(connected, address):
+    return Bench(connected, address)
 
 
 @pytest.fixture
@@ -124,7 +135,7 @@ def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(be
     assert design.pattern.hub_radius == pytest.approx(0.018)
     outcome = measure(run(design))
     page = bench.page
-    page.locator(".trial .choices select").first.select_option("real time")
+    bench.pace("real time")
     bench.press("Whole protocol")
     ended = "forficula.wing.panel.frame.ended?.stages.length === 5 && forficula.wing.panel.frame.stageNumber === null"
     until(page, ended, SECONDS)
@@ -138,7 +149,7 @@ def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(be
 def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     page = bench.page
     page.get_by_role("button", name="top: view from above").click()
-    page.locator(".trial .choices select").first.select_option("1/20")
+    bench.pace("1/20")
     bench.put("pattern.units", "2")
     assert len(bench.design().tendons) == 5
     assert page.evaluate("forficula.wing.panel.frame.readings[0].length") == 5
@@ -304,20 +315,20 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
 
 
 @pytest.mark.parametrize(("key", "width"), [("Tab", 1280), ("Shift+Tab", 390)])
-def test_the_keyboard_reaches_every_field_and_shows_where_it_is(browser, address, key, width):
+def test_the_keyboard_reaches_every_field_and_shows_where_it_is(connected, address, key, width):
     # of its own: keys go on from where a page was last pressed
-    opened = Bench(browser, address, viewport={"width": width, "height": 844})
+    opened = Bench(connected, address, viewport={"width": width, "height": 844})
     stops = walk(opened, key)
     assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
     fields = opened.page.locator("[data-key]:visible").count()
     assert fields > 10
     assert sum('id="key-' in stop["what"] for stop in stops) == fields
-    opened.context.close()
+    opened.page.close()
 
 
 @pytest.mark.parametrize(("width", "schemes"), [(1280, {"light": ALL, "dark": CONTRAST}), (390, {"light": WIDTH})])
-def test_it_is_for_readers_of_every_kind(browser, address, width, schemes):
-    opened = Bench(browser, address, viewport={"width": width, "height": 844})
+def test_it_is_for_readers_of_every_kind(connected, address, width, schemes):
+    opened = Bench(connected, address, viewport={"width": width, "height": 844})
     page = opened.page
     opened.put("pattern.hub_radius", "-3 cm")
     for tab in ("Wing", "Pattern", "Landscape", "File"):
@@ -328,4 +339,4 @@ def test_it_is_for_readers_of_every_kind(browser, address, width, schemes):
             violations, _ = asked(page, rules)
             assert violations == [], (tab, scheme)
         assert page.evaluate("document.documentElement.scrollWidth") <= width
-    opened.context.close()
+    opened.page.close()
