@@ -167,6 +167,7 @@ def test_a_page_without_its_engine_offers_nothing(page_with_engine, tmp_path):
 @pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size, scheme):
+    trial.live.rest()
     trial.show(*size, scheme=scheme)
     wrong, _ = asked(trial.page, ALL)
     assert wrong == []

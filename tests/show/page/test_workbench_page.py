@@ -58,6 +58,8 @@ class Bench:
         """Wait until what was asked is there, or refused."""
         says = "document.querySelector('.says p[role=status]').textContent"
         until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
+        # what stands still until it is told something is not drawn
+        self.page.evaluate("forficula.wing.panel?.engine.tell({ act: 'pause' })")
 
     def begin_again(self):
         """All as it was opened."""
@@ -66,11 +68,6 @@ class Bench:
         self.page.get_by_label("Find a key").fill("")
         self.page.get_by_role("tab").first.click()
         self.settled()
-        # what hardly moves is hardly drawn
-        self.pace("1/100")
-
-    def pace(self, name):
-        self.page.locator(".trial .choices select").first.select_option(name)
 
     def field(self, key):
         """The field of a key, which is looked for as a reader does."""
@@ -135,7 +132,7 @@ def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(be
     assert design.pattern.hub_radius == pytest.approx(0.018)
     outcome = measure(run(design))
     page = bench.page
-    bench.pace("real time")
+    page.locator(".trial .choices select").first.select_option("real time")
     bench.press("Whole protocol")
     ended = "forficula.wing.panel.frame.ended?.stages.length === 5 && forficula.wing.panel.frame.stageNumber === null"
     until(page, ended, SECONDS)
@@ -149,7 +146,7 @@ def test_a_key_that_is_changed_is_built_by_the_package_and_folds_as_in_python(be
 def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     page = bench.page
     page.get_by_role("button", name="top: view from above").click()
-    bench.pace("1/20")
+    page.locator(".trial .choices select").first.select_option("1/20")
     bench.put("pattern.units", "2")
     assert len(bench.design().tendons) == 5
     assert page.evaluate("forficula.wing.panel.frame.readings[0].length") == 5
@@ -231,7 +228,8 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     bench.press("Stop")
     until(page, "document.querySelector('#view-landscape .note').textContent === 'Stopped.'", SECONDS)
     page.locator("#which-design").select_option("binder2025-joint")
-    until(page, "document.querySelector('h1').textContent === 'binder2025-joint'", SECONDS)
+    bench.settled()
+    assert page.locator("h1").inner_text() == "binder2025-joint"
     bench.press("Survey it")
     until(page, "document.querySelector('#view-landscape iframe') !== null", SECONDS)
     shown = page.frame_locator("#view-landscape iframe")
@@ -239,7 +237,8 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     # what has changed while it is surveyed is not what is shown then
     bench.press("Survey it")
     page.locator("#which-design").select_option("letter-fold")
-    until(page, "document.querySelector('h1').textContent === 'letter-fold'", SECONDS)
+    bench.settled()
+    assert page.locator("h1").inner_text() == "letter-fold"
     until(page, "document.querySelector('#view-landscape button:not([hidden])').disabled === false", SECONDS)
     said = page.locator("#view-landscape .note").first.inner_text()
     assert said == "This is of the design before its last change."
