@@ -167,7 +167,7 @@ def until(page, expression, seconds=20.0):
     end = time.monotonic() + seconds
     while not page.evaluate(expression):
         assert time.monotonic() < end, f"never came: {expression}"
-        page.wait_for_timeout(20)
+        page.wait_for_timeout(50)
 
 
 class Watched:

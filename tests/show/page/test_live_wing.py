@@ -98,6 +98,7 @@ def simulated(recorded):
 
 def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
     verdicts = set()
+    wing.pace(4)
     for shares in TEN_SETTINGS:
         wing.slide(shares)
         assert set(wing.changes) == set(shares)
@@ -108,6 +109,7 @@ def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
         status = measure(record).status
         assert ("opened again" if "and opened" in status else status) in said.lower()
         verdicts.add(wing.ended["verdict"])
+    wing.pace(1)
     assert len(verdicts) > 2
 
 
@@ -140,7 +142,7 @@ def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path, request):
         pytest.skip("memory of Firefox is not looked at: that is make browsers, before a release")
     write_wing(tmp_path / "report.html", {"protocol.stages": [SETTLE, FOLD]})
     wing = LiveWing(show(tmp_path / "report.html", **SMALL).evaluate)
-    wing.evaluate("window.forficula.trial.panel.engine.tell({ act: 'pace', value: 4 })")
+    wing.pace(4)
     held = []
     for count in (20, 80):
         assert wing.evaluate(AGAIN % {"count": count, "name": "Whole protocol"}) == count

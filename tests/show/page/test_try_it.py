@@ -42,9 +42,7 @@ def begin_again(opened, shares=None):
     assert opened.live.do("Start again") == "Settled."
 
 
-def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(
-    watch, context, page_with_engine
-):
+def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, page_with_engine):
     assert page_with_engine[-1].stat().st_size < MOST
     others = len(context.pages)
     opened = watch(page_with_engine[-1])
@@ -97,6 +95,7 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
     """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
+    live.pace(20)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
         lambda: live.press("Let go"),
@@ -164,8 +163,7 @@ def test_a_page_without_its_engine_offers_nothing(page_with_engine, tmp_path):
     assert 'id="try"' not in text
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("size", "scheme"), [((1280, 800), "light"), ((390, 844), "dark")])
 def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size, scheme):
     trial.live.rest()
     trial.show(*size, scheme=scheme)
