@@ -74,8 +74,14 @@ def shown(show, recorded):
 
 
 @pytest.fixture(scope="module")
-def wing(shown):
+def one_wing(shown):
     return LiveWing(shown.evaluate)
+
+
+@pytest.fixture
+def wing(one_wing):
+    yield one_wing
+    one_wing.rest()
 
 
 def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, recorded):
@@ -123,7 +129,7 @@ def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
     assert wing.angles.min() > -5
 
 
-@pytest.mark.usefixtures("wing")
+@pytest.mark.usefixtures("one_wing")
 def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
     assert shown.messages == []
     assert [url for url in shown.requests if not url.startswith(("file:", "data:", "blob:"))] == []

@@ -29,11 +29,17 @@ def diverging_page(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def trial(watch_all, page_with_engine):
+def one_page(watch_all, page_with_engine):
     """The page with its panel open, at its fastest."""
     opened = watch_all(page_with_engine[-1])
     opened.live = LiveWing(opened.page.evaluate)
     return opened
+
+
+@pytest.fixture
+def trial(one_page):
+    yield one_page
+    one_page.live.rest()
 
 
 def begin_again(opened, shares=None):
@@ -95,7 +101,6 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
     """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
-    live.pace(20)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
         lambda: live.press("Let go"),

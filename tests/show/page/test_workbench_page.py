@@ -123,6 +123,7 @@ def bench(opened):
     opened.messages.clear()
     opened.begin_again()
     yield opened
+    opened.built()
     assert opened.messages == []
 
 
