@@ -151,10 +151,17 @@ def pytest_runtest_teardown(nextitem):
             CHROMIUM.end()
 
 
+@pytest.fixture(scope="session")
+def chromium():
+    """Which ends with the tests, too, where they stop at a failure."""
+    yield CHROMIUM
+    CHROMIUM.end()
+
+
 @pytest.fixture(scope="module")
-def context():
+def context(chromium):
     """Of Chromium, for pages from files, with the network cut."""
-    return CHROMIUM.context()
+    return chromium.context()
 
 
 @pytest.fixture(scope="module")
