@@ -1,3 +1,4 @@
-from forficula.workbench.open import open_workbench
+import lazy_loader
 
-__all__ = ["open_workbench"]
+# who works for it need not wait for its server
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -84,11 +84,12 @@ async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None])
         quick, slow = (Desk(worker) for worker in workers)
         bench = Bench(opened=opened, port=own_port, quick=quick, slow=slow, folder=Path(folder))
         server = HTTPServer(application(bench, secret), max_body_size=LARGEST, max_buffer_size=2 * LARGEST)
+        ended = _told_to_end()
         try:
             server.add_socket(listening)
             workers[0].start()
             ready(f"http://{LOOPBACK}:{own_port}/{secret}/")
-            await _told_to_end().wait()
+            await ended.wait()
         finally:
             server.stop()
             for worker in workers:

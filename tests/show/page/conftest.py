@@ -3,13 +3,17 @@
 import os
 import shutil
 import time
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 
 from forficula.analysis import measure
 from forficula.design import load_design
+from forficula.study import run_study
 from forficula.study.runs import run
+from forficula.study.study_file import study_of
 from tests.show.page.goal_results import write_pages_of_goals
 from tests.show.page.page_kinds import write_pages
 
@@ -18,6 +22,8 @@ from tests.show.page.page_kinds import write_pages
 FLAGS = (
     *("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing", "--no-sandbox"),
     "--webgl-antialiasing-mode=none",
+    # pages of one context share a process, which then has compiled their script once
+    "--process-per-site",
 )
 # small, because the processor draws
 DEFAULTS = {"reduced_motion": "reduce", "viewport": {"width": 800, "height": 600}}
@@ -60,6 +66,31 @@ def short_outcome(short_run):
     return measure(short_run)
 
 
+@pytest.fixture(scope="session")
+def searched(tmp_path_factory):
+    """A search of six tendons at a coarse step, of which some fold, one opens again and one sticks; and its table."""
+    study = study_of(
+        {
+            "name": "few",
+            "source": "a test",
+            "design": "binder2025",
+            "ask": "least-torques",
+            "settings": {"protocol.rest_speed": "10 deg/s", "protocol.stages.0.time_limit": "0.1 s"},
+            "factors": {
+                "tendon.stiffness": ["10 N/cm", "30 N/cm", "60 N/cm"],
+                "tendon.rest_length": ["4 cm", "9 cm"],
+            },
+            "search": {
+                "fold_torques": ["20 N cm", "50 N cm"],
+                "fold_with": "500 N cm",
+                "unfold_torques": ["50 N cm", "100 N cm"],
+                "refinements": 0,
+            },
+        }
+    )
+    return study, run_study(study, tmp_path_factory.mktemp("searched"))
+
+
 def missing(what: str) -> None:
     """Skip, or fail where a browser must be there."""
     reason = f"{what}: pages are not tested as a browser shows them"
@@ -68,21 +99,74 @@ def missing(what: str) -> None:
     pytest.skip(reason)
 
 
-@pytest.fixture(scope="module")
-def browser():
-    """Chromium from the system; while it runs, so does an event loop, therefore not for longer than a module."""
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        missing("playwright is missing; install it with: pip install playwright")
-    names = ("chromium", "chromium-browser", "google-chrome")
-    found = os.environ.get("FORFICULA_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
-    if not found:
-        missing("Chromium is missing; install it, as with: apt-get install chromium, or name it in FORFICULA_CHROMIUM")
-    with sync_playwright() as playwright:
+class Chromium:
+    """Chromium from the system, started once for all tests of this folder that follow each other.
+
+    While it runs, so does an event loop, therefore not beyond them.
+    """
+
+    def __init__(self):
+        self._running = ExitStack()
+        self._context = None
+
+    def context(self):
+        """For pages from files, with the network cut; one that stays open keeps the process that all of them share."""
+        if self._context is None:
+            self._context = self._start().new_context(offline=True, **DEFAULTS)
+            blank = Path(self._running.enter_context(TemporaryDirectory())) / "blank.html"
+            blank.write_text("<!doctype html><title>blank</title>", "utf-8")
+            self._context.new_page().goto(blank.as_uri())
+        return self._context
+
+    def _start(self):
+        try:
+            from playwright.sync_api import sync_playwright
+        except ImportError:
+            missing("playwright is missing; install it with: pip install playwright")
+        names = ("chromium", "chromium-browser", "google-chrome")
+        found = os.environ.get("FORFICULA_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+        if not found:
+            hint = "install it, as with: apt-get install chromium, or name it in FORFICULA_CHROMIUM"
+            missing(f"Chromium is missing; {hint}")
+        playwright = self._running.enter_context(sync_playwright())
         browser = playwright.chromium.launch(executable_path=found, args=FLAGS)
-        yield browser
-        browser.close()
+        self._running.callback(browser.close)
+        return browser
+
+    def end(self):
+        self._context = None
+        self._running.close()
+
+
+CHROMIUM = Chromium()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown(nextitem):
+    """End the browser where the next test is in another folder."""
+    try:
+        return (yield)
+    finally:
+        if nextitem is None or not nextitem.path.is_relative_to(Path(__file__).parent):
+            CHROMIUM.end()
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """Which ends with the tests, too, where they stop at a failure."""
+    yield CHROMIUM
+    CHROMIUM.end()
+
+
+@pytest.fixture(scope="module")
+def context(chromium):
+    """Of Chromium, for pages from files, with the network cut."""
+    return chromium.context()
+
+
+@pytest.fixture(scope="module")
+def browser(context):
+    return context.browser
 
 
 def until(page, expression, seconds=20.0):
@@ -90,21 +174,28 @@ def until(page, expression, seconds=20.0):
     end = time.monotonic() + seconds
     while not page.evaluate(expression):
         assert time.monotonic() < end, f"never came: {expression}"
-        page.wait_for_timeout(20)
+        page.wait_for_timeout(50)
 
 
 class Watched:
-    """A page in the browser, and what it should not do: write to the console, ask for anything."""
+    """A page in the browser, and what it should not do: write to the console, ask for anything.
 
-    def __init__(self, browser, path, **options):
-        self.context = browser.new_context(offline=True, **DEFAULTS | options)
-        self.page = self.context.new_page()
+    pixels: of the screen for one of the page, in one direction.
+    """
+
+    def __init__(self, context, path, viewport=DEFAULTS["viewport"], reduced_motion="reduce", pixels=1):
+        self.page = context.new_page()
         self.evaluate = self.page.evaluate
         self.messages: list[str] = []
         self.requests: list[str] = []
         self.page.on("console", self.hear)
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
         self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.set_viewport_size(viewport)
+        self.page.emulate_media(reduced_motion=reduced_motion)
+        if pixels != 1:
+            screen = viewport | {"deviceScaleFactor": pixels, "mobile": False}
+            context.new_cdp_session(self.page).send("Emulation.setDeviceMetricsOverride", screen)
         self.page.goto(path.as_uri())
         until(self.page, "window.forficula !== undefined || document.getElementById('data') === null")
         self.settle()
@@ -127,29 +218,29 @@ class Watched:
 
 
 @contextmanager
-def watching(browser):
+def watching(context):
     opened = []
 
     def watch(path, **options):
-        opened.append(Watched(browser, path, **options))
+        opened.append(Watched(context, path, **options))
         return opened[-1]
 
     yield watch
     for each in opened:
-        each.context.close()
+        each.page.close()
 
 
 @pytest.fixture
-def watch(browser):
+def watch(context):
     """Open pages from files with the network cut; still, unless motion is asked for."""
-    with watching(browser) as watch:
+    with watching(context) as watch:
         yield watch
 
 
 @pytest.fixture(scope="module")
-def watch_all(browser):
+def watch_all(context):
     """As `watch`, for a page that all tests of a module share."""
-    with watching(browser) as watch:
+    with watching(context) as watch:
         yield watch
 
 

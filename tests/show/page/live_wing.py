@@ -12,6 +12,7 @@ from forficula.show.page import write_run_page
 from forficula.show.page.live_data import shown_measures
 from forficula.study.runs import run
 
+SMALL = {"width": 200, "height": 200}  # pixels of a window, which are soon drawn
 SECONDS = 60  # for what takes a few, on a machine that is busy
 _RELEASE = {"drive": "none", "until": "rest", "hold": "10 ms", "time_limit": "0.1 s"}
 # the reference in half a second, at its own step: at twice that, what is opened while it swings may diverge
@@ -58,7 +59,7 @@ class LiveWing:
         end = time.monotonic() + SECONDS
         while not self.evaluate(expression):
             assert time.monotonic() < end, f"never came: {expression}"
-            time.sleep(0.02)
+            time.sleep(0.05)
 
     def press(self, name):
         self.evaluate(f"{_BUTTON.format(json.dumps(name))}.click()")
@@ -68,6 +69,14 @@ class LiveWing:
         self.press(name)
         self.until(f"{_SAID} !== ''")
         return self.evaluate(_SAID)
+
+    def pace(self, value):
+        """So many times as fast as real time, which no choice of the page has above 1: less is drawn on the way."""
+        self.evaluate(f"window.forficula.trial.panel.engine.tell({{ act: 'pace', value: {value} }})")
+
+    def rest(self):
+        """Stand still until it is told something, so that nothing is drawn meanwhile."""
+        self.evaluate("window.forficula.trial.panel.engine.tell({ act: 'pause' })")
 
     def slide(self, shares=None):
         """Put sliders to shares of their ranges, by key, and the others back to where the run has them."""

@@ -21,9 +21,7 @@ from forficula.show.page.page import built
 from forficula.show.page.shape_mesh import shape_mesh
 from forficula.show.page.study_live import study_live
 from forficula.structure import structure_of
-from forficula.study import run_study
 from forficula.study.runs import run
-from forficula.study.study_file import study_of
 from tests.plate_sheets import miura, plates, vertex
 from tests.show.page.live_wing import check_as_recorded
 
@@ -227,33 +225,9 @@ def test_text_alone_would_fold_otherwise_for_older_engines_stretch_membranes_oth
     assert found["transitions"][0]["took"]["time_s"] == pytest.approx(0.0814, abs=5e-4)
 
 
-def short_search():
-    """Six tendons at a coarse step: some fold, one opens again, one sticks."""
-    return study_of(
-        {
-            "name": "few",
-            "source": "a test",
-            "design": "binder2025",
-            "ask": "least-torques",
-            "settings": {"protocol.rest_speed": "10 deg/s", "protocol.stages.0.time_limit": "0.1 s"},
-            "factors": {
-                "tendon.stiffness": ["10 N/cm", "30 N/cm", "60 N/cm"],
-                "tendon.rest_length": ["4 cm", "9 cm"],
-            },
-            "search": {
-                "fold_torques": ["20 N cm", "50 N cm"],
-                "fold_with": "500 N cm",
-                "unfold_torques": ["50 N cm", "100 N cm"],
-                "refinements": 0,
-            },
-        }
-    )
-
-
-def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_in_page, monkeypatch, tmp_path):
+def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_in_page, monkeypatch, searched):
     """Of the search of the paper's table, with fewer torques: what is least, and what became of it, in its words."""
-    study = short_search()
-    table = run_study(study, tmp_path)
+    study, table = searched
     live = study_live(study)
     assert "refused" not in live
     monkeypatch.setitem(globals(), "live_of", lambda _: live)

@@ -13,7 +13,7 @@ KEPT = "forficula.panel.playing?.run.point"
 
 @pytest.fixture(scope="module")
 def pages_of_goals(watch_all, goals):
-    return {kind: watch_all(path, accept_downloads=True) for kind, (_, path) in goals.items()}
+    return {kind: watch_all(path) for kind, (_, path) in goals.items()}
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 """A wing that is moved in its page, from a file with the network cut, in Chromium and in Firefox."""
 
+import functools
 import os
 
 import numpy as np
@@ -11,9 +12,8 @@ from forficula.design import with_values
 from forficula.study.runs import run
 from tests.show.page.conftest import watching
 from tests.show.page.firefox import INSTALL, firefox_path, running
-from tests.show.page.live_wing import HALF_SECOND, LiveWing, check_as_recorded, write_wing
+from tests.show.page.live_wing import HALF_SECOND, SMALL, LiveWing, check_as_recorded, write_wing
 
-SMALL = (200, 200)  # pixels, which are soon drawn
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
 FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"}
 LEAK = 40e6  # bytes: half a megabyte a fold; what a collector of garbage has not taken yet comes to 25e6
@@ -47,7 +47,7 @@ TEN_SETTINGS = (
 def show(request, tmp_path_factory):
     """Open a page in a window: what evaluates expressions in it, with the messages and requests of its browser."""
     if request.param == "Chromium":
-        with watching(request.getfixturevalue("browser")) as watch:
+        with watching(request.getfixturevalue("context")) as watch:
             yield lambda path, width, height: watch(path, viewport={"width": width, "height": height})
         return
     program = firefox_path()
@@ -74,8 +74,14 @@ def shown(show, recorded):
 
 
 @pytest.fixture(scope="module")
-def wing(shown):
+def one_wing(shown):
     return LiveWing(shown.evaluate)
+
+
+@pytest.fixture
+def wing(one_wing):
+    yield one_wing
+    one_wing.rest()
 
 
 def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, recorded):
@@ -90,17 +96,26 @@ def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, 
     assert wing.angles == pytest.approx(opened, abs=0.5)
 
 
-def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, recorded):
+@pytest.fixture(scope="module")
+def simulated(recorded):
+    """The package's record of a setting, which is the same whichever browser shows it."""
+    return functools.cache(lambda changes: run(with_values(recorded[0].design, dict(changes))))
+
+
+def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
     verdicts = set()
+    wing.pace(4)
     for shares in TEN_SETTINGS:
         wing.slide(shares)
         assert set(wing.changes) == set(shares)
+        wing.rest()
+        record = simulated(tuple(sorted(wing.changes.items())))
         said = wing.do("Whole protocol")
-        record = run(with_values(recorded[0].design, wing.changes))
         check_as_recorded(wing.ended, record)
         status = measure(record).status
         assert ("opened again" if "and opened" in status else status) in said.lower()
         verdicts.add(wing.ended["verdict"])
+    wing.pace(1)
     assert len(verdicts) > 2
 
 
@@ -114,7 +129,7 @@ def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
     assert wing.angles.min() > -5
 
 
-@pytest.mark.usefixtures("wing")
+@pytest.mark.usefixtures("one_wing")
 def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
     assert shown.messages == []
     assert [url for url in shown.requests if not url.startswith(("file:", "data:", "blob:"))] == []
@@ -123,7 +138,7 @@ def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
 def test_what_the_engine_would_move_otherwise_is_told_with_the_reason(show, tmp_path):
     keys = {"protocol.stages": [SETTLE], "protocol.timestep": "0.2 ms"}
     write_wing(tmp_path / "report.html", keys, "binder2025-built")
-    page = show(tmp_path / "report.html", *SMALL)
+    page = show(tmp_path / "report.html", **SMALL)
     assert page.evaluate("document.querySelector('button.try').disabled")
     assert "it moves in air or water" in page.evaluate("document.querySelector('#try').textContent")
 
@@ -132,7 +147,8 @@ def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path, request):
     if request.node.callspec.params["show"] == "Firefox" and os.environ.get("FORFICULA_EVERY_BROWSER") != "1":
         pytest.skip("memory of Firefox is not looked at: that is make browsers, before a release")
     write_wing(tmp_path / "report.html", {"protocol.stages": [SETTLE, FOLD]})
-    wing = LiveWing(show(tmp_path / "report.html", *SMALL).evaluate)
+    wing = LiveWing(show(tmp_path / "report.html", **SMALL).evaluate)
+    wing.pace(4)
     held = []
     for count in (20, 80):
         assert wing.evaluate(AGAIN % {"count": count, "name": "Whole protocol"}) == count

@@ -447,25 +447,23 @@ def test_what_is_said_aloud_is_not_said_in_every_frame(opened):
     assert [each.get_attribute("class") for each in live.all()] == ["spoken"]
 
 
-def test_where_the_script_fails_the_page_says_so_and_keeps_its_numbers(browser, report):
-    context = browser.new_context(offline=True)
-    context.add_init_script("delete window.ResizeObserver; delete Array.prototype.findLast;")
+def test_where_the_script_fails_the_page_says_so_and_keeps_its_numbers(context, report):
     page = context.new_page()
+    page.add_init_script("delete window.ResizeObserver; delete Array.prototype.findLast;")
     page.goto(report.as_uri())
     assert "cannot be shown in this browser" in page.get_by_role("alert").inner_text()
     assert page.locator("#outcome table").count() == 3
-    context.close()
+    page.close()
 
 
-def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(browser, report):
-    context = browser.new_context(offline=True)
-    context.add_init_script(
+def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(context, report):
+    page = context.new_page()
+    page.add_init_script(
         """const get = HTMLCanvasElement.prototype.getContext;
         HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
           return kind.startsWith("webgl") ? null : get.call(this, kind, ...rest);
         };"""
     )
-    page = context.new_page()
     messages = []
     page.on("console", lambda message: messages.append(message.text))
     page.on("pageerror", lambda error: messages.append(str(error)))
@@ -474,7 +472,7 @@ def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(browser, report):
     page.get_by_role("button", name="b folded").click()
     until(page, "document.querySelector('#readout td').textContent.startsWith('\\u2212')")
     assert messages == []
-    context.close()
+    page.close()
 
 
 def test_the_work_for_a_frame_leaves_most_of_it_to_the_graphics_chip(opened):

@@ -4,24 +4,22 @@ import numpy as np
 import pytest
 
 from forficula.show.page.study_page import write_study_page
-from forficula.study import run_study
 from tests.show.page.conftest import until
-from tests.show.page.test_engine import short_search
 
 SECONDS = 90
 SAID = "(document.querySelector('.answer .outcome')?.textContent ?? '')"
 
 
 @pytest.fixture(scope="module")
-def table(tmp_path_factory):
-    return run_study(short_search(), tmp_path_factory.mktemp("rows"))
+def table(searched):
+    return searched[1]
 
 
 @pytest.fixture(scope="module")
-def answering(watch_all, table, tmp_path_factory):
+def answering(watch_all, searched, tmp_path_factory):
     """The page of a small study that kept no run at all."""
     path = tmp_path_factory.mktemp("study") / "report.html"
-    write_study_page(short_search(), table, path, [], 0)
+    write_study_page(*searched, path, [], 0)
     assert path.stat().st_size < 5e6
     return watch_all(path)
 

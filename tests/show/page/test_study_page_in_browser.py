@@ -47,7 +47,7 @@ def small(tmp_path_factory, write_study_file):
 
 @pytest.fixture(scope="module")
 def one_page(watch_all, small):
-    return watch_all(small.path, accept_downloads=True)
+    return watch_all(small.path)
 
 
 @pytest.fixture
@@ -354,10 +354,11 @@ def test_a_run_that_is_left_gives_back_its_graphics_memory(opened, small):
 
 @pytest.mark.parametrize(("width", "height"), [(360, 740), (640, 400)], ids=["a phone", "a laptop at 200 %"])
 def test_nothing_is_wider_than_the_window_of(watch, small, width, height):
-    page = watch(small.path, viewport={"width": width, "height": height}, device_scale_factor=2).page
+    page = watch(small.path, viewport={"width": width, "height": height}, pixels=2).page
     choose(page, "show", "work of folding")
     cell(page, 2).click()
     assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert page.evaluate("devicePixelRatio") == 2
     # on one column, a press leads to the numbers and the playback below the map
     assert -1 <= page.locator("#point").bounding_box()["y"] < height  # half a pixel is lost in rounding
     # and the map stays above them

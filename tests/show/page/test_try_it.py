@@ -7,7 +7,7 @@ import pytest
 
 from forficula.design import design_from_text, with_values
 from forficula.show.page import write_run_page
-from tests.show.page.live_wing import HALF_SECOND, LiveWing, write_wing
+from tests.show.page.live_wing import HALF_SECOND, SMALL, LiveWing, write_wing
 from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
@@ -29,11 +29,17 @@ def diverging_page(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def trial(watch_all, page_with_engine):
+def one_page(watch_all, page_with_engine):
     """The page with its panel open, at its fastest."""
     opened = watch_all(page_with_engine[-1])
     opened.live = LiveWing(opened.page.evaluate)
     return opened
+
+
+@pytest.fixture
+def trial(one_page):
+    yield one_page
+    one_page.live.rest()
 
 
 def begin_again(opened, shares=None):
@@ -42,12 +48,13 @@ def begin_again(opened, shares=None):
     assert opened.live.do("Start again") == "Settled."
 
 
-def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, page_with_engine):
+def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, page_with_engine):
     assert page_with_engine[-1].stat().st_size < MOST
+    others = len(context.pages)
     opened = watch(page_with_engine[-1])
     assert opened.page.get_by_role("button", name="Try it").is_enabled()
     assert opened.page.evaluate("forficula.trial.panel") is None
-    assert len(opened.page.context.pages) == 1
+    assert len(context.pages) == others + 1
     assert opened.page.workers == []
 
 
@@ -92,7 +99,7 @@ def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its
 
 def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page):
     """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
-    opened = watch(diverging_page)
+    opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
@@ -161,9 +168,9 @@ def test_a_page_without_its_engine_offers_nothing(page_with_engine, tmp_path):
     assert 'id="try"' not in text
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("size", "scheme"), [((1280, 800), "light"), ((390, 844), "dark")])
 def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size, scheme):
+    trial.live.rest()
     trial.show(*size, scheme=scheme)
     wrong, _ = asked(trial.page, ALL)
     assert wrong == []

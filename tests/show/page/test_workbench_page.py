@@ -11,7 +11,7 @@ from forficula.design import design_from_text
 from forficula.study.runs import run
 from tests.show.page.conftest import DEFAULTS, until
 from tests.show.page.keyboard import walk
-from tests.show.page.test_accessible_pages import ALL, CONTRAST, WIDTH, asked
+from tests.show.page.test_accessible_pages import ALL, DARK_PHONE, asked
 from tests.workbench.serving import SECONDS, serving
 from tests.workbench.test_server import SQUARE
 
@@ -44,9 +44,9 @@ def address(tmp_path_factory):
 class Bench:
     """The page, with what it writes to the console."""
 
-    def __init__(self, browser, address, **options):
-        self.context = browser.new_context(**DEFAULTS | options)
-        self.page = self.context.new_page()
+    def __init__(self, context, address, viewport=DEFAULTS["viewport"]):
+        self.page = context.new_page()
+        self.page.set_viewport_size(viewport)
         self.messages = []
         self.page.on("console", lambda said: "GPU stall" in said.text or self.messages.append(said.text))
         self.page.on("pageerror", lambda error: self.messages.append(str(error)))
@@ -58,6 +58,8 @@ class Bench:
         """Wait until what was asked is there, or refused."""
         says = "document.querySelector('.says p[role=status]').textContent"
         until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
+        # what stands still until it is told something is not drawn
+        self.page.evaluate("forficula.wing.panel?.engine.tell({ act: 'pause' })")
 
     def begin_again(self):
         """All as it was opened."""
@@ -103,10 +105,16 @@ class Bench:
 
 
 @pytest.fixture(scope="module")
-def opened(browser, address):
-    opened = Bench(browser, address)
-    yield opened
-    opened.context.close()
+def connected(browser):
+    """Pages that reach the workbench."""
+    context = browser.new_context(**DEFAULTS)
+    yield context
+    context.close()
+
+
+@pytest.fixture(scope="module")
+def opened(connected, address):
+    return Bench(connected, address)
 
 
 @pytest.fixture
@@ -115,6 +123,7 @@ def bench(opened):
     opened.messages.clear()
     opened.begin_again()
     yield opened
+    opened.built()
     assert opened.messages == []
 
 
@@ -220,16 +229,16 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     bench.press("Stop")
     until(page, "document.querySelector('#view-landscape .note').textContent === 'Stopped.'", SECONDS)
     page.locator("#which-design").select_option("binder2025-joint")
-    until(page, "document.querySelector('h1').textContent === 'binder2025-joint'", SECONDS)
+    bench.settled()
+    assert page.locator("h1").inner_text() == "binder2025-joint"
     bench.press("Survey it")
-    until(page, "document.querySelector('#view-landscape iframe') !== null", SECONDS)
+    # what has changed while it is surveyed is not what is shown then
+    page.locator("#which-design").select_option("letter-fold")
+    bench.settled()
+    assert page.locator("h1").inner_text() == "letter-fold"
+    until(page, "document.querySelector('#view-landscape button:not([hidden])').disabled === false", SECONDS)
     shown = page.frame_locator("#view-landscape iframe")
     shown.get_by_role("heading", name="binder2025-joint").wait_for()
-    # what has changed while it is surveyed is not what is shown then
-    bench.press("Survey it")
-    page.locator("#which-design").select_option("letter-fold")
-    until(page, "document.querySelector('h1').textContent === 'letter-fold'", SECONDS)
-    until(page, "document.querySelector('#view-landscape button:not([hidden])').disabled === false", SECONDS)
     said = page.locator("#view-landscape .note").first.inner_text()
     assert said == "This is of the design before its last change."
 
@@ -303,29 +312,26 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
     assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
 
 
-@pytest.mark.parametrize(("key", "width"), [("Tab", 1280), ("Shift+Tab", 390)])
-def test_the_keyboard_reaches_every_field_and_shows_where_it_is(browser, address, key, width):
+@pytest.mark.parametrize(
+    ("width", "key", "scheme", "rules"), [(1280, "Tab", "light", ALL), (390, "Shift+Tab", "dark", DARK_PHONE)]
+)
+def test_the_keyboard_reaches_every_field_and_it_is_for_readers_of_every_kind(
+    connected, address, width, key, scheme, rules
+):
     # of its own: keys go on from where a page was last pressed
-    opened = Bench(browser, address, viewport={"width": width, "height": 844})
+    opened = Bench(connected, address, viewport={"width": width, "height": 844})
+    page = opened.page
     stops = walk(opened, key)
     assert [stop["what"] for stop in stops if not (stop["ringed"] and stop["clear"])] == []
-    fields = opened.page.locator("[data-key]:visible").count()
+    fields = page.locator("[data-key]:visible").count()
     assert fields > 10
     assert sum('id="key-' in stop["what"] for stop in stops) == fields
-    opened.context.close()
-
-
-@pytest.mark.parametrize(("width", "schemes"), [(1280, {"light": ALL, "dark": CONTRAST}), (390, {"light": WIDTH})])
-def test_it_is_for_readers_of_every_kind(browser, address, width, schemes):
-    opened = Bench(browser, address, viewport={"width": width, "height": 844})
-    page = opened.page
     opened.put("pattern.hub_radius", "-3 cm")
+    page.emulate_media(color_scheme=scheme)
     for tab in ("Wing", "Pattern", "Landscape", "File"):
         page.get_by_role("tab", name=tab, exact=True).click()
-        for scheme, rules in schemes.items():
-            page.emulate_media(color_scheme=scheme)
-            page.wait_for_timeout(300)
-            violations, _ = asked(page, rules)
-            assert violations == [], (tab, scheme)
+        page.wait_for_timeout(300)
+        violations, _ = asked(page, rules)
+        assert violations == [], tab
         assert page.evaluate("document.documentElement.scrollWidth") <= width
-    opened.context.close()
+    page.close()

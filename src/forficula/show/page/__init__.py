@@ -1,4 +1,4 @@
-from forficula.show.page.compare_page import compare_runs
-from forficula.show.page.run_page import write_run_page
+import lazy_loader
 
-__all__ = ["compare_runs", "write_run_page"]
+# a page that shows no run need not wait for what reads one
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,1 @@
+from .open import open_workbench as open_workbench
