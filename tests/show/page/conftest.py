@@ -213,7 +213,8 @@ class Watched:
             self.messages.append(message.text)
 
     def settle(self):
-        """Wait until what has changed is drawn."""
+        """Wait until what has changed is drawn, before all other pages: those behind are drawn once a second."""
+        self.page.bring_to_front()
         self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 

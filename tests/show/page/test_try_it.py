@@ -38,6 +38,7 @@ def one_page(watch_all, page_with_engine):
 
 @pytest.fixture
 def trial(one_page):
+    one_page.settle()
     yield one_page
     one_page.live.rest()
 

@@ -62,7 +62,8 @@ class Bench:
         self.page.evaluate("forficula.wing.panel?.engine.tell({ act: 'pause' })")
 
     def begin_again(self):
-        """All as it was opened."""
+        """All as it was opened, before other pages."""
+        self.page.bring_to_front()
         self.page.set_viewport_size(DEFAULTS["viewport"])
         self.page.evaluate("(keys) => forficula.open({ design: '', files: [], unit: '' }, keys)", SETTINGS)
         self.page.get_by_label("Find a key").fill("")
