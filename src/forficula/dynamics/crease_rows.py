@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 
 from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.model import Model
+from forficula.structure.flaps import cross, dot
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17
-# coordinates, so that the first three of four are those after each, and the last three those before
-_AROUND = np.array([1, 2, 0, 1])
 _DIAGONAL = np.arange(4)
 
 
@@ -64,14 +63,14 @@ class CreaseRows:
         own, senses = self.moments, self.moments.senses
         (edge, away), (edge_moves, moves) = self._sides(positions, velocities)
         # of the left and the right flap, whose normals are up in a flat sheet
-        normals = _cross(edge[:, None], away)
+        normals = cross(edge[:, None], away)
         # the right flap runs the other way along the edge
         np.negative(normals[:, 1], out=normals[:, 1])
-        square, area = _dot(edge, edge), _dot(normals, normals)
-        length, share = np.sqrt(square), _dot(away, edge[:, None]) / square
-        volume = _dot(away[:, 1], normals[:, 0])
-        angles = without_jump(senses * np.arctan2(length * volume, _dot(normals[:, 0], normals[:, 1])), near)
-        turned = _dot(normals, moves - share * edge_moves[:, None]) / area
+        square, area = dot(edge, edge), dot(normals, normals)
+        length, share = np.sqrt(square), dot(away, edge[:, None]) / square
+        volume = dot(away[:, 1], normals[:, 0])
+        angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
+        turned = dot(normals, moves - share * edge_moves[:, None]) / area
         turning = length * (turned[0] + turned[1])
         moment, slope = own.at(angles, turning, efforts)
         # of the angle between the flaps, whose sense the row has
@@ -91,13 +90,13 @@ class CreaseRows:
         # sides take that back, so that the force is that of the moment
         pull = cosine * (weights[1] * edge + weights[2] * away[:, 0] + weights[3] * away[:, 1])
         wrong = weights[2:] * pull[:, None] + last * normals[:, ::-1] - moment * length / area * normals
-        along, off = _dot(wrong, edge[:, None]), _dot(wrong, away)
-        across, far = share * square, _dot(away, away)
+        along, off = dot(wrong, edge[:, None]), dot(wrong, away)
+        across, far = share * square, dot(away, away)
         densities = np.zeros((4, 4, *angles.shape))
         densities[2:, 1] = at_head = (along * far - off * across) / area
         densities[2:, 0] = at_tail = (along * across - off * square) / area - at_head
         by_side = at_tail * share
-        densities[1, 0] = (weights[0] * _dot(pull, edge) - last * volume) / square - (by_side[0] + by_side[1])
+        densities[1, 0] = (weights[0] * dot(pull, edge) - last * volume) / square - (by_side[0] + by_side[1])
         densities += np.swapaxes(densities, 0, 1)
         form = cosine * weights[:, None] * weights[None] - densities
         form[_DIAGONAL, _DIAGONAL] += densities.sum(axis=0)
@@ -119,18 +118,6 @@ class CreaseRows:
         sides = (nodes[:, :, 1:] - nodes[:, :, :1]).transpose(0, 3, 2, 1, 4)
         at, moves = sides[0], sides[1]
         return (at[:, 0], at[:, 1:]), (moves[:, 0], moves[:, 1:])
-
-
-def _dot(one: Array, other: Array) -> Array:
-    """As `dot`, with fewer calls of numpy, which is faster for few; of arrays with as many dimensions."""
-    products = one * other
-    return np.asarray(products[0] + products[1] + products[2])
-
-
-def _cross(one: Array, other: Array) -> Array:
-    """As `cross`, alike."""
-    one, other = one[_AROUND], other[_AROUND]
-    return np.asarray(one[:3] * other[1:] - one[1:] * other[:3])
 
 
 def crease_rows(models: Sequence[Model]) -> CreaseRows | None:

@@ -11,6 +11,8 @@ from forficula.structure.tree import built_points
 
 # of a crease's stiffness, or of the stiffest if it has none: its stops
 _STOP = 100.0
+# coordinates, so that the first three of four are those after each, and the last three those before
+_AROUND = np.array([1, 2, 0, 1])
 
 
 def crease_numbers(structure: Structure) -> Indices:
@@ -42,14 +44,15 @@ def flap_angles(corners: Array) -> Array:
 
 
 def dot(one: Array, other: Array) -> Array:
-    """Products of vectors, coordinates first, (3, ...)."""
-    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
+    """Products of vectors, coordinates first, (3, ...), with as many dimensions."""
+    products = one * other
+    return np.asarray(products[0] + products[1] + products[2])
 
 
 def cross(one: Array, other: Array) -> Array:
-    """Vectors square to others, coordinates first, (3, ...); several times as fast as `np.cross`."""
-    (x, y, z), (u, v, w) = one, other
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u])
+    """Vectors square to others, coordinates first, (3, ...), with as many dimensions; much faster than `np.cross`."""
+    one, other = one[_AROUND], other[_AROUND]
+    return np.asarray(one[:3] * other[1:] - one[1:] * other[:3])
 
 
 def built_creases(structure: Structure) -> Array:

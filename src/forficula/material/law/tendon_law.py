@@ -63,27 +63,31 @@ class ElasticLaw:
 
     def force(self, length: ArrayLike) -> Array:
         """Pull at a length, N, in the shape of `length` (m)."""
-        x = self._extension(length)
-        return np.asarray(x * (self.linear + x * (self.quadratic + x * self.cubic)))
+        return np.asarray(self._force_at(self._extension(length)))
 
     def energy(self, length: ArrayLike) -> Array:
         """Energy stored at a length, the integral of the force, J, in the shape of `length` (m)."""
-        x = self._extension(length)
-        return np.asarray(x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4)))
+        return np.asarray(self._energy_at(self._extension(length)))
 
     def stiffness(self, length: ArrayLike) -> Array:
         """Slope of the force, N/m, in the shape of `length` (m); at the resting length itself that of the taut side."""
-        x = self._extension(length)
-        slope = self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
-        return np.where(np.asarray(length) < self.rest_length, 0.0, slope)
+        return np.where(np.asarray(length) < self.rest_length, 0.0, self._slope_at(self._extension(length)))
 
     def expansion(self, length: Array) -> tuple[Array, Array, Array]:
         """Energy, pull and slope of the force at once, in the shape of `length` (m)."""
         x = self._extension(length)
-        force = x * (self.linear + x * (self.quadratic + x * self.cubic))
-        energy = x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4))
-        slope = self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
-        return energy, force, np.where(length < self.rest_length, 0.0, slope)
+        slope = np.where(length < self.rest_length, 0.0, self._slope_at(x))
+        return self._energy_at(x), self._force_at(x), slope
+
+    def _energy_at(self, x: Array) -> Array:
+        """Of an extension, J."""
+        return x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4))
+
+    def _force_at(self, x: Array) -> Array:
+        return x * (self.linear + x * (self.quadratic + x * self.cubic))
+
+    def _slope_at(self, x: Array) -> Array:
+        return self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
 
     def released(self, length: ArrayLike, shortening: ArrayLike) -> Array:
         """Energy given back when the tendon shortens.
