@@ -14,6 +14,7 @@ from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
 from forficula.design.provenance import WORDS
+from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import folder_name
@@ -42,6 +43,7 @@ class Design(Displayed, Part):
         str | None, Field(description="the paper that its figures are set beside", examples=["binder2025"])
     ] = None
     medium: Annotated[MediumSection | None, Field(description="what it moves in; without it, empty space")] = None
+    stops: Annotated[StopSection, Field(description="how stops of hinges and guard tendons give way")] = StopSection()
     make: Annotated[
         MakeSection | None, Field(description="how its parts are made; without it, by the defaults of each key")
     ] = None

@@ -168,6 +168,17 @@ class ContactSection(Part):
         float,
         Field(strict=True, ge=0, le=10, description="Coulomb's coefficient of panels and bars; 0: they slide freely"),
     ] = 0.0
+    time_constant: float = quantity(
+        SHORT_TIME,
+        "time constant of a contact, as stops.time_constant of a stop: panels that meet at a speed v cross by up to"
+        " 0.37 v T",
+        default=4e-4,
+        above=0,
+        examples=["0.4 ms"],
+    )
+    damping_ratio: Annotated[
+        float, Field(strict=True, gt=0, le=1, description="share of critical damping of a contact")
+    ] = 1.0
 
 
 class GuardSection(Part):

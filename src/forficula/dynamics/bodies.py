@@ -8,9 +8,10 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 
-from forficula.dynamics.contact import BARS, set_contact, stop_reference
+from forficula.dynamics.contact import BARS, set_contact
 from forficula.dynamics.folds import slide_name
-from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Structure, mass_of
+from forficula.dynamics.stops import STOP_IMPEDANCE, stop_reference
+from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Stops, Structure, mass_of
 
 # of a bar, but for rounding
 _WHOLE = 1 - 1e-6
@@ -18,13 +19,12 @@ _WHOLE = 1 - 1e-6
 GROUND_SITE = "ground"
 
 
-def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the bodies of a structure in a model's units, with hinges and motors.
 
     Args:
         spec: what they are added to.
         structure: in the model's units.
-        timestep: alike.
     """
     bodies: list[mujoco.MjsBody] = []
     for body in structure.bodies:
@@ -42,7 +42,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
         # what a body carries is not to be seen in its shape
         _add_mass(bodies[number], number, structure)
     for bar in structure.bars:
-        _add_bar(bodies[bar.body], bar, structure, timestep)
+        _add_bar(bodies[bar.body], bar, structure)
     for plate in structure.plates:
         _add_plate(spec, bodies[plate.body], plate, structure)
     for number in engine_sites(structure):
@@ -53,7 +53,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
     for number, hinge in enumerate(structure.hinges):
         if hinge.flaps:
             continue
-        _add_hinge(bodies[hinge.body], hinge, timestep)
+        _add_hinge(bodies[hinge.body], hinge, structure.stops)
         if number in driven:
             _add_motor(spec, hinge, driven[number].no_load_speed)
     if structure.plates and any(motor.points for motor in structure.motors):
@@ -82,7 +82,7 @@ def _add_node(added: mujoco.MjsBody, body: Body) -> None:
         added.add_joint(name=slide_name(body.name, axis), type=mujoco.mjtJoint.mjJNT_SLIDE, axis=np.eye(3)[axis])
 
 
-def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: float) -> None:
+def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure) -> None:
     """Add a cylinder for the mass and, where bars touch, a capsule without mass, whose contacts are closed forms."""
     size = [bar.diameter / 2, 0, 0]
     body.add_geom(
@@ -99,7 +99,7 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure, timestep: flo
         place = [*share * bar.end, *bar.end]
         capsule = body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, density=0, size=size, fromto=place)
         capsule.contype = capsule.conaffinity = BARS
-        set_contact(capsule, bar.diameter, structure.contact, timestep)
+        set_contact(capsule, bar.diameter, structure.contact)
 
 
 def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structure: Structure) -> None:
@@ -122,7 +122,7 @@ def _add_mass(body: mujoco.MjsBody, number: int, structure: Structure) -> None:
     body.fullinertia = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
 
 
-def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
+def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
     limited = math.isfinite(hinge.lower) or math.isfinite(hinge.upper)
     low, high = hinge.lower, hinge.upper
     joint = body.add_joint(
@@ -134,7 +134,8 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, timestep: float) -> None:
         limited=limited,
         ref=hinge.sense * hinge.built,
         range=[0, 0] if not limited else [low, high] if hinge.sense > 0 else [-high, -low],
-        solref_limit=stop_reference(timestep),
+        solref_limit=stop_reference(stops),
+        solimp_limit=STOP_IMPEDANCE,
     )
     if hinge.stiffness:
         joint.stiffness = [hinge.stiffness, 0, 0]

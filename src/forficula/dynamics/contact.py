@@ -22,21 +22,16 @@ _SOFT_SHARE = 0.02
 _ROUNDING = 1e-3
 
 
-def stop_reference(timestep: float) -> list[float]:
-    """Time constant and damping ratio of stops: as stiff as the timestep allows without rebound."""
-    return [2 * timestep, 1.0]
-
-
-def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact, timestep: float) -> None:
-    """Make a shape as hard as the timestep allows; a contact softens over 2 % of a thickness."""
+def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact) -> None:
+    """Set the compliance of a shape's contacts; a contact softens over 2 % of a thickness."""
     shape.condim = 3 if contact.friction else 1
     # nothing rolls or spins against friction: condim leaves those out
     shape.friction = [contact.friction, 0, 0]
-    shape.solref[:2] = stop_reference(timestep)
+    shape.solref[:2] = [contact.stops.time_constant, contact.stops.damping_ratio]
     shape.solimp = [0.9, 0.95, _SOFT_SHARE * thickness, 0.5, 2]
 
 
-def add_panels(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
+def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the surfaces of membranes that touch, as one flex without elasticity and mass.
 
     The engine spares triangles with nodes on one and the same body, which all panels at a vein have. So nodes are on
@@ -74,7 +69,7 @@ def add_panels(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> No
     flex.elem = np.concatenate(triangles).ravel()
     flex.selfcollide = mujoco.mjtFlexSelf.mjFLEXSELF_AUTO
     flex.contype = flex.conaffinity = PANELS
-    set_contact(flex, contact.thickness, contact, timestep)
+    set_contact(flex, contact.thickness, contact)
 
 
 def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> None:

@@ -6,7 +6,6 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.dynamics.contact import stop_reference
 from forficula.structure import Coupling, Structure, coupling_rows
 
 Array = NDArray[np.float64]
@@ -53,7 +52,7 @@ def _add_rigid(spec: mujoco.MjSpec, coupling: Coupling, structure: Structure, ti
         objtype=mujoco.mjtObj.mjOBJ_JOINT,
         name1=second.name,
         name2=first.name,
-        solref=stop_reference(timestep),
+        solref=[2 * timestep, 1.0],
         solimp=_IMPEDANCE,
     )
     # turns from the built shape: none where the first has none, then in proportion

@@ -251,7 +251,7 @@ def joint_ranges(model: Model) -> tuple[Array, Array]:
 def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[Measure]) -> mujoco.MjSpec:
     """All parts of a structure, not compiled yet."""
     spec = _empty_spec(structure, timestep)
-    add_bodies(spec, structure, timestep)
+    add_bodies(spec, structure)
     add_medium(spec, structure)
     add_creases(spec, structure)
     add_couplings(spec, structure, timestep)
@@ -264,12 +264,12 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
     for tendon in structure.tendons:
         add_branches(spec, tendon)
     for limit in structure.limits:
-        add_limit(spec, limit, structure, timestep)
+        add_limit(spec, limit, structure)
     for measure in distances:
         if measure.points is not None:
             add_distance(spec, f"distance_{measure.name}", measure.points, structure)
     add_membranes(spec, mesh, structure)
-    add_panels(spec, structure, timestep)
+    add_panels(spec, structure)
     add_stop_sensors(spec, structure)
     return spec
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from forficula.dynamics.contact import stop_reference
+from forficula.dynamics.stops import stop_reference
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.structure import LengthLimit, Spring, Structure, Tendon
 
@@ -145,13 +145,13 @@ def _add_softening(spec: mujoco.MjSpec, tendon: str, law: TendonLaw, longest: fl
     line.gainprm, line.biasprm = np.zeros(10), [force - bend * rest**2, 2 * bend * rest, *np.zeros(8)]
 
 
-def add_limit(spec: mujoco.MjSpec, limit: LengthLimit, structure: Structure, timestep: float) -> None:
+def add_limit(spec: mujoco.MjSpec, limit: LengthLimit, structure: Structure) -> None:
     """Add a limit on the distance of two points, nothing else."""
     line = spec.add_tendon(
         name=limit.name,
         limited=True,
         range=[0, limit.most],
-        solref_limit=stop_reference(timestep),
+        solref_limit=stop_reference(structure.stops),
         solimp_limit=[0.9, 0.95, _SOFT_SHARE * limit.built_length, 0.5, 2],
     )
     for point in limit.points:

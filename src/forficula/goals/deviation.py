@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 DEFAULT_SHARE = 0.1
 # what is done with a structure, how it is watched, and what changes nothing in it
-_NOT_BUILT = ("protocol", "drive", "measure", "support", "make")
+_NOT_BUILT = ("protocol", "drive", "measure", "support", "make", "stops")
 # up to where a law was measured, which changes no run
 _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
 # of normal distributions: quantiles beyond 4.8 deviations are not drawn

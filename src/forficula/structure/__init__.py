@@ -41,6 +41,7 @@ from forficula.structure.parts import (
     Point,
     PointMass,
     Spring,
+    Stops,
     Surface,
     Tendon,
 )
@@ -85,6 +86,7 @@ __all__ = [
     "RestState",
     "RigidFold",
     "Spring",
+    "Stops",
     "Structure",
     "Surface",
     "Tendon",

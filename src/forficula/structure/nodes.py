@@ -31,6 +31,7 @@ from forficula.structure.parts import (
     MembraneLaw,
     Point,
     Spring,
+    Stops,
     Tendon,
 )
 from forficula.structure.sheet_hinge import sheet_hinge
@@ -71,6 +72,7 @@ def node_structure(design: SheetDesign) -> Structure:
     span = float(np.ptp(triangles.vertices_coords, axis=0).max())
     built = Structure(
         name=design.name,
+        stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
         bodies=bodies,
         points=tuple(points),
         facets=tuple(

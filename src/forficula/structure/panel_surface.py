@@ -7,9 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from forficula.design import FanDesign
+from forficula.design.fan_sections import ContactSection
 from forficula.design.places import margin_edge
 from forficula.pattern import vein_gaps, vein_roles
-from forficula.structure.parts import Contact, Surface
+from forficula.structure.parts import Contact, Stops, Surface
 from forficula.structure.vein import Vein
 
 # strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is one, for
@@ -24,11 +25,11 @@ def fan_contact(design: FanDesign) -> Contact | None:
     """How the panels and the bars of a fan touch; None where they do not."""
     if not design.protocol.contact:
         return None
-    chosen = design.contact
-    thickness = None if chosen is None else chosen.thickness
+    chosen = design.contact or ContactSection()
     return Contact(
-        thickness=design.membrane.thickness if thickness is None else thickness,
-        friction=0.0 if chosen is None else chosen.friction,
+        thickness=design.membrane.thickness if chosen.thickness is None else chosen.thickness,
+        friction=chosen.friction,
+        stops=Stops(time_constant=chosen.time_constant, damping_ratio=chosen.damping_ratio),
     )
 
 

@@ -376,16 +376,34 @@ class Surface:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Stops:
+    """Compliance of stops, length limits or contacts, which no timestep changes.
+
+    With the inertia I that meets it, a stop is a spring and a damper of the angular frequency 1 / (T zeta) and the
+    damping ratio zeta: its moment is -I (r / (T zeta)^2 + 2 r' / T) at a depth r, and never pulls.
+
+    Attributes:
+        time_constant: T, s.
+        damping_ratio: zeta, in (0, 1].
+    """
+
+    time_constant: float
+    damping_ratio: float = 1.0
+
+
+@dataclass(frozen=True, kw_only=True)
 class Contact:
     """How bars and sheets that touch push each other apart.
 
     Attributes:
         thickness: by which sheets keep apart, from middle to middle, m; bars do so by their diameters.
         friction: Coulomb's coefficient of all of them.
+        stops: compliance of a contact.
     """
 
     thickness: float
     friction: float = 0.0
+    stops: Stops
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

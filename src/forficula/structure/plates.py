@@ -19,7 +19,7 @@ from forficula.structure.crossing import tendon_crossing
 from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.opening_creases import opening_creases, opening_parts
-from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Panel, Point
+from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Panel, Point, Stops
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_protocol import pushed_name, with_protocol
@@ -59,6 +59,7 @@ def plate_structure(design: SheetDesign) -> Structure:
             add(pushed_name(drive, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
+        stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
         bodies=_bodies(links, number, origins, held),
         points=tuple(points),
         plates=plates,

@@ -25,6 +25,7 @@ from forficula.structure.parts import (
     Point,
     PointMass,
     Spring,
+    Stops,
     Tendon,
 )
 
@@ -62,6 +63,7 @@ class Structure:
         mass: of the size of its bodies' mass, kg.
         strength: stress that the material of its facets withstands, Pa; None where it is not told.
         imperfection: by which it is built beside its drawing; None where it is not.
+        stops: compliance of the stops of its joints and of its length limits.
         contact: how what touches is pushed apart; None where everything passes through everything.
         gravity: acceleration along -z, m/s^2.
         appearance: what drawings and sentences need beside all that.
@@ -95,6 +97,7 @@ class Structure:
     mass: float
     strength: float | None = None
     imperfection: Imperfection | None = None
+    stops: Stops = field(default_factory=lambda: Stops(time_constant=2e-3))
     contact: Contact | None = None
     gravity: float = 0.0
     appearance: Appearance = field(default_factory=Appearance)

@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.pattern import vein_roles
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.mass import end_inertia, turned_inertia
-from forficula.structure.parts import GROUND, Array, Bar, Body, Crossing, Hinge, Point, PointMass, Tendon
+from forficula.structure.parts import GROUND, Array, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
 from forficula.structure.structure import Structure
 from forficula.structure.vein import Vein, attachments
 
@@ -64,6 +64,7 @@ def bare_veins(
             tendons.append(replace(tendon, key=key, label=labels[index]))
     return Structure(
         name=design.name,
+        stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
         bodies=tuple(bodies),
         points=tuple(points),
         bars=tuple(bars),

@@ -1,0 +1,14 @@
+"""Compliance of stops and length limits in the engine."""
+
+from __future__ import annotations
+
+from forficula.structure import Stops
+
+# The engine's impedance, the same at every depth: the share of what drives a hinge into its stop that the stop bears at
+# once. Under a moment M that drives an inertia I it yields by (1 - 0.99) (M / I) T^2 zeta^2 at rest.
+STOP_IMPEDANCE = (0.99, 0.99, 1e-3, 0.5, 2.0)
+
+
+def stop_reference(stops: Stops) -> list[float]:
+    """Return the engine's `solref` of a stop: time constant, in the model's units, and damping ratio."""
+    return [stops.time_constant, stops.damping_ratio]
