@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis.confirmation import Confirmation, Values, confirm, undecided, undecided_text
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
 from forficula.displayed import Displayed
@@ -175,6 +176,7 @@ class Outcome(Displayed):
         energy_balance: over the whole run.
         name: of the design.
         structure: that ran.
+        confirmation: comparison with second runs of the same design; None where there were none.
     """
 
     ending: Ending
@@ -188,6 +190,7 @@ class Outcome(Displayed):
     energy_balance: EnergyBalance
     name: str
     structure: Structure
+    confirmation: Confirmation | None = None
 
     def __repr__(self) -> str:
         """What became of it, and the states."""
@@ -221,6 +224,55 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
         InputError: it is no run, or cannot be read.
     """
     record = as_record(run)
+    outcome = _outcome(record)
+    return _held_against(outcome, record) if record.checks and outcome.verdict.tells else outcome
+
+
+def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
+    """Return the numbers of an outcome by name, SI: times and works of transitions, energies and readings of states."""
+    values: dict[str, tuple[float, ...]] = {}
+    for name, made in outcome.transitions.items():
+        if made is not None and made.time is not None:
+            values |= {f"{name}.time": (made.time,), f"{name}.work": (made.work,)}
+    for name, state in outcome.states.items():
+        if state is not None:
+            values[f"{name}.energy"] = (float(state.tendon_energy.sum()),)
+            values |= {f"{name}.{each}": tuple(reading.mean.tolist()) for each, reading in state.readings.items()}
+    return values
+
+
+def _held_against(outcome: Outcome, record: Record) -> Outcome:
+    """An outcome with its confirmation; without what depends on the computation where the second runs disagree."""
+    values: Values = outcome_values(outcome)
+    timestep = float(record.design.protocol.timestep)
+    found = confirm(outcome.ending, values, timestep, record.checks)
+    if found.agree:
+        return replace(outcome, confirmation=found)
+    ending = undecided(outcome.ending, undecided_text(outcome.status, timestep, outcome.ending, found))
+    holds = {
+        state: held if all(check.holds.get(state) == held for check in record.checks) else None
+        for state, held in outcome.holds.items()
+    }
+    leads = {each.name: each.state for each in outcome.structure.transitions}
+    return replace(
+        outcome,
+        ending=ending,
+        status=ending_text(ending),
+        advice=ending_advice(ending, record.design, outcome.structure),
+        holds=holds,
+        state_names={
+            state.name: _called(state, outcome.states[state.name], holds) for state in outcome.structure.states
+        },
+        transitions={
+            name: made if made is None or holds[leads[name]] is not None else replace(made, succeeded=False, time=None)
+            for name, made in outcome.transitions.items()
+        },
+        confirmation=found,
+    )
+
+
+def _outcome(record: Record) -> Outcome:
+    """What a run means by itself."""
     structure, protocol, balance = record.structure, record.design.protocol, energy_balance(record)
     ways = [_way(record, transition) for transition in structure.transitions]
     missed = _missed(record, ways)

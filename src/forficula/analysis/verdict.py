@@ -19,6 +19,7 @@ class Verdict(StrEnum):
     STUCK = "stuck"  # at rest short of a goal
     NOT_HELD = "not held"  # a goal was reached under torque, and lost when released
     DIVERGED = "diverged"  # numbers that are no longer finite, or a hinge far beyond its stop
+    UNDECIDED = "undecided"  # another one at half the timestep, or from a slightly different start
     UNTRUSTED = "untrusted"  # too much energy is missing for anything to be said
     NOT_BUILT = "not built"
 
@@ -36,6 +37,7 @@ UNSETTLED = "its outcome still changes with the timestep"
 _AUTO = 'protocol.timestep = "auto" chooses one'
 _SILENT = {
     Verdict.DIVERGED: "diverged",
+    Verdict.UNDECIDED: "undecided",
     Verdict.UNTRUSTED: "not to be trusted",
     Verdict.NOT_BUILT: "cannot be built",
 }
@@ -75,6 +77,8 @@ def ending_text(ending: Ending) -> str:
     match ending.verdict:
         case Verdict.DIVERGED:
             return "diverged" if ending.time is None else f"diverged at t = {ending.time:.4g} s"
+        case Verdict.UNDECIDED if ending.why:
+            return f"undecided: {ending.why}"
         case Verdict.UNTRUSTED if ending.why:
             return f"not to be trusted: {ending.why}"
         case Verdict.UNTRUSTED if ending.residual is not None:
@@ -132,6 +136,11 @@ def ending_advice(ending: Ending, design: Design, structure: Structure | None = 
             softer = " or a softer membrane" * bool(structure is not None and structure.membranes)
             other = "" if structure is None or not structure.appearance.steadier else structure.appearance.steadier
             return f"Take a shorter timestep ({_AUTO}){softer}{other and f', or {other}'}."
+        case Verdict.UNDECIDED:
+            return (
+                "The design is at the edge between two outcomes: change a value to move away from the edge, or take a"
+                " shorter timestep."
+            )
         case Verdict.UNTRUSTED if ending.why == UNSETTLED:
             return "It stands on an edge, where the least change decides: move a value of it away from here."
         case Verdict.UNTRUSTED if ending.why:

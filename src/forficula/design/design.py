@@ -96,6 +96,13 @@ class Design(Displayed, Part):
 
         return cast(Self, with_values(self, values))
 
+    def with_other_start(self) -> Self | None:
+        """Return the design with a start that differs slightly; None where its start has no value to vary.
+
+        A verdict that another start changes is no property of the structure.
+        """
+        return None
+
     def settled(self) -> Self:
         """The design with the values that a rule chooses."""
         return self

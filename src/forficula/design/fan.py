@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from functools import lru_cache
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
@@ -20,7 +20,7 @@ from forficula.design.fan_sections import (
     MembraneSection,
     VeinSection,
 )
-from forficula.design.folding import check_angles, check_course
+from forficula.design.folding import check_angles, check_course, other_start
 from forficula.design.medium import check_medium
 from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
@@ -185,6 +185,10 @@ class FanDesign(Design):
         for vein, tendon in enumerate(self.tendon):
             if tendon is not None:
                 yield f"tendon.{vein}", tendon
+
+    def with_other_start(self) -> Self | None:
+        """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
+        return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
 
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import ClassVar, Self
 
 from pydantic import model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fan_sections import VeinSection
-from forficula.design.folding import check_angles, check_course
+from forficula.design.folding import check_angles, check_course, other_start
 from forficula.design.joint_sections import JointHinge, JointPattern, JointTendon
 from forficula.design.part import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
@@ -69,6 +69,10 @@ class JointDesign(Design):
         self._goals_within_stops()
         check_duration(self, 1, "joint")
         return self
+
+    def with_other_start(self) -> Self | None:
+        """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
+        return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
 
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the hinge keep it from."""

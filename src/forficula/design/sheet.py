@@ -16,6 +16,9 @@ from forficula.design.sheet_places import facet_of
 from forficula.design.sheet_tendon import SheetTendon
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
+# of the imperfection of a sheet, where another start is tried
+_OTHER_START = 1.01
+
 
 class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
@@ -58,6 +61,13 @@ class SheetDesign(Design):
     def chosen(self) -> tuple[Choice, ...]:
         """The values that a rule chooses, for they are not given."""
         return _choices(self.pattern, self.facet, self.crease)
+
+    def with_other_start(self) -> Self | None:
+        """Return the design with an imperfection that is 1 % larger; None of a sheet that is as it is drawn."""
+        if not self.imperfection.size:
+            return None
+        larger = {"size": _OTHER_START * self.imperfection.size}
+        return self.model_copy(update={"imperfection": self.imperfection.model_copy(update=larger)})
 
     def settled(self) -> Self:
         """The design with the values that a rule chooses."""

@@ -2,7 +2,7 @@ from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
 from forficula.dynamics.knobs import Knob, knobs_of
 from forficula.dynamics.model import Model, compile_model, compile_structure
 from forficula.dynamics.portable_model import portable_model, why_not_portable
-from forficula.dynamics.record import Record, StageEnd, as_record, load_record, save_record, versions
+from forficula.dynamics.record import Check, Record, StageEnd, as_record, load_record, save_record, versions
 from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.stage_plan import goal_in_units
@@ -11,6 +11,7 @@ from forficula.dynamics.timestep import stable_timestep, timestep_warnings, with
 from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
+    "Check",
     "EnergyBalance",
     "Knob",
     "Model",

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import io
+import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
@@ -100,6 +101,29 @@ class StageEnd:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Check:
+    """Outcome of a second run of the same design, in which only the computation differs.
+
+    Attributes:
+        name: what differs, such as "half the timestep".
+        timestep: of that run, s.
+        verdict: of that run, in a word.
+        goal: name of the transition of which the verdict speaks, or "none".
+        status: the verdict in a few words.
+        holds: by state, whether that run reached it and kept it when released; None where it does not say.
+        values: times, works, energies and readings of that run by name, in SI, (reading,) each.
+    """
+
+    name: str
+    timestep: float
+    verdict: str
+    goal: str
+    status: str
+    holds: Mapping[str, bool | None]
+    values: Mapping[str, tuple[float, ...]]
+
+
+@dataclass(frozen=True, kw_only=True)
 class Record(Displayed):
     """What a run leaves.
 
@@ -113,6 +137,7 @@ class Record(Displayed):
         doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
         kinetic_peak: when the kinetic energy was largest, s, and how large, J, of all steps, not only those of `time`;
             None where not every step was looked at.
+        checks: second runs of the same design, against which its verdict and its numbers are held.
     """
 
     design: Design
@@ -123,6 +148,7 @@ class Record(Displayed):
     diverged_at: float | None
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
+    checks: tuple[Check, ...] = ()
 
     def __repr__(self) -> str:
         """What ran, how long, through which stages."""
@@ -218,6 +244,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "design_hash": record.design.hash,
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
+        **({"checks": json.dumps([asdict(check) for check in record.checks])} if record.checks else {}),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
         **{f"version_{name}": version for name, version in versions().items()},
     }
@@ -338,8 +365,13 @@ def _read(file: Any) -> Record:
         stages=stages,
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),
+        checks=tuple(map(_check, json.loads(file.attrs.get("checks", "[]")))),
         kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
     )
+
+
+def _check(written: Mapping[str, Any]) -> Check:
+    return Check(**{**written, "values": {name: tuple(values) for name, values in written["values"].items()}})
 
 
 def versions() -> dict[str, str]:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
+from forficula.analysis.confirmation import HALF_STEP, OTHER_START
+from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
+    Check,
     Model,
     Record,
     but_last_drive,
@@ -45,18 +48,18 @@ class _Attempt:
         number: of the design.
         design: with the timestep, s, but for "auto" before the first attempt.
         halvings: by which it is shorter than the first one; None where the design gives it.
-        before: outcomes at the timesteps before, the last two at most.
+        before: timesteps, s, and outcomes of the attempts before, the last two at most.
         agreeing: how many timesteps must agree.
     """
 
     number: int
     design: Design
     halvings: int | None
-    before: tuple[Outcome, ...] = ()
+    before: tuple[tuple[float, Outcome], ...] = ()
     agreeing: int = _AGREEING
 
 
-def run(design: Design, progress: Progress | None = None) -> Record:
+def run(design: Design, progress: Progress | None = None, *, confirm: bool = False) -> Record:
     """Take one structure through its protocol.
 
     A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them (two of sheets
@@ -67,6 +70,8 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     Args:
         design: what to build and what to do with it.
         progress: called now and then with the stage's name, the time so far and the longest it can take, s.
+        confirm: whether to run the design also at half the timestep and from a slightly different start, side by side.
+            With a timestep "auto" the run before the last takes the place of the one at half the timestep.
 
     Returns:
         What happened, sampled at the protocol's interval.
@@ -74,10 +79,50 @@ def run(design: Design, progress: Progress | None = None) -> Record:
     Raises:
         InputError: it cannot be built.
     """
-    ((_, record),) = run_each([design], progress=progress)
+    others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
+    runs = dict(run_each([design, *others.values()], progress=progress))
+    record = runs[0]
     if isinstance(record, InputError):
         raise record
-    return record
+    if confirm and design.protocol.timestep == "auto":
+        other = record.design.with_other_start()
+        others = {} if other is None else {OTHER_START: other}
+        runs |= {number + 1: each for number, each in run_each([*others.values()], progress=progress)}
+    return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
+
+
+def _second_designs(design: Design) -> dict[str, Design]:
+    """Return the designs of the second runs that confirm one with a given timestep, by what differs."""
+    half, other = half_step(design), design.with_other_start()
+    return {HALF_STEP: half} | ({} if other is None else {OTHER_START: other})
+
+
+def half_step(design: Design) -> Design:
+    """Return the design with half its timestep."""
+    return _with_step(design, float(design.protocol.timestep) / 2)
+
+
+def with_checks(record: Record, others: Mapping[str, Record | InputError]) -> Record:
+    """Return a record with the outcomes of second runs of its design, by what differs; those not built are left out."""
+    checks = [_check(name, each) for name, each in others.items() if isinstance(each, Record)]
+    return replace(record, checks=(*record.checks, *checks))
+
+
+def _check(name: str, record: Record) -> Check:
+    return check_of(name, float(record.design.protocol.timestep), measure(record))
+
+
+def check_of(name: str, timestep: float, outcome: Outcome) -> Check:
+    """Return what a record keeps of a second run at a timestep, s."""
+    return Check(
+        name=name,
+        timestep=timestep,
+        verdict=outcome.verdict.value,
+        goal=outcome.ending.goal,
+        status=outcome.status,
+        holds=dict(outcome.holds),
+        values=outcome_values(outcome) if outcome.verdict.tells else {},
+    )
 
 
 def resolved(design: Design) -> Design:
@@ -135,7 +180,7 @@ def run_each(
                 left[attempt.number] = following
                 continue
             doubt = _doubt(attempt, outcome)
-            yield attempt.number, replace(result, doubt=doubt) if doubt else result
+            yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
             structure = result.structure
             if until_last and _last_holds(outcome, structure) and not doubt:
                 chain = but_last_drive(designs[attempt.number], structure)
@@ -214,7 +259,7 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
-    elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(each, outcome) for each in attempt.before):
+    elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(each, outcome) for _, each in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
@@ -222,7 +267,7 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         number=attempt.number,
         design=_with_step(attempt.design, timestep),
         halvings=total,
-        before=(*attempt.before, outcome)[1 - attempt.agreeing :],
+        before=(*attempt.before, (float(attempt.design.protocol.timestep), outcome))[1 - attempt.agreeing :],
         agreeing=attempt.agreeing,
     )
 
@@ -236,8 +281,18 @@ def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
     """Why a run at the last timestep that is tried is not to be trusted, beside its residual; mostly nothing."""
     if not outcome.verdict.tells or not attempt.before:
         return ""
-    told = [each for each in attempt.before if each.verdict.tells]
+    told = [each for _, each in attempt.before if each.verdict.tells]
     return "" if all(_same_ending(each, outcome) for each in told) else UNSETTLED
+
+
+def _coarser(attempt: _Attempt, outcome: Outcome) -> tuple[Check, ...]:
+    """The runs at longer timesteps that a search for one compared with the last; none where the step is given."""
+    own = float(attempt.design.protocol.timestep)
+    return tuple(
+        check_of(f"{show_value(timestep, 's')} instead of {show_value(own, 's')}", timestep, before)
+        for timestep, before in attempt.before
+        if outcome.verdict.tells and before.verdict.tells
+    )
 
 
 def _agree(before: Outcome, after: Outcome) -> bool:
