@@ -127,7 +127,7 @@ def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     assert ff.load_design(folder / "design.toml").tendon.stiffness == 2000.0
 
     # to the last bit, which netCDF keeps
-    again = ff.run(ff.load_design(folder / "design.toml"))
+    again = ff.run(ff.load_design(folder / "design.toml"), confirm=False)
     assert again.data.equals(ff.load_record(folder / "record.nc").data)
 
 

@@ -84,13 +84,13 @@ def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool, ok_if: Sequence[
 
     Args:
         verdicts: of the runs that it was asked for.
-        tolerate: whether what diverged or is not to be trusted counts as done.
+        tolerate: whether what diverged, is undecided or is not to be trusted counts as done.
         ok_if: verdicts that are wanted, and no others; `Verdict.REACHED` where none are named.
 
     Returns:
         0 where every verdict is wanted, 2 where one is not, 3 where one run says nothing of its structure.
     """
-    silent, wanted = ("diverged", "untrusted"), tuple(ok_if or ("reached",))
+    silent, wanted = ("diverged", "untrusted", "undecided"), tuple(ok_if or ("reached",))
     told = [verdict for verdict in verdicts if not (tolerate and verdict in silent)]
     if any(verdict in silent and verdict not in wanted for verdict in told):
         return 3

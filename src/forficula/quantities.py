@@ -216,6 +216,21 @@ def show_value(value: float, unit: str, digits: int = 4) -> str:
     return f"{factor * value:.{digits}g} {name}"
 
 
+def show_uncertain(value: float, half: float | None, unit: str, digits: int = 4) -> str:
+    """Write an SI float with its uncertainty, such as "58.4 ± 0.4 ms", both to the last digit that means something.
+
+    The uncertainty has one digit, or two where the first is a 1. What is smaller than the digits of the value show, or
+    not known (None), is left out.
+    """
+    name, factor = reading_unit(unit, abs(value))
+    own, other = factor * value, factor * (half or 0.0)
+    if not other or not math.isfinite(other) or f"{own - other:.{digits}g}" == f"{own + other:.{digits}g}":
+        return f"{own:.{digits}g} {name}"
+    exponent = math.floor(math.log10(other))
+    places = max((1 if f"{other:.0e}".startswith("1") else 0) - exponent, 0)
+    return f"{own:.{places}f} ± {other:.{places}f} {name}"
+
+
 def show_duration(time: float) -> str:
     """Write a time, s, for people: in days, hours, minutes, or as `show_value` does."""
     for name, unit in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):

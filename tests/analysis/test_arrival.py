@@ -23,7 +23,7 @@ def folded(sectors):
         "protocol.timestep": 5e-5,
         "protocol.stages": [{"name": "fold", "drive": "fold", "until": "target", "hold": 0.0, "time_limit": 0.3}],
     }
-    return ff.run(sheet_design(pattern, values))
+    return ff.run(sheet_design(pattern, values), confirm=False)
 
 
 def test_every_crease_of_a_vertex_that_folds_flat_arrives():

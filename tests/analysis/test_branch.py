@@ -26,32 +26,37 @@ def flat(**values):
 
 
 def test_a_drive_to_the_assignment_folds_every_crease_as_assigned():
-    branch = branch_taken(ff.run(flat(**{"protocol.stages": [STAGE | {"drive": "fold", "time_limit": 0.1}]})))
+    branch = branch_taken(
+        ff.run(flat(**{"protocol.stages": [STAGE | {"drive": "fold", "time_limit": 0.1}]}), confirm=False)
+    )
     assert (branch.as_assigned, branch.against) == (4, 0)
     assert branch.decided_by == ('the rest angles of drive "fold"',)
 
 
 def test_a_sheet_that_nothing_drives_out_of_its_flat_state_says_that_rounding_decides():
-    branch = branch_taken(ff.run(flat()))
+    branch = branch_taken(ff.run(flat(), confirm=False))
     assert (branch.flat, branch.decided_by) == (4, ())
     assert "rounding alone: give imperfection.size and seed" in branch_text(branch)
 
 
 def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():
     builds = [
-        [hinge.start for hinge in ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": seed}})).structure.hinges]
+        [
+            hinge.start
+            for hinge in ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": seed}}), confirm=False).structure.hinges
+        ]
         for seed in (1, 1, 2)
     ]
     assert builds[0] == builds[1] != builds[2]
-    record = ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": 2}}))
+    record = ff.run(flat(**{"imperfection": {"size": 1e-4, "seed": 2}}), confirm=False)
     assert branch_taken(record).decided_by == ("an imperfection of 0.1 mm, seed 2",)
 
 
 def test_a_sheet_that_is_built_folded_took_no_branch():
-    assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}))) is None
+    assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}), confirm=False)) is None
     # however it is built beside its drawing
     shifted = {"pattern.fold": 0.5, "imperfection.size": 1e-4}
-    assert branch_taken(ff.run(flat(**shifted))) is None
+    assert branch_taken(ff.run(flat(**shifted), confirm=False)) is None
 
 
 def test_rigid_facets_have_no_imperfection():

@@ -120,7 +120,7 @@ def test_thick_panels_that_contact_lets_through_say_so_however_thick(reference_r
 
 def test_what_has_no_panels_and_what_blew_up_has_no_crossing():
     short = {"protocol.timestep": "5 ms"}
-    record = ff.run(ff.load_design("binder2025", short))
+    record = ff.run(ff.load_design("binder2025", short), confirm=False)
     assert record.diverged_at is not None
     assert panel_crossing(record) is None
 

@@ -239,7 +239,7 @@ def test_a_run_tells_its_groups_in_its_summary():
             ]
         },
     )
-    record = ff.run(short)
+    record = ff.run(short, confirm=False)
     told = summary(record, ff.measure(record), {})["groups"]
     assert told["armature"] == pytest.approx(1e-5 / INERTIA, rel=ROUNDING)
     assert told["measured_by"]["time_s"] == pytest.approx(TIME, rel=ROUNDING)

@@ -53,13 +53,13 @@ def test_the_summary_of_plates_is_valid(letter):
     ],
 )
 def test_the_summary_of_a_wing_is_valid(values):
-    valid("summary", summary_of(ff.run(ff.load_design("binder2025", values))))
+    valid("summary", summary_of(ff.run(ff.load_design("binder2025", values), confirm=False)))
 
 
 def test_the_summary_of_a_sheet_of_bars_is_valid():
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": "0 s", "time_limit": "5 ms"}
     sheet = ff.load_design("miura-sheet")
-    valid("summary", summary_of(ff.run(sheet.with_values({"protocol.stages": [stage]}))))
+    valid("summary", summary_of(ff.run(sheet.with_values({"protocol.stages": [stage]}), confirm=False)))
 
 
 @pytest.mark.parametrize("name", ["letter-fold", "binder2025"])

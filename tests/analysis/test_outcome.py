@@ -333,7 +333,7 @@ def test_the_summary_has_null_for_what_did_not_take_place():
 
 def test_the_outcome_of_a_wing_that_blew_up_can_still_be_written_as_json():
     design = with_values(REFERENCE, {"protocol.timestep": 0.01, "protocol.fold_torque": 5.0})
-    record = ff.run(design)
+    record = ff.run(design, confirm=False)
     outcome = measure(record)
     assert outcome.status.startswith("diverged at t = ")
     json.dumps(summary(record, outcome, {}), allow_nan=False)
@@ -351,14 +351,14 @@ def test_a_goal_missed_is_no_success_whatever_the_angles_are():
 def test_a_bound_that_was_missed_is_missed_in_its_own_words_as_by_its_name(until, status):
     """A hinge's weak push goes nowhere, and its stage runs out of time: no state is held, however it is written."""
     design = with_values(REFERENCE, {"protocol.fold_torque": 0.01, "protocol.stages.1.until": until})
-    outcome = measure(ff.run(design))
+    outcome = measure(ff.run(design, confirm=False))
     assert outcome.verdict.value == status
     assert not outcome.holds["folded"]
 
 
 def test_a_goal_in_its_own_words_tells_the_same_of_a_wing_as_by_its_name():
     named, written = (
-        measure(ff.run(with_values(REFERENCE, {"protocol.stages.1.until": until})))
+        measure(ff.run(with_values(REFERENCE, {"protocol.stages.1.until": until}), confirm=False))
         for until in ("folded", f"ring < {-math.degrees(REFERENCE.protocol.folded_angle)!r} deg")
     )
     assert (written.verdict, written.status, written.holds) == (named.verdict, named.status, named.holds)

@@ -169,12 +169,12 @@ def test_the_advised_timestep_falls_with_what_is_missing():
 
 def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
     # the reference folds in 58.8 ms
-    outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms")))
+    outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms"), confirm=False))
     assert outcome.verdict is Verdict.MOVING
     assert outcome.status.startswith("still moving at -")
     assert outcome.advice == 'It is still on its way: raise the time_limit, 0.03 s, of the stage "fold".'
     assert outcome.holds["folded"] is False
-    longer = measure(ff.run(short()))
+    longer = measure(ff.run(short(), confirm=False))
     assert (longer.verdict, longer.transitions["fold"].time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))
 
 
@@ -184,13 +184,13 @@ def test_a_wing_that_rests_at_its_stop_is_stuck():
         FOLD.model_dump() | {"time_limit": 1.0},
     ]
     stiff = with_values(REFERENCE, {"tendon.rest_length": "0 cm", "tendon.stiffness": "60 N/cm"})
-    outcome = measure(ff.run(with_values(stiff, {"protocol.stages": resting})))
+    outcome = measure(ff.run(with_values(stiff, {"protocol.stages": resting}), confirm=False))
     assert (outcome.verdict, outcome.status) == (Verdict.STUCK, "did not fold")
 
 
 @pytest.mark.parametrize("modulus", ["20 MPa", "30 MPa"])
 def test_a_membrane_too_stiff_for_the_timestep_is_told_to_take_a_shorter_one_and_not_more_torque(modulus):
-    outcome = measure(ff.run(short(membrane__youngs_modulus=modulus)))
+    outcome = measure(ff.run(short(membrane__youngs_modulus=modulus), confirm=False))
     assert outcome.verdict in (Verdict.UNTRUSTED, Verdict.DIVERGED)
     assert outcome.advice.startswith(("Take a shorter timestep", "Take a timestep of about "))
     assert 'protocol.timestep = "auto" chooses one' in outcome.advice
@@ -200,7 +200,7 @@ def test_a_membrane_too_stiff_for_the_timestep_is_told_to_take_a_shorter_one_and
 
 @pytest.mark.parametrize("timestep", ["1 ms", "5 ms", "20 ms", "1 s"])
 def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
-    record = ff.run(with_values(REFERENCE, {"protocol.timestep": timestep}))
+    record = ff.run(with_values(REFERENCE, {"protocol.timestep": timestep}), confirm=False)
     outcome = measure(record)
     assert outcome.verdict is Verdict.DIVERGED
     assert outcome.status.startswith("diverged at t = ")
@@ -223,14 +223,14 @@ def bent():
         "protocol.stages": stages,
         "protocol.timestep": "20 µs",
     }
-    record = ff.run(with_values(REFERENCE, values))
+    record = ff.run(with_values(REFERENCE, values), confirm=False)
     return record, measure(record)
 
 
 @pytest.fixture(scope="module")
 def doubtful():
     """A run whose membrane is too stiff for its timestep."""
-    record = ff.run(short(membrane__youngs_modulus="20 MPa"))
+    record = ff.run(short(membrane__youngs_modulus="20 MPa"), confirm=False)
     return record, measure(record)
 
 
@@ -273,7 +273,7 @@ def test_a_run_not_to_be_trusted_says_so_wherever_it_is_shown(doubtful, capsys):
 
 
 def test_a_run_that_diverged_says_so_on_its_figures(capsys):
-    record = ff.run(with_values(REFERENCE, {"protocol.timestep": "5 ms"}))
+    record = ff.run(with_values(REFERENCE, {"protocol.timestep": "5 ms"}), confirm=False)
     outcome = measure(record)
     for name, drawing in run_drawings(record, outcome).items():
         assert ("Diverged at t = " in drawing(7.0).get_suptitle()) == (name != "pattern")

@@ -105,6 +105,6 @@ def test_a_fan_of_seven_units_whose_bars_touch_closes_its_balance():
         "protocol.timestep": "20 µs",
         "protocol.stages": stages,
     }
-    record = ff.run(ff.load_design("binder2025", values))
+    record = ff.run(ff.load_design("binder2025", values), confirm=False)
     assert record.diverged_at is None
     assert ff.measure(record).energy_balance.residual < 0.005

@@ -39,7 +39,7 @@ def assert_same_bits(record, other):
 
 @pytest.fixture(scope="module")
 def by_name():
-    return ff.run(SHORT)
+    return ff.run(SHORT, confirm=False)
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def by_name():
     ids=["role", "measure", "a list of one", "a list with none", "states by name"],
 )
 def test_what_is_said_in_other_words_has_the_same_bits_and_comes_to_the_same(by_name, values):
-    record = ff.run(with_values(SHORT, values))
+    record = ff.run(with_values(SHORT, values), confirm=False)
     assert_same_bits(record, by_name)
     ours, theirs = measure(record), measure(by_name)
     assert theirs.holds["folded"]
@@ -64,7 +64,7 @@ def test_what_is_said_in_other_words_has_the_same_bits_and_comes_to_the_same(by_
 
 def test_a_stage_ends_where_all_hinges_of_a_role_have_passed_its_bound():
     every_step = with_values(SHORT, {"protocol.sample_interval": 4e-4, "protocol.least_hold": 0.0})
-    record = ff.run(with_values(every_step, {"protocol.stages.1.until": "turn > 10 deg"}))
+    record = ff.run(with_values(every_step, {"protocol.stages.1.until": "turn > 10 deg"}), confirm=False)
     fold = record.stages[1]
     turned = np.degrees(record.angles("turn"))
     rows = (record.time > fold.start + 1e-9) & (record.time < fold.end - 1e-9)
@@ -77,7 +77,7 @@ def test_a_stage_ends_where_all_hinges_of_a_role_have_passed_its_bound():
 
 
 def test_a_bound_that_is_never_met_is_a_goal_that_was_missed():
-    record = ff.run(with_values(SHORT, {"protocol.stages.1.until": "ring < -179.9 deg"}))
+    record = ff.run(with_values(SHORT, {"protocol.stages.1.until": "ring < -179.9 deg"}), confirm=False)
     outcome = measure(record)
     assert outcome.verdict in (Verdict.STUCK, Verdict.MOVING)
     assert [stage.name for stage in outcome.stages] == ["settle", "fold"]
@@ -94,7 +94,7 @@ def test_the_drives_of_one_stage_are_taken_together():
 
 def test_a_state_that_a_stage_names_is_that_of_its_end():
     values = {"protocol.stages.1.state": "folded", "protocol.stages.3.state": "opened"}
-    record = ff.run(with_values(SHORT, values))
+    record = ff.run(with_values(SHORT, values), confirm=False)
     outcome = measure(record)
     assert outcome.states["flat"] is None
     assert outcome.states["folded"].time == record.stages[1].end
@@ -190,13 +190,13 @@ def test_nothing_is_stuck_while_its_torque_rises():
     """Of 3 N cm within 2 s, 0.203 N cm, which the letter's stops hold, come after 0.135 s: longer than a window."""
     letter = ff.load_design("letter-fold", SLOW)
     assert letter.protocol.window < 0.203 / 3 * 2
-    outcome = measure(ff.run(letter))
+    outcome = measure(ff.run(letter, confirm=False))
     assert outcome.ending.verdict is Verdict.REACHED
     assert outcome.transitions["close"].time > 0.135
-    cut = measure(ff.run(with_values(letter, {"protocol.stages.1.time_limit": "0.12 s"})))
+    cut = measure(ff.run(with_values(letter, {"protocol.stages.1.time_limit": "0.12 s"}), confirm=False))
     assert cut.ending.verdict is Verdict.MOVING
     assert cut.status == "at rest under a torque that still rose when its stage was over"
-    weak = measure(ff.run(with_values(letter, {"drive.close.value": "0.1 N cm"})))
+    weak = measure(ff.run(with_values(letter, {"drive.close.value": "0.1 N cm"}), confirm=False))
     assert (weak.ending.verdict, weak.status) == (Verdict.STUCK, "did not get closed")
     # flat for 0.3 s, 2 s to rise, a window to be called stuck
     assert weak.states["closed"].time == pytest.approx(2.4)

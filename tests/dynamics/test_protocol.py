@@ -70,7 +70,9 @@ def short(reference):
 
 
 def test_the_balance_of_a_wing_closes_when_its_torques_rise(short):
-    at_once, slowly = (ff.measure(ff.run(with_values(short, {"protocol.rise": rise}))) for rise in ("0 s", "0.1 s"))
+    at_once, slowly = (
+        ff.measure(ff.run(with_values(short, {"protocol.rise": rise}), confirm=False)) for rise in ("0 s", "0.1 s")
+    )
     assert slowly.holds["folded"]
     assert slowly.ending.residual < 0.005
     assert at_once.transitions["fold"].time < slowly.transitions["fold"].time
@@ -140,7 +142,8 @@ def test_a_hold_scales_with_the_wing_and_not_with_a_stage_that_waits(short):
     """What ends by rest or by time waits for no share of it."""
     settling = [short.protocol.stages[0].model_dump() | {"until": "rest", "hold": 0.01, "time_limit": 1.0}]
     runs = [
-        ff.run(with_values(short, {"protocol.stages": settling, "protocol.least_hold": hold})) for hold in (0.0, 10.0)
+        ff.run(with_values(short, {"protocol.stages": settling, "protocol.least_hold": hold}), confirm=False)
+        for hold in (0.0, 10.0)
     ]
     assert runs[0].stages[0].end == runs[1].stages[0].end < 1.0
 

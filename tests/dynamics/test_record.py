@@ -51,7 +51,7 @@ def short_run():
         {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.0104},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.02},
     ]
-    return ff.run(with_values(REFERENCE, {"protocol.stages": stages}))
+    return ff.run(with_values(REFERENCE, {"protocol.stages": stages}), confirm=False)
 
 
 @settings(max_examples=10, deadline=None)  # each writes and reads a file
@@ -80,7 +80,7 @@ def test_a_record_of_a_run_is_read_back_whole(tmp_path, short_run):
 
 
 def test_the_most_kinetic_energy_is_that_of_every_step_and_not_only_of_the_rows(tmp_path, short_run):
-    every = ff.run(with_values(short_run.design, {"protocol.sample_interval": "0.2 ms"}))
+    every = ff.run(with_values(short_run.design, {"protocol.sample_interval": "0.2 ms"}), confirm=False)
     most = every.series["kinetic_energy"]
     assert short_run.kinetic_peak == every.kinetic_peak == (every.time[most.argmax()], most.max())
     assert short_run.kinetic_peak[1] >= short_run.series["kinetic_energy"].max()

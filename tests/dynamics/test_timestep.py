@@ -64,7 +64,8 @@ def test_a_wing_stays_bounded_below_the_allowed_timestep_and_blows_up_far_above_
     settle = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.3}]
     allowed = stable_timestep(REFERENCE)
     stable, unstable = (
-        ff.run(changed(protocol__stages=settle, protocol__timestep=share * allowed)) for share in (0.9, 4)
+        ff.run(changed(protocol__stages=settle, protocol__timestep=share * allowed), confirm=False)
+        for share in (0.9, 4)
     )
     assert stable.diverged_at is None
     # what the tendons gave at most, J: the wing started at rest
@@ -125,7 +126,7 @@ def test_a_stiff_or_viscous_law_asks_for_a_shorter_step_at_which_the_wing_stays_
     assert allowed < stable_timestep(changed(tendon__rest_length=0.08))
     (warning,) = timestep_warnings(changed_step(design, 1.1 * allowed))
     assert "is too long" in warning
-    record = ff.run(changed_step(design, 0.9 * allowed))
+    record = ff.run(changed_step(design, 0.9 * allowed), confirm=False)
     assert record.diverged_at is None
     # what torques and tendons can give, J
     assert record.data["kinetic_energy"].max() < 6

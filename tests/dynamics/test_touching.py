@@ -194,7 +194,7 @@ def folded_by_contact():
         {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.2 s"},
     ]
     values = {"protocol.contact": True, "protocol.timestep": "0.1 ms", "protocol.stages": stages}
-    return ff.run(ff.load_design("binder2025", values))
+    return ff.run(ff.load_design("binder2025", values), confirm=False)
 
 
 def test_a_fast_fold_lets_panels_through_by_less_than_three_millimetres(folded_by_contact):
@@ -231,7 +231,7 @@ def test_a_slow_fold_lets_nothing_through():
         "tendon.rest_length": "3 cm",
         "protocol.stages": stages,
     }
-    record = ff.run(ff.load_design("binder2025", values))
+    record = ff.run(ff.load_design("binder2025", values), confirm=False)
     fold = ff.measure(record).transitions["fold"]
     assert fold.succeeded
     assert fold.time > 1.0

@@ -16,7 +16,7 @@ def test_a_run_whose_names_are_broken_tex_is_kept_and_drawn_with_these_names(tmp
     drives = ("none", "fold", "unfold")
     stages = [{**stage, "drive": drive, "name": name} for drive, name in zip(drives, NAMES, strict=True)]
     design = with_values(ff.load_design("binder2025"), {"name": "$^{", "protocol.stages": stages})
-    record = ff.run(design)
+    record = ff.run(design, confirm=False)
     outcome = ff.measure(record)
     write_run(record, outcome, tmp_path, engine=False)
     assert {"angles.png", "energy.png", "folding.png", "summary.json"} < {path.name for path in tmp_path.iterdir()}

@@ -78,7 +78,7 @@ def test_factors_are_a_grid_unless_the_study_says_otherwise(study_file):
 def test_a_wing_of_a_choice_is_the_wing_that_is_run_alone_with_that_value(alone):
     study, table = alone
     for place, values in enumerate(study.points[:4]):
-        outcome = ff.measure(ff.run(with_values(study.base, dict(values))))
+        outcome = ff.measure(ff.run(with_values(study.base, dict(values)), confirm=False))
         assert table["status"].values[place] == outcome.status
         # of a run that is not to be trusted there are no numbers
         work = outcome.transitions["fold"].work if outcome.verdict.tells else np.nan

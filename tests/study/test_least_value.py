@@ -24,7 +24,7 @@ def searched(study_file, tmp_path, search, factors=LENGTHS):
 
 
 def single(study, point, key, value):
-    return ff.measure(ff.run(with_values(study.base, {**study.points[point], key: value})))
+    return ff.measure(ff.run(with_values(study.base, {**study.points[point], key: value}), confirm=False))
 
 
 def first_that_works(study, point, key, values, state):

@@ -37,7 +37,7 @@ def test_a_group_of_creases_is_varied_by_its_name(tmp_path):
     table = run_study(study, tmp_path / "out")
     assert table is not None
     for point, values in enumerate(study.points):
-        outcome = ff.measure(ff.run(with_values(study.base, values)))
+        outcome = ff.measure(ff.run(with_values(study.base, values), confirm=False))
         state = outcome.states["bent"]
         assert float(table["bent_hinge_energy"][point]) == pytest.approx(state.hinge_energy.sum(), rel=1e-9)
         assert float(table["bent_spring_energy"][point]) == pytest.approx(state.spring_energy.sum(), rel=1e-9)

@@ -86,7 +86,7 @@ def test_a_factor_in_a_stage_is_that_of_a_run_with_the_same_value(tmp_path, stud
     table = run_study(study, tmp_path / "out")
     assert table["protocol_stages_1_time_limit"].values.tolist() == [0.02, 0.1]
     for number, limit in enumerate(("20 ms", "100 ms")):
-        alone = ff.measure(ff.run(with_values(study.base, {"protocol.stages.1.time_limit": limit})))
+        alone = ff.measure(ff.run(with_values(study.base, {"protocol.stages.1.time_limit": limit}), confirm=False))
         assert table["status"].values[number] == alone.status
         assert table["fold_work"].values[number] == alone.transitions["fold"].work
     assert len(set(table["status"].values)) == 2

@@ -164,9 +164,9 @@ def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_f
     rows = lines(table_csv(study, table))
     assert [row["protocol_timestep"] for row in rows] == ["0.4 ms", "auto", "0.25 ms"]
     assert len({row["fold_work_J"] for row in rows}) == 3
-    found = ff.run(with_values(study.base, {"protocol.timestep": "auto"})).design
+    found = ff.run(with_values(study.base, {"protocol.timestep": "auto"}), confirm=False).design
     assert isinstance(found.protocol.timestep, float)
-    alone = ff.measure(ff.run(found))
+    alone = ff.measure(ff.run(found, confirm=False))
     assert table["fold_work"].values[1] == alone.transitions["fold"].work
     assert table.to_netcdf(engine="h5netcdf")
     assert map_drawings(table)

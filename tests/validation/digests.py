@@ -327,7 +327,7 @@ def _design(settings: Mapping[str, object]) -> Design:
 
 def run_numbers(name: str) -> Numbers:
     """Everything that a run leaves and what is made of it."""
-    record = ff.run(_design(DESIGNS[name]))
+    record = ff.run(_design(DESIGNS[name]), confirm=False)
     return {
         **{f"record.{name}": array for name, array in record_series(record).items()},
         **{f"stages.{name}": value for name, value in stage_numbers(record).items()},

@@ -19,7 +19,9 @@ def folding(design, **settings):
     step = design.protocol.timestep
     design = with_values(design, {"protocol.sample_interval": step, **values})
     stages = design.protocol.stages[:2]
-    return ff.run(design.model_copy(update={"protocol": design.protocol.model_copy(update={"stages": stages})}))
+    return ff.run(
+        design.model_copy(update={"protocol": design.protocol.model_copy(update={"stages": stages})}), confirm=False
+    )
 
 
 def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(reference, agree):
@@ -51,7 +53,7 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(
 
 @pytest.mark.parametrize("stiffness", ["10 N/cm", "30 N/cm", "60 N/cm"])
 def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(holds, reference, stiffness):
-    outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness})))
+    outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness}), confirm=False))
     veins = reference.fan.vein_count
     for name, least, most in (("fold", 85, 91), ("unfold", 250, 276)):
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95

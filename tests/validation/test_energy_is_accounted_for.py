@@ -59,7 +59,7 @@ def damped_runs(reference):
 @pytest.fixture(scope="module")
 def every_step(reference):
     """The reference, every step recorded."""
-    return ff.run(with_values(reference, {"protocol.sample_interval": reference.protocol.timestep}))
+    return ff.run(with_values(reference, {"protocol.sample_interval": reference.protocol.timestep}), confirm=False)
 
 
 @pytest.mark.parametrize("rest_length", [0.0, 0.06])

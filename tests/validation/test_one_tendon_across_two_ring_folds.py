@@ -71,7 +71,7 @@ def test_the_statics_store_what_the_closed_form_says(agree, drawn, tangent, hub,
 def test_the_simulation_moves_by_the_closed_form_and_stores_what_it_says(agree):
     fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 1.0}
     flat = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05}
-    run = ff.run(with_values(THICK, {"protocol.stages": [flat, fold], "protocol.timestep": 2e-4}))
+    run = ff.run(with_values(THICK, {"protocol.stages": [flat, fold], "protocol.timestep": 2e-4}), confirm=False)
     rings = run.angles("ring").reshape(len(run.time), -1, 2)
     assert rings.min() < -math.radians(89)
     inner, outer = np.moveaxis(rings, -1, 0)

@@ -39,7 +39,7 @@ def held(design, time):
 @pytest.fixture(scope="module")
 def outcome_of():
     def outcome(values):
-        return ff.measure(ff.run(ff.load_design("binder2025", values)))
+        return ff.measure(ff.run(ff.load_design("binder2025", values), confirm=False))
 
     return outcome
 
@@ -104,9 +104,7 @@ def test_a_diverged_run_is_data(outcome_of):
 
 
 def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path):
-    program = (
-        'import forficula as ff;print(ff.run(ff.load_design("binder2025", {"protocol.timestep": "5 ms"})).diverged_at)'
-    )
+    program = 'import forficula as ff;print(ff.run(ff.load_design("binder2025", {"protocol.timestep": "5 ms"}), confirm=False).diverged_at)'
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert float(done.stdout) > 0
     assert done.stderr == ""
@@ -122,7 +120,7 @@ def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_
         sector_angle,
         **{"protocol.fold_torque": "100 N cm", "tendon.rest_length": "7 cm", "protocol.timestep": timestep},
     )
-    outcome = ff.measure(ff.run(held(design, 0.3)))
+    outcome = ff.measure(ff.run(held(design, 0.3), confirm=False))
     assert outcome.status == "folded and opened"
     assert outcome.states["folded"].readings["distal_angle"].mean.shape == (2 * units + 1,)
 
@@ -130,7 +128,7 @@ def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_
 def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
     """It folds under the torque; whether all eleven hinges stay beyond 150 deg when let go is another matter."""
     design = fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "0.1 ms"})
-    record = ff.run(design)
+    record = ff.run(design, confirm=False)
     assert record.diverged_at is None
     assert record.stages[1].goal_time is not None
 
@@ -149,7 +147,7 @@ def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
 def test_the_timestep_that_is_chosen_does_not_diverge(values):
     design = with_timestep(ff.load_design("binder2025", {**values, "protocol.timestep": "auto"}))
     assert timestep_warnings(design) == []
-    assert ff.run(design).diverged_at is None
+    assert ff.run(design, confirm=False).diverged_at is None
 
 
 def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
@@ -238,12 +236,12 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(agree, reference):
 def test_how_long_the_open_wing_is_held_does_not_change_the_verdict():
     held = ff.load_design("binder2025", {"protocol.stages.3.hold": "0.5 s", "protocol.stages.3.time_limit": "2 s"})
     assert held.protocol.stages[3].hold > held.protocol.window  # longer than what counts as stuck
-    assert ff.measure(ff.run(held)).status == "folded and opened"
+    assert ff.measure(ff.run(held, confirm=False)).status == "folded and opened"
 
 
 def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
     stages = [stage.model_dump() for stage in reference.protocol.stages]
-    record = ff.run(with_values(reference, {"protocol.stages": [*stages[:2], *stages[3:]]}))
+    record = ff.run(with_values(reference, {"protocol.stages": [*stages[:2], *stages[3:]]}), confirm=False)
     outcome = ff.measure(record)
     assert outcome.holds["folded"]
     assert outcome.states["folded"].time == record.stages[1].end

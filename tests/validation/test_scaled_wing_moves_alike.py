@@ -73,11 +73,11 @@ def assert_moves_alike(agree, holds, small, large, size):
 @pytest.fixture(scope="module")
 def earwig(reference):
     """An earwig's size: 10 mm from hub to tip."""
-    return ff.run(scaled_by_hand(reference, 0.01 / 0.22))
+    return ff.run(scaled_by_hand(reference, 0.01 / 0.22), confirm=False)
 
 
 def test_a_wing_of_a_tenth_of_the_size_moves_alike(agree, holds, reference, reference_run):
-    small = ff.run(scaled_by_hand(reference, 0.1))
+    small = ff.run(scaled_by_hand(reference, 0.1), confirm=False)
     assert ff.measure(small).status == ff.measure(reference_run).status == "folded and opened"
     assert_moves_alike(agree, holds, small, reference_run, 0.1)
 
@@ -85,7 +85,7 @@ def test_a_wing_of_a_tenth_of_the_size_moves_alike(agree, holds, reference, refe
 @pytest.mark.parametrize("size", [1 / 3, 0.7, 3.0])
 def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(agree, holds, reference, reference_run, size):
     # its lengths are other numbers in the model's units, so nothing may be fixed there
-    assert_moves_alike(agree, holds, ff.run(scaled_by_hand(reference, size)), reference_run, size)
+    assert_moves_alike(agree, holds, ff.run(scaled_by_hand(reference, size), confirm=False), reference_run, size)
 
 
 def test_an_earwig_sized_wing_moves_alike(agree, holds, earwig, reference_run):
@@ -137,7 +137,7 @@ def test_the_tips_are_as_fast_at_any_size(earwig, reference_run, agree):
 def test_a_wing_whose_parts_touch_moves_alike_at_any_size(agree, reference):
     touching = with_values(reference, {"protocol.contact": True})
     small = scale_design(touching, 0.5)  # other decades of the model's units
-    records = [ff.run(design) for design in (touching, small)]
+    records = [ff.run(design, confirm=False) for design in (touching, small)]
     angles = [record.angles("ring") for record in records]
     fold = records[0].stages[1].end
     rows = int(np.sum(records[0].time <= fold))

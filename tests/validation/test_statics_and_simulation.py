@@ -45,7 +45,8 @@ def damped(reference, stages, damping, timestep=5e-4, **torques):
                 "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
                 **{f"protocol.{name}": torque for name, torque in torques.items()},
             },
-        )
+        ),
+        confirm=False,
     )
 
 

@@ -64,7 +64,7 @@ def test_gravity_tells_up_from_down(holds, reference):
 
 def test_the_other_tangent_is_another_mechanism(holds, reference, reference_outcome):
     """The veins turn in a sense that the hub's tangents know of; design.md: 34 tendons fold one way, 17 the other."""
-    left = ff.measure(ff.run(with_values(reference, {"pattern.tangent": "left"})))
+    left = ff.measure(ff.run(with_values(reference, {"pattern.tangent": "left"}), confirm=False))
     assert reference_outcome.holds["folded"]
     angles = [each.states["folded"].readings["distal_angle"].mean for each in (left, reference_outcome)]
     apart = np.degrees(np.abs(angles[0] - angles[1]).max())
@@ -72,7 +72,7 @@ def test_the_other_tangent_is_another_mechanism(holds, reference, reference_outc
 
 
 def test_a_run_gives_the_same_bits_twice(reference, reference_run):
-    assert_same_bits(ff.run(reference), reference_run)
+    assert_same_bits(ff.run(reference, confirm=False), reference_run)
 
 
 @pytest.mark.parametrize("threads", [1, 2])
@@ -82,8 +82,8 @@ def test_a_run_gives_the_same_bits_on_any_number_of_threads_and_beside_other_win
     wings = [compile_model(design) for design in (others[0], reference, others[1])]
     together = simulate(wings, threads=threads)
     assert_same_bits(together[1], reference_run)
-    assert_same_bits(together[0], ff.run(others[0]))
-    assert_same_bits(together[2], ff.run(others[1]))
+    assert_same_bits(together[0], ff.run(others[0], confirm=False))
+    assert_same_bits(together[2], ff.run(others[1], confirm=False))
 
 
 def test_a_wing_that_diverges_does_not_touch_those_beside_it(reference, reference_run):
@@ -100,11 +100,11 @@ def test_a_saved_design_gives_the_same_bits(reference, tmp_path):
     again = ff.load_design(tmp_path / "design.toml")
     assert again == design
     assert again.hash == design.hash
-    assert_same_bits(ff.run(again), ff.run(design))
+    assert_same_bits(ff.run(again, confirm=False), ff.run(design, confirm=False))
 
 
 def test_how_often_the_record_is_sampled_changes_nothing(reference, reference_run):
-    seldom = ff.run(with_values(reference, {"protocol.sample_interval": 0.01}))
+    seldom = ff.run(with_values(reference, {"protocol.sample_interval": 0.01}), confirm=False)
     assert seldom.stages == reference_run.stages
     for name in seldom.data:
         assert seldom.data[name].values[-1].tobytes() == reference_run.data[name].values[-1].tobytes(), name

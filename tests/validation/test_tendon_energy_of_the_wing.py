@@ -46,7 +46,9 @@ def tendon_energy(design, angles):
 
 
 def settled(reference, values):
-    return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}))).states["flat"]
+    return ff.measure(ff.run(with_values(reference, {**values, "protocol.stages": SETTLE}), confirm=False)).states[
+        "flat"
+    ]
 
 
 def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run, agree):
@@ -90,7 +92,9 @@ def test_the_length_follows_the_geometry_in_other_fans(agree, reference, hub, se
         "protocol.timestep": 5e-5,
     }
     folding = [{**SETTLE[0], "time_limit": 0.01}, {**SETTLE[0], "drive": "fold", "time_limit": 0.04}]
-    record = ff.run(with_values(reference, {**geometry, "protocol.stages": folding, "protocol.fold_torque": 1.0}))
+    record = ff.run(
+        with_values(reference, {**geometry, "protocol.stages": folding, "protocol.fold_torque": 1.0}), confirm=False
+    )
     assert record.diverged_at is None
     # rounding
     lengths = tendon_length(record.design, record.angles("ring"))

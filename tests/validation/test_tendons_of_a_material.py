@@ -264,7 +264,7 @@ def test_spring_damper_and_branches_together_pull_or_let_go(
 def test_what_branches_would_push_is_accounted_for(holds, reference, moduli):
     """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
     values = WING | {"tendon.law": as_law(moduli, linear_viscosity=50.0, branches=BRANCHES)}
-    record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}))
+    record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}), confirm=False)
     balance = ff.measure(record).energy_balance
     assert -balance.letting_go > 0.02 * balance.work
     holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
@@ -335,7 +335,7 @@ def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(hol
 
 def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(holds, reference):
     outcomes = [
-        ff.measure(ff.run(with_law(reference, {"linear_modulus": 4.8e6, "branches": branches})))
+        ff.measure(ff.run(with_law(reference, {"linear_modulus": 4.8e6, "branches": branches}), confirm=False))
         for branches in ([], [{"modulus": 1e6, "time": 0.002}])
     ]
     assert [outcome.status for outcome in outcomes] == ["folded and opened"] * 2
@@ -359,7 +359,7 @@ def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(agree, re
     models = [compile_model(design).engine for design in (law, direct)]
     for name in ("tendon_stiffness", "tendon_damping", "tendon_lengthspring"):
         assert getattr(models[0], name) == pytest.approx(getattr(models[1], name), rel=1e-15)
-    ours, theirs = (ff.run(design) for design in (law, direct))
+    ours, theirs = (ff.run(design, confirm=False) for design in (law, direct))
     assert ours.stages == theirs.stages
     for name, values in theirs.series.items():
         # rounding, 1e-16, grown by the snaps
@@ -377,7 +377,7 @@ def test_a_scaled_wing_with_a_law_moves_alike(agree, holds, reference, size):
     assert small.tendon.law.quadratic_viscosity == pytest.approx(2.0 * size**2, rel=1e-12)
     assert small.tendon.law.branches[0].time == pytest.approx(0.02 * size, rel=1e-12)
     assert small.tendon.area == pytest.approx(18.75e-6 * size**2, rel=1e-12)
-    records = [ff.run(design) for design in (large, small)]
+    records = [ff.run(design, confirm=False) for design in (large, small)]
     agree("times by the size", records[1].time / size, records[0].time, unit="s", by="the whole size", rel=1e-12)
     for name, power in {
         "hinge_angle": 0,

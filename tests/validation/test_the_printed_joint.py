@@ -53,7 +53,7 @@ def moment(angle):
 
 @pytest.fixture(scope="module")
 def joint_run():
-    return ff.run(JOINT)
+    return ff.run(JOINT, confirm=False)
 
 
 def test_its_hinge_has_the_energy_and_the_moment_of_the_closed_form_at_every_angle(agree):
@@ -115,7 +115,9 @@ def test_the_least_torque_that_moves_it_in_runs_is_that_of_statics(agree, key, t
     if key == "unfold":
         stages += [{**stage("none", "time", 0.1), "name": "snap"}, stage("unfold", "opened", 0.8)]
     for torque in torques:
-        run = ff.run(JOINT.with_values({f"protocol.{key}_torque": torque / 100, "protocol.stages": stages}))
+        run = ff.run(
+            JOINT.with_values({f"protocol.{key}_torque": torque / 100, "protocol.stages": stages}), confirm=False
+        )
         if run.stages[-1].at_goal:
             break
     # the first that does, less half a step
@@ -126,7 +128,7 @@ def test_the_least_torque_that_moves_it_in_runs_is_that_of_statics(agree, key, t
 
 def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
     made = as_made(ff.make_parts(JOINT, "joint"))
-    outcome = ff.measure(ff.run(made))
+    outcome = ff.measure(ff.run(made, confirm=False))
     assert outcome.status == "folded and opened"
     flat = {f"tendon.{end}_offset": "0 mm" for end in ("proximal", "distal")}
     told = [

@@ -18,7 +18,7 @@ STAGES = [
 def folded(**values):
     """Under the torque that folds, for 1.2 s."""
     given = {key.replace("__", "."): value for key, value in values.items()}
-    return ff.run(ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **given}))
+    return ff.run(ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **given}), confirm=False)
 
 
 def angles(record):

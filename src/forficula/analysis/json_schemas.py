@@ -32,6 +32,8 @@ class Transition(TypedDict):
     succeeded: bool
     time_s: Number
     work_J: Number
+    time_uncertainty_s: NotRequired[float]
+    work_uncertainty_J: NotRequired[float]
     largest_force_N: NotRequired[float]
     torque_N_m: NotRequired[float]
     force_N: NotRequired[float]
@@ -185,6 +187,25 @@ class Groups(TypedDict):
     in_words: str
 
 
+@with_config(_CLOSED)
+class SecondRun(TypedDict):
+    """A second run of the same design, in which only the computation differs."""
+
+    name: str
+    timestep_s: float
+    verdict: Verdict
+    status: str
+
+
+@with_config(_CLOSED)
+class Confirmed(TypedDict):
+    """Whether second runs have the same verdict, and which values differ between them by more than 2 %."""
+
+    confirmed: bool
+    checks: list[SecondRun]
+    unsettled: list[str]
+
+
 @with_config(_OPEN)
 class Summary(TypedDict):
     """What a run came to. Beside these keys, by name: whether a state was reached and held, and every transition."""
@@ -194,6 +215,7 @@ class Summary(TypedDict):
     verdict: Verdict
     residual: Number
     advice: str
+    confirmation: NotRequired[Confirmed]
     states: dict[str, State | None]
     stages: dict[str, Stage]
     largest_strains: dict[str, Peak]

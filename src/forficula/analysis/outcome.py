@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis.confirmation import Confirmation, Values, confirm, undecided, undecided_text
+from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
 from forficula.design import stage_drives
 from forficula.displayed import Displayed
@@ -275,10 +276,10 @@ def _outcome(record: Record) -> Outcome:
     """What a run means by itself."""
     structure, protocol, balance = record.structure, record.design.protocol, energy_balance(record)
     ways = [_way(record, transition) for transition in structure.transitions]
-    missed = _missed(record, ways)
+    missed, unresolved = _missed(record, ways), unresolved_stops(record)
     if record.diverged_at is not None:
         verdict = Verdict.DIVERGED
-    elif record.doubt or not balance.residual <= protocol.residual_limit:
+    elif record.doubt or unresolved or not balance.residual <= protocol.residual_limit:
         verdict = Verdict.UNTRUSTED
     else:
         verdict = _verdict(record.structure, missed)
@@ -292,7 +293,7 @@ def _outcome(record: Record) -> Outcome:
         reading=way.state.furthest if verdict.tells and way is not None and way.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
-        why=record.doubt or _why(record, verdict, missed),
+        why=record.doubt or unresolved or _why(record, verdict, missed),
     )
     holds = {way.transition.state: way.holds if verdict.tells else None for way in ways}
     led_to = {way.transition.state: way.state for way in ways}

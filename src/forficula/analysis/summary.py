@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis.branch import Branch, branch_taken
+from forficula.analysis.confirmation import Confirmation
 from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, dominance, groups_of
 from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
@@ -31,6 +32,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "verdict": outcome.verdict.value,
         "residual": outcome.ending.residual,
         "advice": outcome.advice,
+        **({} if outcome.confirmation is None else {"confirmation": _confirmation_summary(outcome.confirmation)}),
     }
     furthest = fold_peak(record)
     last = {
@@ -49,7 +51,8 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "versions": versions,
     }
     states = {
-        name: None if state is None else _state_summary(structure, state) for name, state in outcome.states.items()
+        name: None if state is None else _state_summary(structure, state) | _uncertain_readings(outcome, name)
+        for name, state in outcome.states.items()
     }
     stages: dict[str, Any] = {}
     for stage in outcome.stages:
@@ -58,10 +61,42 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         stages[f"{stage.name} ({again + 1})" if again else stage.name] = _stage_summary(stage)
     transitions = {
         each.name: _transition_summary(outcome.transitions[each.name], structure, drive_of(structure, each.drive))
+        | _uncertain(outcome, each.name, {"time": "s", "work": "J"})
         for each in structure.transitions
     }
     own = {**outcome.holds, "states": states, **transitions, "stages": stages}
     return {**told, **{name: value for name, value in own.items() if name not in {**told, **last}}, **last}
+
+
+def _confirmation_summary(found: Confirmation) -> dict[str, Any]:
+    """What second runs of the design say of the verdict and of the numbers."""
+    return {
+        "confirmed": found.agree,
+        "checks": [
+            {"name": check.name, "timestep_s": check.timestep, "verdict": check.verdict, "status": check.status}
+            for check in found.checks
+        ],
+        "unsettled": list(found.unsettled),
+    }
+
+
+def _uncertain(outcome: Outcome, name: str, units: dict[str, str]) -> dict[str, float]:
+    """Numerical uncertainties of the values of a transition, in keys of their units; none where they are not known."""
+    found = outcome.confirmation
+    sure = {} if found is None else {value: found.of(f"{name}.{value}") for value in units}
+    return {f"{value}_uncertainty_{units[value]}": half for value, half in sure.items() if half is not None}
+
+
+def _uncertain_readings(outcome: Outcome, state: str) -> dict[str, list[float]]:
+    """Numerical uncertainties of what is measured in a state, in keys of their units."""
+    told = {}
+    for measure in outcome.structure.measures if outcome.confirmation is not None else ():
+        halves = outcome.confirmation.uncertainty.get(f"{state}.{measure.name}") if outcome.confirmation else None
+        if halves is not None:
+            angle = measure.kind == "angle"
+            unit = "deg" if angle else "m"
+            told[f"{measure.name}_uncertainty_{unit}"] = (np.degrees(halves) if angle else np.array(halves)).tolist()
+    return told
 
 
 def _state_summary(structure: Structure, state: State) -> dict[str, Any]:

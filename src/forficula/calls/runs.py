@@ -13,12 +13,15 @@ if TYPE_CHECKING:
     from forficula.statics import EnergyLandscape
 
 
-def run(design: AnyDesign, progress: Progress | None = None) -> Record:
+def run(design: AnyDesign, progress: Progress | None = None, *, confirm: bool = True) -> Record:
     """Take a design through its protocol, as `forficula run` does.
 
     Args:
         design: or the name of one, or the path of a design file, a FOLD file or a drawing.
         progress: called now and then with the stage's name, the time so far and the longest it can take, s.
+        confirm: whether to run the design also at half the timestep and from a slightly different start, for the
+            numerical uncertainty of its numbers; a verdict that changes is "undecided". Without, a loop over many
+            designs takes a quarter of the time.
 
     Returns:
         What happened, sampled at the protocol's interval. `measure` says what that came to, `save` writes it. With a
@@ -33,7 +36,7 @@ def run(design: AnyDesign, progress: Progress | None = None) -> Record:
     """
     from forficula.study.runs import run as run_one
 
-    return run_one(as_design(design), progress)
+    return run_one(as_design(design), progress, confirm=confirm)
 
 
 def landscape(design: AnyDesign, *, progress: Callable[[str], None] = lambda _: None) -> EnergyLandscape:

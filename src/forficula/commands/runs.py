@@ -47,6 +47,14 @@ def run(
         WHOLE_NUMBER,
         Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
     ] = None,
+    no_confirm: Annotated[
+        bool,
+        Parameter(
+            negative=(),
+            help="Leave out the second runs, at half the timestep and from a slightly different start, that confirm the"
+            " verdict and give numbers their uncertainty.",
+        ),
+    ] = False,
     no_engine: NoEngine = False,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
@@ -83,7 +91,7 @@ def run(
     for warning in warnings:
         print(f"warning: {warning}", file=sys.stderr)
     with run_progress(f"building the {structure.appearance.whole}") as progress:
-        record = run_design(chosen, progress)
+        record = run_design(chosen, progress, confirm=not no_confirm)
     for warning in run_warnings(record):
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)

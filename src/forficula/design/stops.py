@@ -9,7 +9,7 @@ from pydantic import Field
 from forficula.design.part import SHORT_TIME, Part, quantity
 
 # [chosen] with this one the openings of the reference wing converge in the timestep; with 0.4 ms one of five does not
-_TIME_CONSTANT = 2e-3  # s
+_TIME_CONSTANT = 1e-3  # s
 
 
 class StopSection(Part):

@@ -71,10 +71,13 @@ class EnergyBalance:
 
     @property
     def missing(self) -> float:
-        """Work that the account does not find, J: the error of the integration."""
+        """Work that the account does not find, J: the error of the integration.
+
+        Contacts only take energy. What they give is an error, too, and counts as missing.
+        """
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
         of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
-        others = sum(term or 0.0 for term in (*of_law, self.couplings, self.contacts, self.drag))
+        others = sum(term or 0.0 for term in (*of_law, self.couplings, max(self.contacts or 0.0, 0.0), self.drag))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property

@@ -25,7 +25,7 @@ Effort = tuple[tuple[float, ...], float]
 _RELAXED = 3
 # steps, more than any run takes
 NEVER = 10**15
-_FAR = np.radians(10.0)  # beyond a stop
+_FAR = np.radians(45.0)  # beyond a stop: a stop that yields so far is none
 
 
 @dataclass(frozen=True, kw_only=True)

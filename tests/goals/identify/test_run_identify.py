@@ -29,7 +29,7 @@ UNKNOWN = {
 @pytest.fixture(scope="module")
 def planted():
     """Observations of a sheet whose values are hidden: when it closed, and what it stored while open."""
-    outcome = ff.measure(ff.run(ff.load_design("letter-fold", HIDDEN)))
+    outcome = ff.measure(ff.run(ff.load_design("letter-fold", HIDDEN), confirm=False))
     time, stored = outcome.transitions["close"].time, stored_energy(outcome.states["flat"])
     close = {"until": "close"}
     facts = [

@@ -57,7 +57,7 @@ def _states(outcome: Outcome, structure: Structure) -> str:
     if not there:
         count = len(structure.states)
         return paragraph(f"None of the {_NUMBERS.get(count, count)} states was reached.") if count else ""
-    rows = state_rows(structure, there)
+    rows = state_rows(structure, there, outcome.confirmation)
     groups = [("", 1), *((_at(name, state), len(rows.columns)) for name, state in there.items())]
     if not rows.columns:
         return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")

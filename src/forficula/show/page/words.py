@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
+from forficula.analysis.confirmation import confirmation_text
 from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
@@ -48,6 +49,9 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     """What to know of an outcome, and what to try, one sentence or two each."""
     remarks = [f"{outcome.status[:1].upper()}{outcome.status[1:]}. {outcome.advice}"] if outcome.advice else []
+    if outcome.confirmation is not None and outcome.confirmation.agree:
+        words = confirmation_text(outcome.ending, outcome.confirmation)
+        remarks.append(f"The verdict is {words}. Behind ± stands the numerical uncertainty.")
     whole = record.structure.appearance.whole
     swinging = [outcome.state_names[name] for name, state in outcome.states.items() if state and state.swings]
     if swinging:

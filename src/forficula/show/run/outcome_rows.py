@@ -9,10 +9,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import Outcome, State, TransitionOutcome
+from forficula.analysis import Outcome, State, Verdict
+from forficula.analysis.confirmation import Confirmation
 from forficula.dynamics import EnergyBalance
 from forficula.names import listed
-from forficula.quantities import reading_unit, show_value
+from forficula.quantities import reading_unit, show_uncertain, show_value
 from forficula.show.structure.drive_words import acting, drive_text
 from forficula.show.structure.labels import (
     MOST_TOLD,
@@ -72,8 +73,14 @@ class StateRows:
     sums: list[str]
 
 
-def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
-    """Lay out some states, of which there is one at least, in the same units."""
+def state_rows(
+    structure: Structure, states: Mapping[str, State], confirmation: Confirmation | None = None
+) -> StateRows:
+    """Lay out some states, of which there is one at least, in the same units.
+
+    What is measured has behind ± half the range in which it still swings, or its numerical uncertainty, if that is
+    larger.
+    """
     columns: list[StateColumn] = []
     cells: list[tuple[list[str], Callable[[State, int], str]]] = []
     for measure in (*shown_angles(structure), *shown_distances(structure)):
@@ -82,7 +89,7 @@ def state_rows(structure: Structure, states: Mapping[str, State]) -> StateRows:
             largest = max(float(state.readings[measure.name].mean[0]) for state in states.values())
             unit, factor = reading_unit("m", largest)
         columns.append(StateColumn(title=title_of(measure), unit=unit))
-        cells.append((reading_labels(structure, measure), _reading_cell(structure, measure, factor)))
+        cells.append((reading_labels(structure, measure), _reading_cell(structure, measure, factor, confirmation)))
     tendons, sums = [label_of(tendon) for tendon in structure.tendons], []
     if tendons:
         length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
@@ -166,7 +173,7 @@ def transition_headings(structure: Structure) -> tuple[str, ...]:
 def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
     """The transitions of a structure, under `transition_headings`."""
     return [
-        [transition.wording.noun, *_transition_cells(structure, transition, outcome.transitions[transition.name])]
+        [transition.wording.noun, *_transition_cells(structure, transition, outcome)]
         for transition in structure.transitions
     ]
 
@@ -225,8 +232,11 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
 
 
-def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Callable[[State, int], str]:
-    """Writes what a measure reads in a state: the mean, and half the envelope where it still swings."""
+def _reading_cell(
+    structure: Structure, measure: Measure, factor: float, confirmation: Confirmation | None
+) -> Callable[[State, int], str]:
+    """Writes what a measure reads in a state: the mean, and how far it swings or is uncertain."""
+    sure = {} if confirmation is None else confirmation.uncertainty
     digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
 
     def told(values: NDArray[np.float64], entry: int) -> float:
@@ -237,6 +247,8 @@ def _reading_cell(structure: Structure, measure: Measure, factor: float) -> Call
         if reading is None:  # of a role that no measure watches
             return _number(told(state_angles(state, measure), entry), digits)
         swing = (told(reading.high, entry) - told(reading.low, entry)) / 2
+        if (uncertain := sure.get(f"{state.name}.{measure.name}")) is not None:
+            swing = max(swing, told(np.array(uncertain), entry))
         mean = _number(told(reading.mean, entry), digits)
         return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
 
@@ -252,12 +264,23 @@ def _number(value: float, digits: int) -> str:
     return f"{round(value, digits) + 0.0:.{digits}f}"  # adding 0 turns -0 into 0
 
 
-def _transition_cells(structure: Structure, transition: Transition, found: TransitionOutcome | None) -> list[str]:
-    """A transition in words and units."""
+def _transition_cells(structure: Structure, transition: Transition, outcome: Outcome) -> list[str]:
+    """A transition in words and units, its numbers with their uncertainties where second runs tell these."""
+    found, name = outcome.transitions[transition.name], transition.name
     if found is None:
         return ["not tried", "", "", ""]
-    time = "" if found.time is None else show_value(found.time, "s")
+    time = "" if found.time is None else _sure(outcome.confirmation, f"{name}.time", found.time, "s")
     strength = drive_text(structure, drive_of(structure, transition.drive), found.strength)
     if found.largest_force is not None:
         strength += f", takes {show_value(found.largest_force, 'N')}"
-    return [strength, "yes" if found.succeeded else "no", time, show_value(found.work, "J")]
+    undecided = outcome.verdict is Verdict.UNDECIDED and outcome.holds[transition.state] is None
+    succeeded = "undecided" if undecided else "yes" if found.succeeded else "no"
+    return [strength, succeeded, time, _sure(outcome.confirmation, f"{name}.work", found.work, "J")]
+
+
+def _sure(confirmation: Confirmation | None, name: str, value: float, unit: str) -> str:
+    """A value of an outcome with its uncertainty, marked where that is large."""
+    if confirmation is None:
+        return show_value(value, unit)
+    mark = " (not settled)" * (name in confirmation.unsettled)
+    return f"{show_uncertain(value, confirmation.of(name), unit)}{mark}"

@@ -10,6 +10,7 @@ from rich.text import Text
 
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.branch import branch_taken, branch_text
+from forficula.analysis.confirmation import confirmation_text
 from forficula.analysis.package import smallest_package
 from forficula.analysis.storage import storage_texts
 from forficula.dynamics import Record
@@ -35,6 +36,9 @@ def outcome_table(name: str, outcome: Outcome) -> RenderableType:
     structure = outcome.structure
     verdict = Text(f"{name}: {outcome.status}", style="bold")
     parts: list[RenderableType] = [verdict]
+    if outcome.confirmation is not None and outcome.confirmation.agree:
+        words = confirmation_text(outcome.ending, outcome.confirmation)
+        parts.append(Text(f"{words[:1].upper()}{words[1:]}; ± is the numerical uncertainty."))
     if outcome.advice:
         parts.append(Text(outcome.advice))
     if structure.states:
@@ -82,7 +86,7 @@ def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:
     there = states_reached(structure, outcome)
     if not there:
         return [Text("States: none was reached.")]
-    rows = state_rows(structure, there)
+    rows = state_rows(structure, there, outcome.confirmation)
     if not rows.columns:
         times = ", ".join(f"{name} at {show_value(state.time, 's')}" for name, state in there.items())
         return [Text(f"States: {times}.")]
