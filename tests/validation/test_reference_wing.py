@@ -104,7 +104,10 @@ def test_a_diverged_run_is_data(outcome_of):
 
 
 def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path):
-    program = 'import forficula as ff;print(ff.run(ff.load_design("binder2025", {"protocol.timestep": "5 ms"}), confirm=False).diverged_at)'
+    program = (
+        'import forficula as ff;design = ff.load_design("binder2025", {"protocol.timestep": "5 ms"});'
+        "print(ff.run(design, confirm=False).diverged_at)"
+    )
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert float(done.stdout) > 0
     assert done.stderr == ""

@@ -37,6 +37,7 @@ class Kind(Enum):
     MOVING = "still at the first"
     MOVING_LATER = "still at a later one"
     LOST_LATER = "did not keep a later one"
+    UNDECIDED = "undecided"
     DIVERGED = "diverged"
     UNTRUSTED = "untrusted"
     NOT_BUILT = "not built"
@@ -184,6 +185,7 @@ def outcome_kinds(table: Dataset) -> Mapping[str, Kind]:
     ):
         kinds |= {verdict_word(verdict, wording): kind for wording in wordings}
     for verdict, kind in (
+        (Verdict.UNDECIDED, Kind.UNDECIDED),
         (Verdict.DIVERGED, Kind.DIVERGED),
         (Verdict.UNTRUSTED, Kind.UNTRUSTED),
         (Verdict.NOT_BUILT, Kind.NOT_BUILT),

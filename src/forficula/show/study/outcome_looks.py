@@ -47,6 +47,7 @@ _LOOKS: dict[Kind, Look] = {
     Kind.MOVING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
     Kind.MOVING_LATER: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
     Kind.LOST_LATER: Look(face="#F3DDA6", hatch="|||||", marker="2"),
+    Kind.UNDECIDED: Look(face="#F7E9F1", hatch="//\\\\//", marker="D"),
     Kind.DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
     Kind.UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
     Kind.NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
