@@ -24,6 +24,7 @@ const PATTERNS = {
   "\u21bb": "reclosed",
   "\u25b7": "moving",
   "\u25c1": "opening",
+  "\u2277": "undecided",
   "\u2260": "untrusted",
   "\u271a": "diverged",
   "\u2298": "unbuilt",

@@ -24,7 +24,7 @@ class Confirmation:
 
     Attributes:
         checks: the second runs.
-        agree: whether the verdict of all of them is that of the run.
+        agree: whether all of them say the same of the structure as the run, see `same_ending`.
         uncertainty: numerical uncertainty of times, s, works and energies, J, and readings, rad or m, by name, with as
             many entries as each has; see `uncertainties`.
         unsettled: names of the values whose uncertainty exceeds 2 % of the value.
@@ -50,7 +50,7 @@ def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Ch
         timestep: of the run, s.
         checks: the second runs.
     """
-    agree = all((check.verdict, check.goal) == (ending.verdict.value, ending.goal) for check in checks)
+    agree = all(same_ending(ending, check) for check in checks)
     sure = uncertainties(values, timestep, checks)
     unsettled = tuple(
         name
@@ -59,6 +59,19 @@ def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Ch
         and any(half > SETTLED_WITHIN * abs(value) for half, value in zip(each, values[name], strict=True))
     )
     return Confirmation(checks=tuple(checks), agree=agree, uncertainty=sure, unsettled=unsettled)
+
+
+def same_ending(ending: Ending, check: Check) -> bool:
+    """Return whether a second run says the same of the structure.
+
+    A run that still moves when its time is over and one that rests by then both fall short of the goal within the time
+    limit; how slowly the last of a creep dies away is no difference between outcomes.
+    """
+    return (_outcome_of(ending.verdict), ending.goal) == (_outcome_of(Verdict(check.verdict)), check.goal)
+
+
+def _outcome_of(verdict: Verdict) -> Verdict:
+    return Verdict.STUCK if verdict is Verdict.MOVING else verdict
 
 
 def uncertainties(values: Values, timestep: float, checks: Sequence[Check]) -> dict[str, tuple[float, ...]]:
@@ -101,7 +114,7 @@ def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:
     others = [
         f"{check.status} {name}"
         for name, check in zip(names, confirmation.checks, strict=True)
-        if (check.verdict, check.goal) != (ending.verdict.value, ending.goal)
+        if not same_ending(ending, check)
     ]
     return listed(others)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from forficula.analysis.confirmation import Confirmation, Values, confirm, undecided, undecided_text
 from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
-from forficula.design import stage_drives
+from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
-from forficula.dynamics import EnergyBalance, Record, StageEnd, as_record, energy_balance
+from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.structure import (
     Drive,
@@ -225,8 +225,7 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
         InputError: it is no run, or cannot be read.
     """
     record = as_record(run)
-    outcome = _outcome(record)
-    return _held_against(outcome, record) if record.checks and outcome.verdict.tells else outcome
+    return held_against(_outcome(record), record.checks, record.design)
 
 
 def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
@@ -242,16 +241,28 @@ def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
     return values
 
 
-def _held_against(outcome: Outcome, record: Record) -> Outcome:
-    """An outcome with its confirmation; without what depends on the computation where the second runs disagree."""
+def held_against(outcome: Outcome, checks: Sequence[Check], design: Design) -> Outcome:
+    """Compare an outcome with second runs of its design.
+
+    Args:
+        outcome: of a run by itself.
+        checks: second runs; without any, and of a run that says nothing of its structure, the outcome stays.
+        design: that ran.
+
+    Returns:
+        The outcome with its confirmation. Where the verdicts differ the verdict is "undecided", and what the runs
+        disagree on is not known: `holds` is None, and a transition that leads there has no time.
+    """
+    if not checks or not outcome.verdict.tells:
+        return outcome
     values: Values = outcome_values(outcome)
-    timestep = float(record.design.protocol.timestep)
-    found = confirm(outcome.ending, values, timestep, record.checks)
+    timestep = float(design.protocol.timestep)
+    found = confirm(outcome.ending, values, timestep, checks)
     if found.agree:
         return replace(outcome, confirmation=found)
     ending = undecided(outcome.ending, undecided_text(outcome.status, timestep, outcome.ending, found))
     holds = {
-        state: held if all(check.holds.get(state) == held for check in record.checks) else None
+        state: held if all(check.holds.get(state) == held for check in checks) else None
         for state, held in outcome.holds.items()
     }
     leads = {each.name: each.state for each in outcome.structure.transitions}
@@ -259,7 +270,7 @@ def _held_against(outcome: Outcome, record: Record) -> Outcome:
         outcome,
         ending=ending,
         status=ending_text(ending),
-        advice=ending_advice(ending, record.design, outcome.structure),
+        advice=ending_advice(ending, design, outcome.structure),
         holds=holds,
         state_names={
             state.name: _called(state, outcome.states[state.name], holds) for state in outcome.structure.states

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -17,13 +17,16 @@ from forficula.analysis import (
     ending_word,
     measure,
 )
+from forficula.analysis.confirmation import HALF_STEP
 from forficula.analysis.margin import margin_column, transition_margins
+from forficula.analysis.outcome import held_against
 from forficula.analysis.package import smallest_package
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.study.journal import SCHEMA, Row
-from forficula.study.runs import run_each
+from forficula.study.needs_confirmation import needs_confirmation
+from forficula.study.runs import check_of, half_step, run_each
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:
@@ -36,7 +39,9 @@ def evaluate(
 ) -> Iterator[Row]:
     """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
 
-    A design that cannot be built is a row, too, whose status says why.
+    A design that cannot be built is a row, too, whose status says why. A run whose verdict may depend on the timestep,
+    see `needs_confirmation`, is run again at half the timestep: `confirmed` says whether the verdict was the same, None
+    where that was not tried. Where verdicts differ, the verdict is "undecided", and margins are the lesser ones.
 
     Args:
         designs: what to run.
@@ -45,14 +50,45 @@ def evaluate(
         whole: whether to keep all rows of the records, for what the ends of stages do not tell: see `whole_row`.
     """
     keys = [row_key(design, whole=whole) for design in designs]
+    doubtful: list[tuple[Row, Outcome, Design]] = []
     for number, result in run_each(designs, threads, sparse=not whole, until_last=until_last):
         if isinstance(result, InputError):
             yield {"key": keys[number], **ending_row(Ending(verdict=Verdict.NOT_BUILT, why=str(result)))}
+            continue
+        outcome = measure(result)
+        more = whole_row(result, outcome) if whole else {}
+        margins = transition_margins(result, outcome)
+        row = {"key": keys[number], **_row(result, outcome, margins), **more}
+        if needs_confirmation(result, outcome, margins):
+            doubtful.append((row, outcome, result.design))
         else:
-            outcome, timestep = measure(result), float(result.design.protocol.timestep)
-            margins = {margin_column(name): each for name, each in transition_margins(result, outcome).items()}
-            more = whole_row(result, outcome) if whole else {}
-            yield {"key": keys[number], **outcome_row(outcome), **margins, **more, "timestep_s": timestep}
+            yield row
+    halves = [half_step(design) for _, _, design in doubtful]
+    for number, result in run_each(halves, threads, sparse=True):
+        row, outcome, design = doubtful[number]
+        yield row if isinstance(result, InputError) else _confirmed(row, outcome, design, result)
+
+
+def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:
+    """What a row has of every run."""
+    agree = None if outcome.confirmation is None else outcome.confirmation.agree
+    return {
+        **outcome_row(outcome),
+        **{margin_column(name): each for name, each in margins.items()},
+        "confirmed": agree,
+        "timestep_s": float(record.design.protocol.timestep),
+    }
+
+
+def _confirmed(row: Row, outcome: Outcome, design: Design, half: Record) -> Row:
+    """A row that was held against a run of the same design at half the timestep."""
+    other = measure(half)
+    found = held_against(outcome, [check_of(HALF_STEP, float(half.design.protocol.timestep), other)], design)
+    if found.confirmation is None or found.confirmation.agree:
+        return row | {"confirmed": None if found.confirmation is None else True}
+    margins = {margin_column(name): each for name, each in transition_margins(half, other).items()}
+    least = {name: min(each, float(row[name])) for name, each in margins.items()}
+    return row | outcome_row(found) | least | {"confirmed": False}
 
 
 def outcome_row(outcome: Outcome) -> Row:

@@ -216,7 +216,8 @@ def _parts(
     first, second = search.first, search.second
     least = float(table[first.least_name].values.ravel()[point])
     # of a run that says nothing there is nothing to see
-    tells = Verdict(str(table["verdict"].values.ravel()[point])).tells
+    verdict = Verdict(str(table["verdict"].values.ravel()[point]))
+    tells = verdict.tells or verdict is Verdict.UNDECIDED
     part = _part_name(structure, first)
     if math.isnan(least):
         if tells:

@@ -136,6 +136,26 @@ def lost_text(table: Dataset, transition: TableTransition) -> str:
     return f" ({count} {verdict_word(Verdict.NOT_HELD, transition.wording)})" if count else ""
 
 
+def undecided_text(table: Dataset, transition: TableTransition) -> str:
+    """How many more make a transition if all do of which that is undecided, as " (15 with the undecided ones)".
+
+    Empty where all are decided.
+    """
+    open_ones, names = table[transition.least].isnull(), (f"{transition.name}_outcome", "outcome")
+    outcomes = next(table[name] for name in names if name in table)
+    undecided = int((open_ones & (outcomes == verdict_word(Verdict.UNDECIDED, None))).sum())
+    return f" ({int((~open_ones).sum()) + undecided} with the undecided ones)" if undecided else ""
+
+
+def confirmation_sentence(table: Dataset) -> str:
+    """Return how many runs were repeated at half the timestep and what that changed; empty where none was."""
+    runs, repeated, changed = (int(table.attrs.get(f"runs{of}", 0)) for of in ("", "_repeated", "_undecided"))
+    if not repeated:
+        return ""
+    verdicts = "no verdict changed" if not changed else f"{changed} changed their verdict and count as undecided"
+    return f"{repeated} of {runs} runs were repeated at half the timestep: {verdicts}"
+
+
 def _lost(table: Dataset, transition: TableTransition) -> DataArray:
     """Where a transition was made and lost when released."""
     outcomes = table.get(f"{transition.name}_outcome", table["outcome"])

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from forficula.analysis import Outcome, Verdict, measure
-from forficula.analysis.confirmation import HALF_STEP, OTHER_START
+from forficula.analysis.confirmation import HALF_STEP, OTHER_START, same_ending
 from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
@@ -304,7 +304,7 @@ def _agree(before: Outcome, after: Outcome) -> bool:
 
 
 def _same_ending(before: Outcome, after: Outcome) -> bool:
-    return (before.verdict, before.ending.goal) == (after.verdict, after.ending.goal)
+    return same_ending(after.ending, check_of("", 0.0, before))
 
 
 def _last_holds(outcome: Outcome, structure: Structure) -> bool:

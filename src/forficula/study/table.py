@@ -86,9 +86,16 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "transitions": transitions_text(structure, search),
         "start_state": first_state(structure, structure.stage_states),
         "whole": structure.appearance.whole,
+        **_confirmations(rows),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
     return StudyTable(variables, coordinates, attributes)
+
+
+def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
+    """How many runs there are, how many were repeated at half the timestep, and how many verdicts that changed."""
+    held = [row["confirmed"] for row in rows.values() if row.get("confirmed") is not None]
+    return {"runs": len(rows), "runs_repeated": len(held), "runs_undecided": held.count(False)}
 
 
 def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:

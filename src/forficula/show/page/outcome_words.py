@@ -23,6 +23,7 @@ _SIGNS = {
     Kind.UNDER_WAY: "✱",
     Kind.MOVING: "▷",
     Kind.LOST: "↺",
+    Kind.UNDECIDED: "≷",
     Kind.DIVERGED: "✚",
     Kind.UNTRUSTED: "≠",
     Kind.NOT_BUILT: "⊘",

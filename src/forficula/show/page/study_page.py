@@ -22,7 +22,15 @@ from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
 from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import TableTransition, asked_transitions, did_all, least_values, lost_text
+from forficula.study.outcome_kinds import (
+    TableTransition,
+    asked_transitions,
+    confirmation_sentence,
+    did_all,
+    least_values,
+    lost_text,
+    undecided_text,
+)
 from forficula.study.search_steps import SearchStep
 
 if TYPE_CHECKING:
@@ -98,24 +106,24 @@ def study_page(
 def study_sentence(study: Study, results: Dataset) -> str:
     """How many points there are and what became of them."""
     count, transitions = f"{len(study.points)} points", asked_transitions(results)
+    confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
     if study.search is None:
         told = [
             f"{int(did_all(results, transitions[: place + 1]).sum())} {_can(transitions, place)}"
             for place in range(len(transitions))
         ]
-        return f"{count}: {', '.join(told)}." if told else f"{count}."
+        return f"{count}: {', '.join(told)}.{confirmed}" if told else f"{count}.{confirmed}"
     parts = []
     for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
         what = _can(transitions, place, again=False) if place == 0 else f"{each.wording.verb} again"
         values = least_values(results, each)
         if not len(values):
-            parts.append(f"none can {what}")
+            parts.append(f"none can {what}{undecided_text(results, each)}")
             continue
         low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
-        parts.append(
-            f"{len(values)} {what}, with {low if low == high else f'{low} to {high}'}{lost_text(results, each)}"
-        )
-    return f"{count}: {'; '.join(parts)}."
+        between = low if low == high else f"{low} to {high}"
+        parts.append(f"{len(values)}{undecided_text(results, each)} {what}, with {between}{lost_text(results, each)}")
+    return f"{count}: {'; '.join(parts)}.{confirmed}"
 
 
 def _can(transitions: Sequence[TableTransition], place: int, *, again: bool = True) -> str:

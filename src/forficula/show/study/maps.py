@@ -347,7 +347,7 @@ def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Cal
     """
     stuck_later = next((word for word, kind in kinds.items() if kind is Kind.STUCK_LATER), OTHER)
     did_first = {word for word, kind in kinds.items() if kind.did_first}
-    silent = (Kind.DIVERGED, Kind.UNTRUSTED, Kind.NOT_BUILT)
+    silent = (Kind.UNDECIDED, Kind.DIVERGED, Kind.UNTRUSTED, Kind.NOT_BUILT)
     short_of_first = (Kind.STUCK, Kind.UNDER_WAY, Kind.MOVING, Kind.LOST)
 
     def why(outcome: str, first: str, reference: str) -> str:

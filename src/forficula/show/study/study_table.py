@@ -11,7 +11,13 @@ from rich.table import Table
 from forficula.quantities import show_quantity
 from forficula.show.study.choice_rows import choice_rows
 from forficula.study import Study
-from forficula.study.outcome_kinds import asked_transitions, least_values, lost_text
+from forficula.study.outcome_kinds import (
+    asked_transitions,
+    confirmation_sentence,
+    least_values,
+    lost_text,
+    undecided_text,
+)
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -26,6 +32,8 @@ def print_study(study: Study, table: Dataset) -> None:
     for outcome, count in Counter(map(str, table["outcome"].values.ravel())).most_common():
         lines.add_row(outcome, str(count))
     Console(width=110, highlight=False).print(lines)
+    if sentence := confirmation_sentence(table):
+        print(f"{sentence}.")
     headings, rows = choice_rows(table)
     if rows:
         by_choice = Table(box=None, padding=(0, 2, 0, 0))
@@ -43,6 +51,7 @@ def print_study(study: Study, table: Dataset) -> None:
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
             less = "; less was not tried" if step.values[0] in values and step.values[0] != 0 else ""
-            print(f"{len(values)} of {len(study.points)} {what}, with {between}{lost_text(table, each)}{less}")
+            more = undecided_text(table, each)
+            print(f"{len(values)} of {len(study.points)}{more} {what}, with {between}{lost_text(table, each)}{less}")
         else:
-            print(f"none of {len(study.points)} {what}")
+            print(f"none of {len(study.points)} {what}{undecided_text(table, each)}")
