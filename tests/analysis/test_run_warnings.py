@@ -104,7 +104,7 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     assert said in run_warnings(record)
 
 
-def test_contacts_that_gave_energy_are_warned_of_though_the_account_closes():
+def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():
     stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
     wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
     record = run(wing)
@@ -113,5 +113,5 @@ def test_contacts_that_gave_energy_are_warned_of_though_the_account_closes():
     for values in given.values():
         values[-1] += 1.0  # J
     gifted = replace(record, series={**record.series, **given})
-    assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing, abs=1e-12)
+    assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing - 1.0, abs=1e-4)
     assert any(warning.startswith("contacts gave 1 J, ") for warning in run_warnings(gifted))

@@ -78,7 +78,7 @@ def _crossing_panels(record: Record) -> list[str]:
 
 
 def _giving_contacts(record: Record) -> list[str]:
-    """Of contacts that gave more energy than may be missing from an account, in which it is found as theirs."""
+    """Of contacts that gave more energy than may be missing from a balance."""
     if "contact_work" not in record.series or record.diverged_at is not None:
         return []
     balance = energy_balance(record)
@@ -87,8 +87,8 @@ def _giving_contacts(record: Record) -> list[str]:
         return []
     share = f"{100 * given / balance.exchanged:.2g} % of what was exchanged" if balance.exchanged else "from nothing"
     return [
-        f"contacts gave {show_value(given, 'J')}, {share}, where real ones only take: an error of how the engine models"
-        " them, which is in the account as theirs"
+        f"contacts gave {show_value(given, 'J')}, {share}, but real contacts only take energy: the timestep does not"
+        " resolve them, and this energy counts as missing"
     ]
 
 
