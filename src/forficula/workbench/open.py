@@ -5,8 +5,10 @@ from __future__ import annotations
 import threading
 import webbrowser
 from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
 
-from forficula.workbench.asked import Opened
+from forficula.workbench.asked import opened_with
 from forficula.workbench.server import serve
 
 
@@ -26,11 +28,21 @@ def open_workbench(
         InputError: the port cannot be had.
         KeyboardInterrupt: ctrl-C.
     """
+    told = False
 
-    def ready(address: str) -> None:
-        print(f"open at {address}\nctrl-C ends it", flush=True)
-        if browser:
-            # some browsers are waited for
-            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+    def announce(address: str) -> None:
+        nonlocal told
+        if told:
+            text = f"that address has been used; for another browser open {address}"
+        else:
+            text = f"open at {address}\nthe address works once, then the next one is shown here\nctrl-C ends it"
+        told = True
+        # its terminal may be gone by then
+        with suppress(OSError, ValueError):
+            print(text, flush=True)
 
-    serve(Opened(design=design, settings=settings, unit=unit), port, ready)
+    def browse(file: Path) -> None:
+        # some browsers are waited for
+        threading.Thread(target=webbrowser.open, args=(file.as_uri(),), daemon=True).start()
+
+    serve(opened_with(design, settings, unit), port, announce, browse if browser else None)
