@@ -1,4 +1,4 @@
-"""Which files a page of a workbench may name: its text comes from others, too, such as a design that is dropped on it."""
+"""Which files a page of a workbench may name; a design that is dropped on it may come from somebody else."""
 
 import json
 
@@ -91,7 +91,8 @@ def test_a_page_names_no_file_outside_and_does_not_learn_whether_it_exists(place
 
 
 @pytest.mark.parametrize("path", ["link.toml", "linked/credentials.toml", "~/credentials.toml", "linked/../x.toml"])
-def test_no_link_and_no_home_leads_outside(places, path):
+@pytest.mark.usefixtures("places")
+def test_no_link_and_no_home_leads_outside(path):
     opened = opened_with("binder2025-joint", {}, None)
     told = refusal(opened, settings={"tendon.law": path})
     assert SECRET not in told
@@ -99,7 +100,7 @@ def test_no_link_and_no_home_leads_outside(places, path):
     assert "linked" not in path or REFUSED in told
 
 
-def test_no_near_name_of_another_folder_is_offered(places, tmp_path, monkeypatch):
+def test_no_near_name_of_another_folder_is_offered(places, monkeypatch):
     inside, outside = places
     opened = opened_with(str(inside / "design.toml"), {}, None)
     monkeypatch.chdir(outside)

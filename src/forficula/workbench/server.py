@@ -133,7 +133,7 @@ def application(bench: Bench) -> BoundedApplication:
     own = bench.access.path
     return BoundedApplication(
         [
-            (r"/open/([^/]+)", _Entrance, shared),
+            (r"/open/([A-Za-z0-9_-]+)", _Entrance, shared),
             (own, _Page, shared),
             (rf"{own}(design|model|pattern)", _Answer, shared),
             (rf"{own}(landscape|run)", _Results, shared),
