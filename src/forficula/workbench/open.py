@@ -25,7 +25,7 @@ def open_workbench(
         browser: whether to show it there.
 
     Raises:
-        InputError: the port cannot be had.
+        InputError: the design cannot be read, or the port cannot be had.
         KeyboardInterrupt: ctrl-C.
     """
     told = False
@@ -45,4 +45,5 @@ def open_workbench(
         # some browsers are waited for
         threading.Thread(target=webbrowser.open, args=(file.as_uri(),), daemon=True).start()
 
+    # what cannot be read is reported here, not on a page
     serve(opened_with(design, settings, unit), port, announce, browse if browser else None)
