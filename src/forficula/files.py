@@ -11,6 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any
 
+from forficula.allowed_files import check_may_read
 from forficula.errors import InputError
 from forficula.lock import held
 from forficula.quantities import as_written
@@ -286,8 +287,9 @@ def read_text(path: Path) -> str:
         path: of the file, UTF-8.
 
     Raises:
-        InputError: no such file, it cannot be read, or it is not UTF-8.
+        InputError: no such file, it cannot or may not be read, or it is not UTF-8.
     """
+    check_may_read(path)
     try:
         # Windows' editors begin UTF-8 with a byte order mark
         return path.read_text("utf-8-sig")

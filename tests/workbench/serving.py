@@ -22,10 +22,12 @@ class Served:
     Attributes:
         process: its own.
         address: of its page.
+        cookie: of a browser that has been let in.
     """
 
     process: subprocess.Popen
     address: str
+    cookie: str
 
     @property
     def port(self) -> int:
@@ -33,11 +35,16 @@ class Served:
         assert port is not None
         return port
 
+    def invitation(self):
+        """The address that its terminal shows next, which lets one more browser in."""
+        return printed_address(self.process)
+
     def request(self, method, path="", body=None, headers=None):
         """Status and bytes of an answer; a path without a slash is below that of the page."""
+        headers = {"Cookie": self.cookie} | (headers or {})
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=SECONDS)
         whole = path if path.startswith("/") else urlsplit(self.address).path + path
-        connection.request(method, whole, body, headers or {})
+        connection.request(method, whole, body, headers)
         answer = connection.getresponse()
         found = answer.status, answer.read()
         connection.close()
@@ -56,6 +63,26 @@ class Served:
         return errors, self.process.returncode
 
 
+def printed_address(process):
+    """The next address on the terminal of a workbench."""
+    while line := process.stdout.readline():
+        if found := re.search(r"http://\S+/open/\S+", line):
+            return found[0]
+    raise AssertionError(process.communicate()[1])
+
+
+def enter(address):
+    """Open an address as a browser does: the status, the cookie that is set, and the path that the answer leads to."""
+    parts = urlsplit(address)
+    connection = http.client.HTTPConnection("127.0.0.1", parts.port, timeout=SECONDS)
+    connection.request("GET", parts.path)
+    answer = connection.getresponse()
+    status, cookie, page = answer.status, answer.headers.get("Set-Cookie", ""), answer.read().decode()
+    connection.close()
+    leads = re.search(r'http-equiv="refresh" content="0; url=([^"]+)"', page)
+    return status, cookie, leads[1] if leads else page
+
+
 @contextmanager
 def serving(*arguments, folder, quietly=True):
     """Open a workbench with these arguments of the command line, without a browser unless that is wanted."""
@@ -67,9 +94,8 @@ def serving(*arguments, folder, quietly=True):
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     process = subprocess.Popen(command, cwd=folder, env=environment, text=True, **pipes)
     try:
-        found = re.search(r"http://\S+", process.stdout.readline())
-        assert found, process.communicate()[1]
-        yield Served(process=process, address=found[0])
+        _, cookie, page = enter(address := printed_address(process))
+        yield Served(process=process, address=address.partition("/open/")[0] + page, cookie=cookie.partition(";")[0])
     finally:
         if process.poll() is None:
             # a job in the background ignores ctrl-C

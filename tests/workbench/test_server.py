@@ -5,12 +5,11 @@ import json
 import signal
 import socket
 import sys
-import time
 
 import pytest
 
 from forficula.design import design_from_text, load_design
-from forficula.workbench.server import LARGEST
+from forficula.workbench.traffic import LARGEST
 from tests.workbench.serving import SECONDS, serving
 
 SQUARE = {
@@ -83,6 +82,7 @@ def test_more_than_a_design_can_be_is_not_taken(served):
     path = served.address.partition(str(served.port))[2]
     connection.putrequest("POST", f"{path}design")
     connection.putheader("Content-Type", "application/json")
+    connection.putheader("Cookie", served.cookie)
     connection.putheader("Content-Length", str(LARGEST + 1))
     connection.endheaders()
     assert connection.getresponse().status == 400
@@ -211,7 +211,9 @@ def test_what_cannot_be_surveyed_says_why(served):
 def test_work_ends_when_its_page_leaves(served):
     slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
     connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
-    connection.request("POST", served.address.partition(str(served.port))[2] + "run", slow, JSON)
+    connection.request(
+        "POST", served.address.partition(str(served.port))[2] + "run", slow, JSON | {"Cookie": served.cookie}
+    )
     assert b"doing" in connection.getresponse().readline()
     # hours of work
     connection.sock.shutdown(socket.SHUT_RDWR)
@@ -240,7 +242,9 @@ def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
         connection = http.client.HTTPConnection("127.0.0.1", served.port, timeout=SECONDS)
         if at_work:
             slow = json.dumps({"design": "binder2025", "settings": {"protocol.timestep": "0.0005 ms"}})
-            connection.request("POST", served.address.partition(str(served.port))[2] + "run", slow, JSON)
+            connection.request(
+                "POST", served.address.partition(str(served.port))[2] + "run", slow, JSON | {"Cookie": served.cookie}
+            )
             connection.getresponse().readline()
         errors, code = served.interrupt(number)
         connection.close()
@@ -248,18 +252,6 @@ def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
     assert errors.splitlines() == ["forficula: stopped"]
     assert list(tmp_path.iterdir()) == []
     assert list(temporary.iterdir()) == []
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="there BROWSER names the browser")
-def test_it_is_shown_in_the_browser_unless_that_is_not_wanted(tmp_path, monkeypatch):
-    (tmp_path / "browser.py").write_text("import sys, pathlib; pathlib.Path('shown').write_text(sys.argv[1])", "utf-8")
-    monkeypatch.setenv("BROWSER", f"{sys.executable} {tmp_path / 'browser.py'} %s")
-    with serving("letter-fold", folder=tmp_path, quietly=False) as served:
-        end = time.monotonic() + SECONDS
-        while not (tmp_path / "shown").exists() or not (tmp_path / "shown").read_text():
-            assert time.monotonic() < end
-            time.sleep(0.05)
-        assert (tmp_path / "shown").read_text() == served.address
 
 
 def test_a_port_that_is_taken_is_named(capsys):

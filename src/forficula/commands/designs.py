@@ -158,8 +158,6 @@ def open_design(
 
     from forficula.workbench import open_workbench
 
-    # what cannot be read is told here, not on a page
-    read_design(design, settings, unit)
     open_workbench(design, setting_texts(settings), read_unit(unit), port, browser=not no_browser)
 
 

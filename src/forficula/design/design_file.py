@@ -15,6 +15,7 @@ from typing import Any
 import tomli_w
 from pydantic import ValidationError
 
+from forficula.allowed_files import may_read
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.fan_sections import MOST_UNITS
@@ -173,7 +174,7 @@ def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
         return [*(_read_files(above_it) if above_it else []), (name_or_path, named)]
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
-        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml"))]
+        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
         hint = _nearest(name_or_path, known) or f"the named designs are {', '.join(_named())}"
         raise InputError(f"{as_written(name_or_path)} is neither a named design nor a .toml file; {hint}")
     tables = read_toml(path, "a design")

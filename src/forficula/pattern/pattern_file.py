@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from forficula.allowed_files import check_may_read
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.drawing_file import read_drawing
@@ -36,6 +37,7 @@ def read_pattern(
         InputError: another ending, a choice that the kind of file does not have, or what these raise.
     """
     file = Path(path)
+    check_may_read(file)
     ending = file.suffix.lower()
     if ending not in PATTERN_FILES:
         known = ", ".join(f"{each} ({what})" for each, what in PATTERN_FILES.items())

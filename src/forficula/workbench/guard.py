@@ -24,8 +24,17 @@ def refusal(port: int, host: str, origin: str, site: str) -> str:
     allowed = [f"{name}:{port}" for name in _HOSTS]
     if host.lower() not in allowed:
         return f"this workbench answers to {' and '.join(allowed)}, not to {host[:100]}"
-    if origin and (urlsplit(origin).scheme, urlsplit(origin).netloc.lower()) != ("http", host.lower()):
+    if origin and not _is_own(origin, host):
         return "this workbench answers to its own page, not to one of another place"
     if site not in _SITES:
         return "this workbench answers to its own page, not to one of another place"
     return ""
+
+
+def _is_own(origin: str, host: str) -> bool:
+    try:
+        parts = urlsplit(origin)
+    except ValueError:
+        # no origin at all, such as "http://["
+        return False
+    return (parts.scheme, parts.netloc.lower()) == ("http", host.lower())

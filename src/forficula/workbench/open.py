@@ -5,8 +5,10 @@ from __future__ import annotations
 import threading
 import webbrowser
 from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
 
-from forficula.workbench.asked import Opened
+from forficula.workbench.asked import opened_with
 from forficula.workbench.server import serve
 
 
@@ -23,14 +25,25 @@ def open_workbench(
         browser: whether to show it there.
 
     Raises:
-        InputError: the port cannot be had.
+        InputError: the design cannot be read, or the port cannot be had.
         KeyboardInterrupt: ctrl-C.
     """
+    told = False
 
-    def ready(address: str) -> None:
-        print(f"open at {address}\nctrl-C ends it", flush=True)
-        if browser:
-            # some browsers are waited for
-            threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+    def announce(address: str) -> None:
+        nonlocal told
+        if told:
+            text = f"that address has been used; for another browser open {address}"
+        else:
+            text = f"open at {address}\nthe address works once, then the next one is shown here\nctrl-C ends it"
+        told = True
+        # its terminal may be gone by then
+        with suppress(OSError, ValueError):
+            print(text, flush=True)
 
-    serve(Opened(design=design, settings=settings, unit=unit), port, ready)
+    def browse(file: Path) -> None:
+        # some browsers are waited for
+        threading.Thread(target=webbrowser.open, args=(file.as_uri(),), daemon=True).start()
+
+    # what cannot be read is reported here, not on a page
+    serve(opened_with(design, settings, unit), port, announce, browse if browser else None)

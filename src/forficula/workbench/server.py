@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import json
-import secrets
 import signal
 import socket
 from collections.abc import Callable
@@ -16,21 +15,25 @@ from typing import Any
 
 from pydantic import ValidationError
 from tornado.httpserver import HTTPServer
-from tornado.web import Application, RequestHandler
+from tornado.httputil import HTTPServerRequest
+from tornado.web import RequestHandler
 
 from forficula.errors import InputError
+from forficula.workbench.access import Access, redirect_page, refused_page, write_redirect
 from forficula.workbench.asked import Asked, Opened
 from forficula.workbench.desk import Desk
 from forficula.workbench.guard import refusal
 from forficula.workbench.page import workbench_page
+from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
 
 LOOPBACK = "127.0.0.1"
-LARGEST = 20_000_000  # bytes of what a page sends
 _ENDED = "the work on it ended before it was done; it may need more memory than there is"
 # what work comes to that has no result; cancelled it is with the server
 _TOLD = (InputError, StoppedError, RuntimeError, asyncio.CancelledError)
 _REPORT = "report.html"
+_ENTRANCE = "open.html"
+_BUFFER = 2**20  # bytes that are read ahead of a connection
 
 
 @dataclass(kw_only=True)
@@ -42,58 +45,74 @@ class Bench:
         port: where it listens.
         quick: for what a page waits for.
         slow: for what it can do without meanwhile.
+        access: who is let in.
         folder: where results lie.
         results: how many there were.
     """
 
     opened: Opened
     port: int
+    access: Access
     quick: Desk
     slow: Desk
     folder: Path
     results: int = 0
 
 
-def serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> None:
+def serve(
+    opened: Opened, port: int | None, announce: Callable[[str], None], browse: Callable[[Path], None] | None
+) -> None:
     """Serve a workbench until it is interrupted.
 
     Args:
         opened: what it begins with.
         port: where it listens; any that is free if not given.
-        ready: is told its address once it answers.
+        announce: is told an address that lets one browser in, and after its use the next one.
+        browse: is given a file that leads a browser in and that only its owner can read; None to open no browser.
 
     Raises:
         InputError: the port is taken or not allowed.
         KeyboardInterrupt: ctrl-C, or another signal that ends it.
     """
-    asyncio.run(_serve(opened, port, ready))
+    asyncio.run(_serve(opened, port, announce, browse))
     raise KeyboardInterrupt
 
 
-async def _serve(opened: Opened, port: int | None, ready: Callable[[str], None]) -> None:
+async def _serve(
+    opened: Opened, port: int | None, announce: Callable[[str], None], browse: Callable[[Path], None] | None
+) -> None:
     try:
         listening = socket.create_server((LOOPBACK, port or 0))
     except OSError as error:
         raise InputError(f"--port: {port} cannot be had: {error.strerror or error}") from None
     own_port = listening.getsockname()[1]
     listening.setblocking(False)
-    # others who have an account on this machine reach its ports, too, but do not know this
-    secret = secrets.token_urlsafe(16)
+    access = Access(f"http://{LOOPBACK}:{own_port}", own_port)
     with TemporaryDirectory(prefix="forficula-", ignore_cleanup_errors=True) as folder:
         workers = Worker(opened, Path(folder)), Worker(opened, Path(folder))
         quick, slow = (Desk(worker) for worker in workers)
-        bench = Bench(opened=opened, port=own_port, quick=quick, slow=slow, folder=Path(folder))
-        server = HTTPServer(application(bench, secret), max_body_size=LARGEST, max_buffer_size=2 * LARGEST)
+        bench = Bench(opened=opened, port=own_port, access=access, quick=quick, slow=slow, folder=Path(folder))
+        # every body has a bound of its own
+        server = HTTPServer(application(bench), max_body_size=LARGEST_REFUSED, max_buffer_size=_BUFFER)
         ended = _told_to_end()
         try:
             server.add_socket(listening)
             workers[0].start()
-            ready(f"http://{LOOPBACK}:{own_port}/{secret}/")
+            _announce(access, announce)
+            if browse is not None:
+                entrance = Path(folder, _ENTRANCE)
+                write_redirect(access.new_address(lambda: entrance.unlink(missing_ok=True)), entrance)
+                browse(entrance)
             await ended.wait()
         finally:
             server.stop()
             for worker in workers:
                 worker.stop()
+
+
+def _announce(access: Access, announce: Callable[[str], None]) -> None:
+    """Announce an address, and the next one after its use."""
+    announce(access.new_address(lambda: _announce(access, announce)))
 
 
 def _told_to_end() -> asyncio.Event:
@@ -108,21 +127,34 @@ def _told_to_end() -> asyncio.Event:
     return told
 
 
-def application(bench: Bench, secret: str) -> Application:
-    """What answers requests, all of which begin with a word that only its page knows."""
+def application(bench: Bench) -> BoundedApplication:
+    """What answers requests, most of which begin with a path that only its page knows."""
     shared = {"bench": bench}
-    return Application(
+    own = bench.access.path
+    return BoundedApplication(
         [
-            (rf"/{secret}/", _Page, shared),
-            (rf"/{secret}/(design|model|pattern)", _Answer, shared),
-            (rf"/{secret}/(landscape|run)", _Results, shared),
-            (rf"/{secret}/results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
+            (r"/open/([A-Za-z0-9_-]+)", _Entrance, shared),
+            (own, _Page, shared),
+            (rf"{own}(design|model|pattern)", _Answer, shared),
+            (rf"{own}(landscape|run)", _Results, shared),
+            (rf"{own}results/([0-9]{{1,9}})/{_REPORT}", _Report, shared),
         ],
-        default_handler_class=_Nothing,
-        default_handler_args=shared,
-        # what is refused the page says
-        log_function=lambda _: None,
+        _Nothing,
+        shared,
+        lambda request: request.path.startswith(own) and not _refusal(bench, request) and _is_let_in(bench, request),
     )
+
+
+def _refusal(bench: Bench, request: HTTPServerRequest, *, by_site: bool = True) -> str:
+    """Why a request is refused whoever sends it; "" where it is not."""
+    headers = request.headers
+    site = headers.get("Sec-Fetch-Site", "") if by_site else ""
+    return refusal(bench.port, request.host, headers.get("Origin", ""), site)
+
+
+def _is_let_in(bench: Bench, request: HTTPServerRequest) -> bool:
+    cookie = request.cookies.get(bench.access.cookie_name)
+    return cookie is not None and bench.access.admits(cookie.value)
 
 
 def _why(error: BaseException) -> str:
@@ -153,14 +185,29 @@ class _Guarded(RequestHandler):
         self.set_header("Content-Security-Policy", "frame-ancestors 'none'")
 
     def prepare(self) -> None:
-        headers = self.request.headers
-        why = refusal(self.bench.port, self.request.host, headers.get("Origin", ""), headers.get("Sec-Fetch-Site", ""))
-        if why:
+        if why := _refusal(self.bench, self.request):
             self.refuse(403, why)
+        elif not _is_let_in(self.bench, self.request):
+            self.turn_away()
+
+    def on_finish(self) -> None:
+        assert isinstance(self.application, BoundedApplication)
+        self.application.forget_body(self.request)
+
+    def turn_away(self) -> None:
+        """Answer a browser that was not let in."""
+        self.refuse(403, "this browser is not let in; open the address that the terminal shows")
 
     def refuse(self, status: int, why: str) -> None:
         self.set_status(status)
         self.finish({"refused": why})
+
+    def explain(self, status: int, page: str) -> None:
+        """Answer with a page of words alone."""
+        self.set_status(status)
+        self.set_header("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'")
+        self.set_header("Content-Type", "text/html; charset=utf-8")
+        self.finish(page)
 
     def write_error(self, status_code: int, **_: Any) -> None:
         refused = f"need GET or POST, got {self.request.method}" if status_code == 405 else "the workbench failed"
@@ -180,13 +227,36 @@ class _Guarded(RequestHandler):
 
 
 class _Nothing(_Guarded):
+    def turn_away(self) -> None:
+        self.refuse(404, "there is nothing here")
+
     def prepare(self) -> None:
         super().prepare()
         if not self._finished:
-            self.refuse(404, "there is nothing here")
+            self.turn_away()
+
+
+class _Entrance(_Guarded):
+    """Exchanges a token for the cookie, and leads on to the page."""
+
+    def prepare(self) -> None:
+        # a browser comes here from a file, from a terminal, or from wherever its reader keeps an address
+        if why := _refusal(self.bench, self.request, by_site=False):
+            self.refuse(403, why)
+
+    def get(self, token: str) -> None:
+        access = self.bench.access
+        if not access.exchange(token):
+            self.explain(403, refused_page("Its address has been used before, or was never valid."))
+            return
+        self.set_cookie(access.cookie_name, access.cookie, path=access.path, httponly=True, samesite="Strict")
+        self.explain(200, redirect_page(access.path))
 
 
 class _Page(_Guarded):
+    def turn_away(self) -> None:
+        self.explain(403, refused_page("It has not been let in since this workbench was started."))
+
     def get(self) -> None:
         self.set_header("Content-Type", "text/html; charset=utf-8")
         self.finish(workbench_page(self.bench.opened))

@@ -16,7 +16,7 @@ from time import monotonic
 from typing import Any, Literal
 
 from forficula.errors import InputError
-from forficula.workbench.asked import Asked, Opened
+from forficula.workbench.asked import Asked, Opened, reading_for_page
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]
 _BETWEEN = 0.1  # s, from one word of how far it is to the next
@@ -130,26 +130,35 @@ def _teller(pipe: Connection) -> Callable[[str], None]:
 
 def _done(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable[[str], None]) -> tuple[str, Any]:
     """What comes of a task, and of which kind that is."""
-    from forficula.workbench.results import leave_landscape, leave_run
-    from forficula.workbench.told import design_told, model_told, pattern_told
-
     try:
-        match task:
-            case "design":
-                return "done", design_told(asked, opened)
-            case "model":
-                return "done", model_told(asked, opened)
-            case "pattern":
-                return "done", pattern_told(asked, opened)
-            case "landscape":
-                leave_landscape(asked, opened, folder, tell)
-            case "run":
-                leave_run(asked, opened, folder, tell)
-        return "done", None
+        # whatever else a task reads of what a page named, such as a material
+        with reading_for_page(opened):
+            return "done", _result(task, asked, opened, folder, tell)
     except InputError as error:
         return "refused", str(error)
     except MemoryError:
         return "refused", "no memory left; take fewer parts, or fewer rows by a longer sample_interval"
+    except RecursionError:
+        return "refused", "keys or values are nested too deeply"
     except Exception as error:
         traceback.print_exc()
         return "failed", f"{type(error).__name__}: {error}"
+
+
+def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable[[str], None]) -> Any:
+    """What comes of a task; None where that lies in the folder."""
+    from forficula.workbench.results import leave_landscape, leave_run
+    from forficula.workbench.told import design_told, model_told, pattern_told
+
+    match task:
+        case "design":
+            return design_told(asked, opened)
+        case "model":
+            return model_told(asked, opened)
+        case "pattern":
+            return pattern_told(asked, opened)
+        case "landscape":
+            leave_landscape(asked, opened, folder, tell)
+        case "run":
+            leave_run(asked, opened, folder, tell)
+    return None

@@ -92,7 +92,7 @@ def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
 
 def test_a_workbench_builds_what_is_changed_and_keeps_the_last_good_model(firefox, tmp_path):
     with serving("binder2025", folder=tmp_path) as served:
-        firefox.open(served.address, *WIDE)
+        firefox.open(served.invitation(), *WIDE)
         firefox.until("window.forficula !== undefined")
         field = "document.querySelector('[data-key=\"pattern.units\"]')"
 
@@ -108,4 +108,5 @@ def test_a_workbench_builds_what_is_changed_and_keeps_the_last_good_model(firefo
         )
         assert firefox.evaluate("window.forficula.wing.panel.frame.readings[0].length") == 5
         assert firefox.messages == []
-        assert all(url.startswith((served.address, "data:", "blob:")) for url in firefox.requests)
+        origin = served.address.rpartition("/")[0].rpartition("/")[0]
+        assert all(url.startswith((f"{origin}/", "data:", "blob:")) for url in firefox.requests)

@@ -9,6 +9,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import design_from_text
 from forficula.study.runs import run
+from forficula.workbench.access import write_redirect
 from tests.show.page.conftest import DEFAULTS, until
 from tests.show.page.keyboard import walk
 from tests.show.page.test_accessible_pages import ALL, DARK_PHONE, asked
@@ -35,10 +36,15 @@ DROP = """([files]) => {
 
 
 @pytest.fixture(scope="module")
-def address(tmp_path_factory):
+def served(tmp_path_factory):
     options = [part for key, text in SETTINGS.items() for part in ("--set", f"{key}={text}")]
     with serving("binder2025", *options, folder=tmp_path_factory.mktemp("bench")) as served:
-        yield served.address
+        yield served
+
+
+@pytest.fixture(scope="module")
+def address(served):
+    return served.address
 
 
 class Bench:
@@ -106,11 +112,35 @@ class Bench:
 
 
 @pytest.fixture(scope="module")
-def connected(browser):
-    """Pages that reach the workbench."""
+def connected(browser, served):
+    """Pages that reach the workbench, in a browser that has been let in."""
     context = browser.new_context(**DEFAULTS)
+    name, _, value = served.cookie.partition("=")
+    context.add_cookies([{"name": name, "value": value, "url": served.address}])
     yield context
     context.close()
+
+
+def test_a_browser_is_let_in_once_from_the_file_it_is_given(browser, served, tmp_path):
+    address = served.invitation()
+    write_redirect(address, tmp_path / "open.html")
+    context = browser.new_context(**DEFAULTS)
+    page = context.new_page()
+    page.goto((tmp_path / "open.html").as_uri())
+    page.wait_for_url(served.address)
+    until(page, "document.querySelector('h1').textContent.includes('binder2025')", SECONDS)
+    # no script reads the cookie
+    assert page.evaluate("document.cookie") == ""
+    assert page.reload().status == 200
+    # another tab, the address typed by hand
+    assert context.new_page().goto(served.address).status == 200
+    refused = context.new_page()
+    assert refused.goto(address).status == 403
+    assert refused.get_by_role("heading").inner_text() == "This browser is not let in"
+    context.close()
+    other = browser.new_context(**DEFAULTS)
+    assert other.new_page().goto(served.address).status == 403
+    other.close()
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,84 @@
+"""Who is let in to a workbench: an address that works once is exchanged for a cookie."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable
+from pathlib import Path
+
+# Other accounts of this machine reach its ports and see the command line of every process, a browser's included.
+#
+# - No secret is on a command line. A browser is started with the path of a redirect file, which only its owner can
+#   read (as Jupyter does). The file and the terminal hold a token each.
+# - A token works once. The browser that presents it receives a cookie, and a page whose path is secret, too. If
+#   somebody else was faster, the owner's browser is refused and the owner knows.
+# - The path of the cookie is the secret path. Browsers send cookies of a host to all of its ports: without this, the
+#   server of another account on another port would only have to be visited to receive the cookie. The path alone is no
+#   authority either, because it is shown by the address bar and by the history.
+
+_REDIRECT = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>forficula</title><meta name="referrer" content="no-referrer">
+<meta http-equiv="refresh" content="0; url={address}"></head>
+<body><p>The workbench opens. If it does not, <a href="{address}">open it</a>.</p></body></html>
+"""
+
+
+class Access:
+    """Tokens that have not been used yet, and the cookie for which they are exchanged."""
+
+    def __init__(self, origin: str, port: int) -> None:
+        self._origin = origin
+        # cookies know no port: two workbenches of one machine must not overwrite each other's
+        self.cookie_name = f"forficula-{port}"
+        self.cookie = secrets.token_urlsafe(32)
+        self.path = f"/{secrets.token_urlsafe(16)}/"
+        self._tokens: dict[str, Callable[[], None]] = {}
+
+    def new_address(self, used: Callable[[], None] = lambda: None) -> str:
+        """Return an address that lets one browser in.
+
+        Args:
+            used: is called when that has happened.
+        """
+        token = secrets.token_urlsafe(16)
+        self._tokens[token] = used
+        return f"{self._origin}/open/{token}"
+
+    def exchange(self, token: str) -> bool:
+        """Use a token up, and return whether it was valid."""
+        valid = [each for each in self._tokens if secrets.compare_digest(each.encode(), token.encode())]
+        for each in valid:
+            self._tokens.pop(each)()
+        return bool(valid)
+
+    def admits(self, cookie: str | None) -> bool:
+        """Return whether a browser that sends a cookie has been let in."""
+        return cookie is not None and secrets.compare_digest(cookie.encode(), self.cookie.encode())
+
+
+def redirect_page(address: str) -> str:
+    """Return a page that leads to an address at once.
+
+    A redirect by status would not do: browsers count it as a step of the page that led to it, and withhold a cookie
+    that is restricted to its own site.
+    """
+    return _REDIRECT.format(address=address)
+
+
+def write_redirect(address: str, path: Path) -> None:
+    """Write a page that leads to an address into a file that nobody else can read."""
+    # before anything is in it
+    path.touch(mode=0o600, exist_ok=False)
+    path.write_text(redirect_page(address), "utf-8")
+
+
+def refused_page(reason: str) -> str:
+    """Return a page that explains to a reader why a browser is not let in."""
+    return (
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>forficula: not let in</title></head>\n'
+        f"<body><h1>This browser is not let in</h1>\n<p>{reason}</p>\n"
+        "<p>The terminal in which <code>forficula open</code> runs shows an address that works once. After its use the"
+        " terminal shows the next one. If this browser has the workbench open in another tab, go on there.</p>\n"
+        "<p>If the terminal reports that an address was used, and you did not use it, somebody else did: end the"
+        " workbench with ctrl-C.</p></body></html>\n"
+    )
