@@ -227,7 +227,7 @@ def show_uncertain(value: float, half: float | None, unit: str, digits: int = 4)
     if not other or not math.isfinite(other) or f"{own - other:.{digits}g}" == f"{own + other:.{digits}g}":
         return f"{own:.{digits}g} {name}"
     exponent = math.floor(math.log10(other))
-    places = max((1 if f"{other:.0e}".startswith("1") else 0) - exponent, 0)
+    places = max((1 if other < 2 * 10.0**exponent else 0) - exponent, 0)
     return f"{own:.{places}f} ± {other:.{places}f} {name}"
 
 

@@ -13,7 +13,7 @@ from forficula.analysis.crossing_panels import PanelMesh, crossing_depths, panel
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.summary import summary
 from forficula.quantities import show_value
-from forficula.structure import Contact, Stops, Stops
+from forficula.structure import Contact, Stops
 
 turns = st.tuples(*[st.floats(-np.pi, np.pi)] * 3).map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
 

@@ -265,7 +265,7 @@ OTHERS = (
     " bistable-miura, force-clasp, four-plate-snap, kresling-cell, letter-fold, miura-sheet, waterbomb-base"
 )
 SECTIONS = (
-    "based_on, name, source, shows, reproduces, medium, make, pattern, vein, membrane, hinge, coupling, tendon,"
+    "based_on, name, source, shows, reproduces, medium, stops, make, pattern, vein, membrane, hinge, coupling, tendon,"
     " guard, contact, protocol"
 )
 OF_TENDON = (

@@ -46,7 +46,9 @@ def test_tendons_with_and_without_branches_and_yield_are_evaluated_side_by_side(
     for design in designs:
         record = ff.run(design, confirm=False)
         margins = {f"{name}_margin": each for name, each in transition_margins(record, ff.measure(record)).items()}
-        alone = {"key": row_key(design), "timestep_s": 2e-4, "confirmed": None} | outcome_row(ff.measure(record)) | margins
+        alone = (
+            {"key": row_key(design), "timestep_s": 2e-4, "confirmed": None} | outcome_row(ff.measure(record)) | margins
+        )
         assert rows[row_key(design)] == alone
 
 

@@ -61,12 +61,20 @@ class Protocol(Part):
     """What is done to a structure, and what counts as done."""
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
+    later: ClassVar[tuple[str, ...]] = ("shortest_timestep",)
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
         'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
         above=0,
         words=("auto",),
+    )
+    shortest_timestep: float | None = quantity(
+        SHORT_TIME,
+        'shortest step that "auto" tries; without it, the first one halved eight times',
+        default=None,
+        above=0,
+        examples=["1 µs"],
     )
     sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", above=0)
     rise: float = quantity(TIME, "time over which torques rise evenly from 0; 0: at once", default=0.0, at_least=0)

@@ -64,8 +64,8 @@ def timestep_warnings(design: AnyDesign) -> list[str]:
 def resolving_timestep(structure: Structure) -> float:
     """Return the longest timestep, s, that resolves the stops, guard tendons and contacts of a structure.
 
-    With half of it, two time steps to a time constant, the engine's stops are those of a longer time constant (its
-    refsafe flag); with `STEPS_TO_TIME_CONSTANT` the rebound of a drop deviates from the closed form by a tenth of the
+    With fewer than two steps to a time constant the engine takes a longer one (its refsafe flag), and with two, bouncy
+    stops give energy. With `STEPS_TO_TIME_CONSTANT` the rebound of a drop deviates from the closed form by 0.04 of the
     impact's speed at most: measured. Infinite of a structure without any.
     """
     stopped = any(np.isfinite([hinge.lower, hinge.upper]).any() for hinge in structure.hinges if not hinge.flaps)

@@ -24,7 +24,7 @@ from forficula.dynamics import (
 )
 from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
-from forficula.quantities import show_value
+from forficula.quantities import show_duration, show_value
 from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
 # By how much of themselves times may differ between two timesteps of which the finer one is taken.
@@ -36,6 +36,8 @@ _AGREEING, _OF_NODES = 3, 2
 _HALVINGS = 8
 # What is missing of the energy falls with the timestep between in proportion and with its square.
 _RESIDUAL_ORDER = 1.3
+# An attempt that takes longer is announced with its time, s.
+_LONG = 60.0
 # How long models are built before the first of them run, s; twice as long each time, for many side by side are faster.
 _FIRST_SECONDS = 1.0
 
@@ -50,6 +52,7 @@ class _Attempt:
         halvings: by which it is shorter than the first one; None where the design gives it.
         before: timesteps, s, and outcomes of the attempts before, the last two at most.
         agreeing: how many timesteps must agree.
+        expected: how long it may take by the time of the attempt before, s; 0 where that is not known.
     """
 
     number: int
@@ -57,6 +60,7 @@ class _Attempt:
     halvings: int | None
     before: tuple[tuple[float, Outcome], ...] = ()
     agreeing: int = _AGREEING
+    expected: float = 0.0
 
 
 def run(design: Design, progress: Progress | None = None, *, confirm: bool = False) -> Record:
@@ -167,6 +171,7 @@ def run_each(
         for number, design in enumerate(designs)
     ]
     while attempts:
+        start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
         for attempt, result in _results(attempts, threads, sparse, until_last, progress):
             if left.pop(attempt.number, None) is None:  # a lesser value has done it meanwhile
@@ -177,7 +182,9 @@ def run_each(
             outcome = measure(result)
             following = _following(attempt, outcome)
             if following is not None:
-                left[attempt.number] = following
+                steps = float(attempt.design.protocol.timestep) / float(following.design.protocol.timestep)
+                expected = steps * (time.perf_counter() - start)
+                left[attempt.number] = replace(following, expected=expected)
                 continue
             doubt = _doubt(attempt, outcome)
             yield attempt.number, replace(result, doubt=doubt, checks=_coarser(attempt, outcome))
@@ -263,6 +270,8 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
+    if timestep < (attempt.design.protocol.shortest_timestep or 0.0):
+        return None
     return _Attempt(
         number=attempt.number,
         design=_with_step(attempt.design, timestep),
@@ -370,5 +379,7 @@ def _with_timestep_told(progress: Progress, attempt: _Attempt) -> Progress:
     """Say at which timestep a run is, where it is being looked for."""
     if attempt.halvings is None:
         return progress
-    timestep = show_value(float(attempt.design.protocol.timestep), "s")
-    return lambda stage, time, longest: progress(f"{stage}, timestep {timestep}", time, longest)
+    told = f"timestep {show_value(float(attempt.design.protocol.timestep), 's')}"
+    if attempt.expected > _LONG:
+        told += f" (about {show_duration(attempt.expected)}; protocol.shortest_timestep limits the search)"
+    return lambda stage, time, longest: progress(f"{stage}, {told}", time, longest)

@@ -1,0 +1,116 @@
+"""A run held against second runs of the same design, in which only the computation differs."""
+
+from dataclasses import replace
+
+import pytest
+
+import forficula as ff
+from forficula.analysis import Verdict, measure
+from forficula.analysis.confirmation import HALF_STEP, OTHER_START, same_ending, uncertainties
+from forficula.cli import main
+from forficula.design import with_values
+from forficula.dynamics import Check, load_record, save_record
+from forficula.quantities import show_uncertain
+from forficula.study.evaluate import evaluate
+from forficula.study.runs import run
+
+JOINT = ff.load_design("binder2025-joint")
+
+
+@pytest.fixture(scope="module")
+def confirmed():
+    return run(JOINT, confirm=True)
+
+
+def check(timestep, **values):
+    return Check(name=HALF_STEP, timestep=timestep, verdict="reached", goal="", status="", holds={}, values=values)
+
+
+def test_an_error_of_first_order_is_found_whole_from_half_the_timestep():
+    """Of a planted v(h) = v(0) + C h the uncertainty at h is C h, from h / 2 and from 2 h alike."""
+    limit, slope, h = 3.0, 40.0, 1e-3
+    value = {name: (limit + slope * step,) for name, step in (("own", h), ("half", h / 2), ("twice", 2 * h))}
+    for other, step in (("half", h / 2), ("twice", 2 * h)):
+        found = uncertainties({"x": value["own"]}, h, [check(step, x=value[other])])
+        assert found["x"][0] == pytest.approx(slope * h, rel=1e-12)
+
+
+def test_another_start_counts_once_and_a_time_is_known_to_a_timestep_at_best():
+    start = replace(check(1e-3, **{"fold.time": (0.5,), "x": (2.0,)}), name=OTHER_START)
+    found = uncertainties({"fold.time": (0.5,), "x": (2.5,)}, 1e-3, [start])
+    assert (found["fold.time"], found["x"]) == ((1e-3,), (0.5,))
+
+
+def test_what_a_second_run_did_not_reach_has_no_uncertainty():
+    assert uncertainties({"fold.time": (0.5,)}, 1e-3, [check(5e-4)]) == {}
+
+
+@pytest.mark.parametrize(
+    ("half", "text"),
+    [(4e-4, "58.4 ± 0.4 ms"), (1.6e-4, "58.40 ± 0.16 ms"), (3e-9, "58.4 ms"), (None, "58.4 ms"), (5.5e-3, "58 ± 6 ms")],
+)
+def test_an_uncertainty_has_the_digits_that_mean_something(half, text):
+    assert show_uncertain(58.4e-3, half, "s") == text
+
+
+def test_a_joint_is_confirmed_at_half_the_timestep_and_from_another_start(confirmed):
+    outcome = measure(confirmed)
+    assert outcome.verdict is Verdict.REACHED
+    assert [each.name for each in outcome.confirmation.checks] == [HALF_STEP, OTHER_START]
+    assert outcome.confirmation.agree
+    assert 0 < outcome.confirmation.of("fold.time") < 0.01 * outcome.transitions["fold"].time
+    assert outcome.confirmation.unsettled == ()
+
+
+def test_the_run_itself_has_the_same_bits_whether_it_is_confirmed_or_not(confirmed):
+    alone = run(JOINT)
+    assert all((alone.series[name] == confirmed.series[name]).all() for name in alone.series)
+
+
+def test_a_saved_run_keeps_what_confirms_it(confirmed, tmp_path):
+    save_record(confirmed, tmp_path / "record.nc")
+    assert load_record(tmp_path / "record.nc").checks == confirmed.checks
+
+
+def lost(record):
+    """The record with a second run that did not stay open."""
+    first, second = record.checks
+    other = {"verdict": "not held", "status": "did not stay open", "holds": {**first.holds, "opened": False}}
+    return replace(record, checks=(replace(first, **other), second))
+
+
+def test_where_half_the_timestep_has_another_verdict_the_run_is_undecided_and_says_both(confirmed):
+    outcome = measure(lost(confirmed))
+    assert outcome.verdict is Verdict.UNDECIDED
+    assert outcome.status == "undecided: folded and opened at 0.1 ms, but did not stay open at half the timestep"
+    assert outcome.holds == {"folded": True, "opened": None}
+    assert outcome.transitions["fold"].succeeded
+    assert (outcome.transitions["unfold"].succeeded, outcome.transitions["unfold"].time) == (False, None)
+    assert "shorter timestep" in outcome.advice
+
+
+def test_a_wing_that_creeps_is_as_short_of_its_goal_as_one_that_is_stuck(confirmed):
+    slow = measure(replace(confirmed, checks=())).ending
+    stuck = replace(confirmed.checks[0], verdict="stuck")
+    assert same_ending(replace(slow, verdict=Verdict.MOVING), stuck)
+    assert not same_ending(slow, stuck)
+
+
+def test_a_study_repeats_what_was_released_and_says_whether_the_verdict_was_the_same():
+    (row,) = evaluate([JOINT])
+    assert (row["verdict"], row["confirmed"]) == ("reached", True)
+
+
+def test_a_study_does_not_repeat_what_fails_by_far():
+    weak = with_values(JOINT, {"protocol.fold_torque": "1 N cm"})
+    (row,) = evaluate([weak])
+    assert row["verdict"] == "stuck"
+    assert row["confirmed"] is None
+
+
+def test_a_run_of_the_command_line_that_is_undecided_ends_with_status_3(monkeypatch, tmp_path, capsys, confirmed):
+    monkeypatch.setattr("forficula.study.runs.run", lambda *_, **__: lost(confirmed))
+    with pytest.raises(SystemExit) as stopped:
+        main(["run", "binder2025-joint", "--out", str(tmp_path / "x"), "--no-engine"])
+    assert stopped.value.code == 3
+    assert "undecided: folded and opened at 0.1 ms" in capsys.readouterr().out
