@@ -121,7 +121,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
     0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed, or a check under --strict;
-    3: a run diverged or is not to be trusted; 130: stopped.
+    3: a run diverged, is undecided or is not to be trusted; 130: stopped.
     """
     gc.set_threshold(20_000)  # most of what a command makes stays to its end: looking for garbage took 7 % of a run
     try:

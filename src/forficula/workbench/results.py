@@ -39,7 +39,9 @@ def leave_run(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
     design = asked_design(asked, opened)
     tell("building the structure")
     record = run(
-        design, lambda stage, time, longest: tell(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated")
+        design,
+        lambda stage, time, longest: tell(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated"),
+        confirm=True,
     )
     tell("drawing")
     write_run(record, measure(record), folder, engine=False)
