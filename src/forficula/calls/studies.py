@@ -10,7 +10,9 @@ from forficula.errors import InputError
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
+    from forficula.dynamics.simulate import Progress
     from forficula.study import Study
+    from forficula.study.assumptions import Assumptions
     from forficula.study.convergence import Convergence
 
 _OPTIONS = ("timesteps", "moduli", "meshes")
@@ -56,6 +58,28 @@ def converge(
         return converge_design(as_design(design), key, read, progress=progress)
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
+
+
+def assumptions(design: AnyDesign, progress: Progress | None = None) -> Assumptions:
+    """Run a design with one modelling assumption changed at a time, as `forficula assumptions` does.
+
+    Args:
+        design: or its name or path.
+        progress: called now and then with the runs done and the stage, the time of the stage and the longest it can
+            take, s.
+
+    Returns:
+        The runs, and which of them change the verdict. `to_xarray` returns the table, `save` writes the folder.
+
+    Raises:
+        InputError: no such design, or it cannot be built.
+
+    >>> ff.assumptions(design).own.status
+    'closed and opened'
+    """
+    from forficula.study.assumptions import run_assumptions
+
+    return run_assumptions(as_design(design), progress=progress)
 
 
 def new_study(

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import HALF_STEP, OTHER_START, SETTLED_WITHIN
+from forficula.analysis.verdict import ending_word
 from forficula.design import Design, put
 from forficula.displayed import Displayed
-from forficula.dynamics import Record, with_timestep
+from forficula.dynamics import Record, versions, with_timestep
+from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
 from forficula.structure import Structure
 from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
-from forficula.study.runs import half_step, resolved, run_each, with_checks
+from forficula.study.runs import half_step, run_each, with_checks
 
 if TYPE_CHECKING:
     from xarray import Dataset
-
-Progress = Callable[[int, int, dict[str, Any]], None]
 
 # a run that says nothing of the structure is repeated at a timestep shorter by this factor, twice at most
 _SHORTER, _REPEATS = 4, 2
@@ -29,11 +30,11 @@ _CHECKS = {"timestep": HALF_STEP, "start": OTHER_START}
 
 
 class Effect(StrEnum):
-    """What a changed assumption does to a result."""
+    """What a changed assumption changes in a result."""
 
-    VERDICT = "changes the verdict"
-    NUMBERS = "changes numbers"
-    NONE = "no effect"
+    VERDICT = "verdict"  # another verdict
+    NUMBERS = "numbers"  # a time or a work differs by more than 2 % and by more than its numerical uncertainty
+    NOTHING = "nothing"
     UNKNOWN = "unknown"  # the run diverged, is unreliable or undecided, or cannot be built
 
 
@@ -63,6 +64,7 @@ class AssumptionRun:
         timestep: of the run, s.
         verdict: what the run came to; undecided where a run at half the timestep has another verdict.
         goal: name of the transition that the verdict is about, or "none".
+        word: what the run came to, without its numbers.
         status: what the run came to, in a few words.
         times: by transition, from the start of its stage until its goal was reached, s; None where it failed.
         works: by transition, of the motors over the stage, J; None where the protocol did not get there.
@@ -75,10 +77,11 @@ class AssumptionRun:
     timestep: float
     verdict: Verdict
     goal: str
+    word: str
     status: str
     times: Mapping[str, float | None]
     works: Mapping[str, float | None]
-    effect: Effect = Effect.NONE
+    effect: Effect = Effect.NOTHING
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,6 +96,7 @@ class Assumptions(Displayed):
         left_out: why an assumption does not apply, by its name.
         uncertainty: numerical uncertainty of times, s, and works, J, of the design itself, by name as in "fold.time";
             from half the timestep and another start.
+        versions: of forficula and of the packages that computed the runs, by name.
     """
 
     design: Design
@@ -101,6 +105,7 @@ class Assumptions(Displayed):
     runs: tuple[AssumptionRun, ...]
     left_out: Mapping[str, str]
     uncertainty: Mapping[str, float]
+    versions: Mapping[str, str]
 
     @property
     def deciding(self) -> tuple[AssumptionRun, ...]:
@@ -115,10 +120,11 @@ class Assumptions(Displayed):
         if not self.own.verdict.tells:
             return f"{self.own.status}, so no assumption can be compared with this result"
         if not self.deciding:
-            return f"{self.own.status}; none of {len(self.runs)} changed assumptions changes that{rest}"
-        changes = ", ".join(f"{run.label} ({run.status})" for run in self.deciding)
-        counted = f"{len(self.deciding)} of {len(self.runs)} changed assumptions change that"
-        return f"{self.own.status}; {counted}: {changes}{rest}"
+            return f"{self.own.word}; none of {len(self.runs)} changed assumptions changes the verdict{rest}"
+        changes = ", ".join(f"{run.label} ({run.word})" for run in self.deciding)
+        number = f"{len(self.deciding)} of {len(self.runs)} changed assumptions"
+        verb = "changes" if len(self.deciding) == 1 else "change"
+        return f"{self.own.word}; {number} {verb} the verdict: {changes}{rest}"
 
     def to_xarray(self) -> Dataset:
         """Return the table as a dataset.
@@ -134,7 +140,11 @@ class Assumptions(Displayed):
             for name in ("label", "effect", "verdict", "status")
         }
         numbers = {
-            name: (("run", "transition"), [[_or_nan(found(run)[each]) for each in names] for run in runs], {"unit": unit})
+            name: (
+                ("run", "transition"),
+                [[_or_nan(found(run)[each]) for each in names] for run in runs],
+                {"unit": unit},
+            )
             for name, unit, found in (("time", "s", lambda run: run.times), ("work", "J", lambda run: run.works))
         }
         steps = {"timestep": ("run", [run.timestep for run in runs], {"unit": "s"})}
@@ -146,8 +156,12 @@ class Assumptions(Displayed):
         )
 
 
+def _finite(value: float | None) -> float | None:
+    return value if value is not None and math.isfinite(value) else None
+
+
 def _or_nan(value: float | None) -> float:
-    return float("nan") if value is None else value
+    return math.nan if value is None else value
 
 
 def run_assumptions(
@@ -165,12 +179,14 @@ def run_assumptions(
     Args:
         design: whose assumptions are changed; a timestep "auto" is found first.
         assumptions: to change.
-        progress: called with the runs done, the number known to be needed, and what the last run came to.
+        progress: called now and then with the runs done and the stage, the time of the stage and the longest it can
+            take, s.
 
     Raises:
         InputError: the design cannot be built.
     """
-    stepped = resolved(design)
+    counting = _Counting(progress)
+    stepped = counting.stepped(design)
     variants: dict[str, tuple[Assumption, Variant]] = {}
     left_out: dict[str, str] = {}
     for assumption in assumptions:
@@ -181,7 +197,6 @@ def run_assumptions(
             variants[assumption.name] = (assumption, changed)
         else:
             left_out[assumption.name] = found
-    counting = _Counting(progress)
     records = counting.run({"": stepped} | {name: variant.design for name, (_, variant) in variants.items()})
     own = records.pop("")
     if isinstance(own, InputError):
@@ -206,6 +221,7 @@ def run_assumptions(
         runs=tuple(runs),
         left_out={each.name: left_out[each.name] for each in assumptions if each.name in left_out},
         uncertainty=uncertainty,
+        versions=versions(),
     )
 
 
@@ -230,32 +246,45 @@ def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, 
                 continue
             if abs(value - other) > max(SETTLED_WITHIN * abs(other), uncertainty.get(f"{name}.{kind}", 0.0)):
                 return Effect.NUMBERS
-    return Effect.NONE
+    return Effect.NOTHING
 
 
 class _Counting:
-    """Runs batches of designs and counts the runs for a progress."""
+    """Run batches of designs and count the runs for a progress."""
 
     def __init__(self, progress: Progress | None) -> None:
         self._progress, self._done, self._needed = progress, 0, 0
+
+    def stepped(self, design: Design) -> Design:
+        """Return the design with the timestep that a run of it takes."""
+        if design.protocol.timestep != "auto":
+            return design
+        record = self.run({"": design})[""]
+        if isinstance(record, InputError):
+            raise record
+        return design.model_copy(update={"protocol": record.design.protocol})
 
     def run(self, designs: Mapping[str, Design]) -> dict[str, Record | InputError]:
         """Run designs side by side, by name, and keep of each record only what an outcome needs."""
         self._needed += len(designs)
         names, records = list(designs), {}
-        for number, record in run_each(list(designs.values()), sparse=True):
+        telling = None if self._progress is None else self._told
+        for number, record in run_each(list(designs.values()), sparse=True, progress=telling):
             records[names[number]] = record
             self._done += 1
-            if self._progress is not None:
-                verdict = Verdict.NOT_BUILT if isinstance(record, InputError) else measure(record).verdict
-                self._progress(self._done, self._needed, {"verdict": verdict.value})
         return records
+
+    def _told(self, stage: str, time: float, longest: float) -> None:
+        if self._progress is not None:
+            self._progress(f"{self._done} of {self._needed} runs, {stage}", time, longest)
 
 
 def _resolving(changed: Design, design: Design) -> Design:
     """The changed design with a timestep that is shorter by as much as its estimate is, where that is too long."""
     own = float(design.protocol.timestep)
-    estimates = [float(with_timestep(put(each, "protocol.timestep", "auto")).protocol.timestep) for each in (changed, design)]
+    estimates = [
+        float(with_timestep(put(each, "protocol.timestep", "auto")).protocol.timestep) for each in (changed, design)
+    ]
     if estimates[0] >= own:
         return changed
     return put(changed, "protocol.timestep", own * min(1.0, estimates[0] / estimates[1]))
@@ -302,9 +331,10 @@ def _run(name: str, label: str, meaning: str, outcome: Outcome, record: Record) 
         timestep=float(record.design.protocol.timestep),
         verdict=outcome.verdict,
         goal=outcome.ending.goal,
+        word=ending_word(outcome.ending),
         status=outcome.status,
         times={each: None if found is None else found.time for each, found in made.items()},
-        works={each: None if found is None else found.work for each, found in made.items()},
+        works={each: _finite(None if found is None else found.work) for each, found in made.items()},
     )
 
 
