@@ -213,7 +213,7 @@ _RESULTS = {
     "run": ("summary.json", "design", "status"),
     "landscape": ("landscape.json", "design", None),
     "convergence study": ("convergence.json", "design", "verdict"),
-    "table of assumptions": ("assumptions.json", "design", None),
+    "table of assumptions": ("assumptions.json", "design", "verdict"),
     "material": ("material.json", "material", None),
     "bill of parts": ("bill.json", "design", None),
     "optimisation": ("optimum.json", "goal", None),

@@ -36,7 +36,7 @@ def valid(kind, data):
 
 
 def test_schemas_are_schemas():
-    for kind in ("summary", "landscape", "row"):
+    for kind in ("summary", "landscape", "row", "assumptions"):
         jsonschema.Draft202012Validator.check_schema(json_schema(kind))
 
 

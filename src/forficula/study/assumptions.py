@@ -16,6 +16,7 @@ from forficula.displayed import Displayed
 from forficula.dynamics import Record, versions, with_timestep
 from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
+from forficula.names import counted
 from forficula.structure import Structure
 from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
 from forficula.study.runs import half_step, run_each, with_checks
@@ -116,15 +117,15 @@ class Assumptions(Displayed):
     def verdict(self) -> str:
         """Which assumptions decide the result, in a sentence without its full stop."""
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
+        tried = counted(len(self.runs), "changed assumption")
         rest = f"; {unknown} of {len(self.runs)} changes have no reliable result" if unknown else ""
         if not self.own.verdict.tells:
             return f"{self.own.status}, so no assumption can be compared with this result"
         if not self.deciding:
-            return f"{self.own.word}; none of {len(self.runs)} changed assumptions changes the verdict{rest}"
+            return f"{self.own.word}; none of {tried} changes the verdict{rest}"
         changes = ", ".join(f"{run.label} ({run.word})" for run in self.deciding)
-        number = f"{len(self.deciding)} of {len(self.runs)} changed assumptions"
         verb = "changes" if len(self.deciding) == 1 else "change"
-        return f"{self.own.word}; {number} {verb} the verdict: {changes}{rest}"
+        return f"{self.own.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
 
     def to_xarray(self) -> Dataset:
         """Return the table as a dataset.
@@ -139,13 +140,13 @@ class Assumptions(Displayed):
             name: ("run", [str(getattr(run, name)) for run in runs])
             for name in ("label", "effect", "verdict", "status")
         }
+        times, works = (
+            [[_or_nan(values[each]) for each in names] for values in every]
+            for every in ([run.times for run in runs], [run.works for run in runs])
+        )
         numbers = {
-            name: (
-                ("run", "transition"),
-                [[_or_nan(found(run)[each]) for each in names] for run in runs],
-                {"unit": unit},
-            )
-            for name, unit, found in (("time", "s", lambda run: run.times), ("work", "J", lambda run: run.works))
+            "time": (("run", "transition"), times, {"unit": "s"}),
+            "work": (("run", "transition"), works, {"unit": "J"}),
         }
         steps = {"timestep": ("run", [run.timestep for run in runs], {"unit": "s"})}
         coordinates = {"run": [run.name for run in runs], "transition": names}

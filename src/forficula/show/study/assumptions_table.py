@@ -18,7 +18,7 @@ _STYLES = {Effect.VERDICT: "red", Effect.UNKNOWN: "yellow", Effect.NUMBERS: "", 
 
 
 def assumption_rows(found: Assumptions) -> list[dict[str, Any]]:
-    """A row for every run as plain data with units in its keys, the design itself first; None where there is no value."""
+    """Return a row for every run, the design itself first: plain data with units in the keys, None for no value."""
     return [
         {
             "assumption": run.name,
