@@ -226,6 +226,10 @@ def assumptions(
     design: DesignName,
     /,
     *,
+    only: Annotated[
+        list[str] | None,
+        Parameter(help='Change this assumption, such as "slow rise", and no other; may be repeated.', negative=()),
+    ] = None,
     settings: Settings = None,
     out: Annotated[
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-assumptions if not given.")
@@ -240,11 +244,13 @@ def assumptions(
     """
     from forficula.design import load_design
     from forficula.study.assumptions_file import ASSUMPTIONS_FILE, FOLDER_ENDING
+    from forficula.study.modelling_assumptions import selected
 
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}{FOLDER_ENDING}"
     check_verdicts(ok_if)
     check_folder(folder)
+    to_change = read_option("--only", lambda: selected(only))
 
     from forficula.show import run_progress
     from forficula.show.folder.assumptions_folder import write_assumptions
@@ -253,7 +259,7 @@ def assumptions(
 
     tell_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        found = run_assumptions(chosen, progress=progress)
+        found = run_assumptions(chosen, assumptions=to_change, progress=progress)
     print_assumptions(found)
     write_assumptions(found, folder)
     came_to(folder / ASSUMPTIONS_FILE)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,7 +19,8 @@ from forficula.dynamics.timestep import resolving_timestep
 from forficula.errors import InputError
 from forficula.material.law.law_file import load_law
 from forficula.material.law.material_law import area_for
-from forficula.quantities import show_value
+from forficula.names import one_of
+from forficula.quantities import as_written, show_value
 from forficula.structure import structure_of
 from forficula.study.runs import half_step
 
@@ -358,3 +359,22 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
         change=_other_start,
     ),
 )
+
+
+def selected(names: Iterable[str] | None) -> tuple[Assumption, ...]:
+    """Return the assumptions of some names, in the order of `ASSUMPTIONS`; all of them for None.
+
+    Raises:
+        InputError: an unknown name, or none.
+    """
+    if names is None:
+        return ASSUMPTIONS
+    if isinstance(names, str) or not isinstance(names, Iterable):
+        raise InputError(f"need a list of names of assumptions, got {as_written(names)}")
+    wanted, known = list(names), [each.name for each in ASSUMPTIONS]
+    for name in wanted:
+        if name not in known:
+            raise InputError(f"need {one_of(known, name)}")
+    if not wanted:
+        raise InputError("need at least one name of an assumption, got none")
+    return tuple(each for each in ASSUMPTIONS if each.name in wanted)
