@@ -192,10 +192,13 @@ def run_assumptions(
     left_out: dict[str, str] = {}
     for assumption in assumptions:
         found = variant_of(assumption, stepped)
+        try:
+            if isinstance(found, Variant) and assumption.name not in _CHECKS:
+                found = replace(found, design=_resolving(found.design, stepped))
+        except InputError as error:
+            found = str(error)
         if isinstance(found, Variant):
-            step = assumption.name in _CHECKS
-            changed = found if step else replace(found, design=_resolving(found.design, stepped))
-            variants[assumption.name] = (assumption, changed)
+            variants[assumption.name] = (assumption, found)
         else:
             left_out[assumption.name] = found
     records = counting.run({"": stepped} | {name: variant.design for name, (_, variant) in variants.items()})
@@ -310,6 +313,8 @@ def _confirmed(
     outcomes: Mapping[str, tuple[Outcome, Record]], own: Outcome, counting: _Counting
 ) -> dict[str, tuple[Outcome, Record]]:
     """The same, where the verdict is another one held against a run at half the timestep."""
+    if not own.verdict.tells:
+        return dict(outcomes)
     ending = (own.verdict, own.ending.goal)
     halves = {
         name: half_step(record.design)
