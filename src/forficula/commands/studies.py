@@ -239,8 +239,7 @@ def assumptions(
 ) -> int:
     """Run a design with one modelling assumption changed at a time: which of them decide its result?
 
-    Changed are, as far as they apply: how fast drives rise, armature, damping, height of tendons, masses, air, gravity,
-    contact, stiffness of stops, timestep and start.
+    They are rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops, step and start.
     """
     from forficula.design import load_design
     from forficula.study.assumptions_file import ASSUMPTIONS_FILE, FOLDER_ENDING
