@@ -202,7 +202,7 @@ def leave_figures_empty(monkeypatch, tell):
         return texts
 
     kinds = ("convergence", "cycling", "identify", "landscape", "material", "optimum", "run", "static_map", "study")
-    for kind in (*kinds, "tolerance"):
+    for kind in (*kinds, "assumptions", "tolerance"):
         monkeypatch.setattr(f"forficula.show.folder.{kind}_folder.save_figures", save_nothing)
 
 

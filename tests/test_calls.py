@@ -67,6 +67,7 @@ def test_values_are_replaced_by_text_with_a_unit_or_in_si(design):
     [
         ff.run,
         ff.landscape,
+        ff.assumptions,
         ff.energy_landscape,
         ff.structure_of,
         ff.pattern_facts,
@@ -120,6 +121,16 @@ def test_convergence_asks_for_one_of_three(design):
         ff.converge(design)
     with pytest.raises(ff.InputError, match=r'timesteps: need numbers .* got "often"'):
         ff.converge(design, timesteps="often")
+
+
+def test_assumptions_to_change_are_given_by_name(design):
+    for only, said in (
+        (["slow rice"], r'^only: need .*slow rise.*got "slow rice"; did you mean "slow rise"'),
+        ("gravity", r'^only: need a list of names of assumptions, got "gravity"'),
+        ([], "^only: need at least one name of an assumption, got none"),
+    ):
+        with pytest.raises(ff.InputError, match=said):
+            ff.assumptions(design, only=only)
 
 
 @pytest.mark.parametrize("values", [None, 5, "x", [("tendon.left.stiffness", 1.0)], {5: 6}])

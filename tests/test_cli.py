@@ -13,6 +13,7 @@ import forficula as ff
 from forficula.cli import main
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
+from tests.assumptions import flap
 from tests.material.synthetic import cyclic_test, plain_text
 
 # the shortest run that leaves everything: 10 ms of settling
@@ -372,7 +373,7 @@ def test_a_verdict_that_is_wanted_ends_with_0_and_no_other(in_an_empty_folder, c
 def test_help_names_every_command(call):
     shown = call("--help").out
     for command in (
-        *("run", "pattern", "landscape", "converge", "study", "new", "scale", "designs"),
+        *("run", "pattern", "landscape", "converge", "assumptions", "study", "new", "scale", "designs"),
         *("material", "materials", "size", "studies", "keys"),
     ):
         assert f" {command} " in shown
@@ -569,6 +570,17 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
     ):
         assert "replaces" not in call(*arguments, "--out", "a").err
         assert said in call(*arguments, "--out", "a").err
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_an_empty_folder, call):
+    quick = flap({"protocol.stages.0.until": "creases > 5 deg"})
+    ff.save_design(quick, in_an_empty_folder / "flap.toml")
+    done = call("assumptions", "flap.toml")
+    assert "twice the damping of hinges" in done.out
+    assert done.out.endswith("written to out/flap-assumptions\n")
+    told = call("run", "flap.toml", "--no-confirm").out
+    assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in told
 
 
 def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(in_an_empty_folder, call):

@@ -6,6 +6,7 @@ from .analysis import measure as measure
 from .analysis.json_schemas import json_schema as json_schema
 from .analysis.sizing import TendonSizes as TendonSizes
 from .analysis.sizing import size_tendons as size_tendons
+from .calls import assumptions as assumptions
 from .calls import compare as compare
 from .calls import converge as converge
 from .calls import figure as figure
@@ -69,6 +70,8 @@ from .study import estimate as estimate
 from .study import load_study as load_study
 from .study import named_studies as named_studies
 from .study import run_study as run_study
+from .study.assumptions import AssumptionRun as AssumptionRun
+from .study.assumptions import Assumptions as Assumptions
 from .study.convergence import Convergence as Convergence
 from .study.cycling import Cycling as Cycling
 from .study.cycling import run_cycles as run_cycles

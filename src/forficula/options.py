@@ -213,6 +213,7 @@ _RESULTS = {
     "run": ("summary.json", "design", "status"),
     "landscape": ("landscape.json", "design", None),
     "convergence study": ("convergence.json", "design", "verdict"),
+    "table of assumptions": ("assumptions.json", "design", "verdict"),
     "material": ("material.json", "material", None),
     "bill of parts": ("bill.json", "design", None),
     "optimisation": ("optimum.json", "goal", None),
@@ -226,8 +227,8 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
 
     Args:
         folder: where it will write.
-        what: "run", "landscape", "convergence study", "material", "bill of parts", "optimisation", "tolerance" or
-            "identification".
+        what: "run", "landscape", "convergence study", "table of assumptions", "material", "bill of parts",
+            "optimisation", "tolerance" or "identification".
         left: what stays, such as "; the rows stay".
     """
     from forficula.quantities import as_written

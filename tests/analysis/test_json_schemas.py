@@ -36,7 +36,7 @@ def valid(kind, data):
 
 
 def test_schemas_are_schemas():
-    for kind in ("summary", "landscape", "row"):
+    for kind in ("summary", "landscape", "row", "assumptions"):
         jsonschema.Draft202012Validator.check_schema(json_schema(kind))
 
 
@@ -93,5 +93,5 @@ def test_what_is_wrong_is_refused(letter, wrong):
 def test_a_schema_is_printed(capsys):
     main(["schema", "row"])
     assert json.loads(capsys.readouterr().out) == json_schema("row")
-    with pytest.raises(InputError, match=r'need "summary", "landscape" or "row", got "sumary"; did you mean "summary"'):
+    with pytest.raises(InputError, match=r'need "summary", "landscape", "row" or "assumptions", got "sumary"'):
         json_schema("sumary")

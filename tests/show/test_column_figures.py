@@ -7,6 +7,7 @@ from matplotlib.lines import Line2D
 
 from forficula.analysis import measure
 from forficula.design import with_values
+from forficula.show.folder.assumptions_folder import assumptions_drawings
 from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings
 from forficula.show.folder.landscape_folder import landscape_drawings
@@ -21,6 +22,7 @@ from forficula.study.cycling import Cycling, driven_transitions
 from forficula.study.refinement import TIMESTEP
 from forficula.study.runs import run
 from forficula.study.static_map import map_study, static_map
+from tests.assumptions import ASSUMED
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle
 from tests.show.legible import check_inside, check_words
@@ -63,6 +65,7 @@ def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material
         "material": material_drawings(tpu_material),
         "three cycles": material_drawings(elastic_material),
         "converge": convergence_drawings(converge(folding, TIMESTEP, [4e-4, 3e-4])),
+        "assumptions": assumptions_drawings(ASSUMED),
         "study": map_drawings(planted(TWO)),
         "failures": map_drawings(many_ends()),
         "map": static_map_drawings(statics),
@@ -79,6 +82,7 @@ KINDS = [
     *(f"material, {kind}" for kind in ("cycles", "modulus", "drift", "fit")),
     "three cycles, cycles",
     *(f"converge, {kind}" for kind in ("angles", "times")),
+    "assumptions, assumptions",
     *(f"failures, {kind}" for kind in ("status", "torques", "works", "energy")),
     # where nothing fails, and no legend takes room from the numbers
     *(f"study, {kind}" for kind in ("torques", "energy", "fold_times")),

@@ -8,6 +8,7 @@ from forficula.design import design_text
 from forficula.goals import goal_of
 from forficula.goals.identify import observations_of
 from forficula.material import load_law
+from tests.assumptions import ASSUMED
 from tests.material.synthetic import cyclic_test
 
 
@@ -30,6 +31,7 @@ def results(design, record, tmp_path_factory):
         "outcome": ff.measure(record),
         "landscape": ff.landscape("letter-fold"),
         "convergence": ff.converge(design, timesteps="0.4 0.2 ms"),
+        "assumptions": ASSUMED,
         "study": study,
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
         "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
@@ -71,6 +73,7 @@ def _answers(design, folder):
         ("outcome", ("letter-fold got closed in", "tendon (cm)", "Energy balance")),
         ("landscape", ("Stable states", "<img", "J</td>")),
         ("convergence", ("0.2 ms", "the design&#x27;s own", "<img")),
+        ("assumptions", ("drives rise over 0.2 s", "Does not apply: gravity", "flap: closed; 1 of 2", "<img")),
         ("study", ("2 points of letter-fold", "0.4 N/cm, 0.5 N/cm")),
         ("table", ("<img", "xarray.StudyTable")),
         ("material", ("MPa", "<img")),

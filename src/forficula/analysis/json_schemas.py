@@ -1,4 +1,4 @@
-"""JSON schemas of what commands write: `summary.json`, `landscape.json`, the rows of a study.
+"""JSON schemas of what commands write: `summary.json`, `landscape.json`, the rows of a study, `assumptions.json`.
 
 A number is None where there is none, and its key ends in its unit. What a structure calls its states, measures, drives
 and parts stands in keys, too.
@@ -321,15 +321,60 @@ class Row(TypedDict):
     verdict: Verdict
 
 
-_KINDS: dict[str, Any] = {"summary": Summary, "landscape": Landscape, "row": Row}
-Kind = Literal["summary", "landscape", "row"]
+@with_config(_CLOSED)
+class AssumptionRun(TypedDict):
+    """A run with one modelling assumption changed, or of the design itself; times and works by transition."""
+
+    name: str
+    label: str
+    meaning: str
+    effect: Literal["verdict", "numbers", "nothing", "unknown"]
+    timestep_s: float
+    verdict: Verdict
+    goal: str
+    word: str
+    status: str
+    time_s: dict[str, Number]
+    work_J: dict[str, Number]
+
+
+@with_config(_CLOSED)
+class TransitionName(TypedDict):
+    """What a transition is called, and its time."""
+
+    name: str
+    time: str
+    noun: str
+
+
+@with_config(_CLOSED)
+class Assumptions(TypedDict):
+    """What every modelling assumption of a design does to its result.
+
+    `left_out` has the reasons why assumptions do not apply; `uncertainty` is numerical and of the design's own run.
+    """
+
+    design: str
+    design_hash: str
+    verdict: str
+    transitions: list[TransitionName]
+    own: AssumptionRun
+    runs: list[AssumptionRun]
+    left_out: dict[str, str]
+    uncertainty: dict[str, float]
+    design_file: str
+    versions: dict[str, str]
+
+
+_KINDS: dict[str, Any] = {"summary": Summary, "landscape": Landscape, "row": Row, "assumptions": Assumptions}
+Kind = Literal["summary", "landscape", "row", "assumptions"]
 
 
 def json_schema(kind: Kind) -> dict[str, Any]:
     """The JSON schema (draft 2020-12) of what commands write, and print with `--json`.
 
     Args:
-        kind: "summary" of a run, "landscape", or "row" of a study.
+        kind: "summary" of a run, "landscape", "row" of a study, or "assumptions".
 
     Raises:
         InputError: another kind.

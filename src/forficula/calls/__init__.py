@@ -7,9 +7,10 @@ from forficula.calls.goals import identify, optimise, tolerance
 from forficula.calls.patterns import pattern_facts
 from forficula.calls.runs import landscape, run
 from forficula.calls.shown import compare, figure, film, page, save
-from forficula.calls.studies import converge, new_study
+from forficula.calls.studies import assumptions, converge, new_study
 
 __all__ = [
+    "assumptions",
     "compare",
     "converge",
     "figure",

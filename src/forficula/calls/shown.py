@@ -24,8 +24,8 @@ def figure(of: object, kind: str | None = None, *, width: float | Literal["colum
     """Draw a figure of some results, as `forficula figure` does.
 
     Args:
-        of: a folder that a command wrote, or a record, a landscape, a study's table, a convergence study, a
-            material, or what became of cycles.
+        of: a folder that a command wrote, or a record, a landscape, a study's table, a convergence study,
+            assumptions, a material, or what became of cycles.
         kind: which figure, by the name of its picture in the folder; may be left out where there is one only.
         width: of a journal's column or page, or inch.
 
@@ -139,11 +139,11 @@ def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
 
 
 def save(result: object, folder: AnyPath) -> None:
-    """Write a record, a landscape, a convergence study, a material, parts or a search to a folder, as its command does.
+    """Write a result to a folder, as its command does.
 
     Args:
-        result: of `run`, `landscape`, `converge`, `characterise`, `make_parts`, which are checked without a record, or
-            `optimise`, of which no runs are kept to be played.
+        result: of `run`, `landscape`, `converge`, `assumptions`, `characterise`, `make_parts`, which are checked
+            without a record, or `optimise`, of which no runs are kept to be played.
         folder: made where it is missing; what an earlier result of the kind left there is replaced.
 
     Raises:
@@ -167,12 +167,14 @@ def _write(result: object, folder: Path) -> None:
     from forficula.make.part import PartSet
     from forficula.material.characterisation import Characterisation
     from forficula.show import write_run
+    from forficula.show.folder.assumptions_folder import write_assumptions
     from forficula.show.folder.convergence_folder import write_convergence
     from forficula.show.folder.landscape_folder import write_landscape
     from forficula.show.folder.material_folder import write_material
     from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
     from forficula.show.folder.parts_folder import write_parts
     from forficula.statics import EnergyLandscape
+    from forficula.study.assumptions import Assumptions
     from forficula.study.convergence import Convergence
     from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
@@ -183,6 +185,8 @@ def _write(result: object, folder: Path) -> None:
             write_landscape(result, folder)
         case Convergence():
             write_convergence(result, folder)
+        case Assumptions():
+            write_assumptions(result, folder)
         case Characterisation():
             write_material(result, folder)
         case PartSet():
@@ -194,6 +198,6 @@ def _write(result: object, folder: Path) -> None:
             write_optimum_report(result, (), 0, folder)
         case _:
             raise InputError(
-                "need a record, a landscape, a convergence study, a material, parts or a search, got a"
+                "need a record, a landscape, a convergence study, assumptions, a material, parts or a search, got a"
                 f" {type(result).__name__}"
             )

@@ -10,7 +10,9 @@ from forficula.errors import InputError
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
+    from forficula.dynamics.simulate import Progress
     from forficula.study import Study
+    from forficula.study.assumptions import Assumptions
     from forficula.study.convergence import Convergence
 
 _OPTIONS = ("timesteps", "moduli", "meshes")
@@ -56,6 +58,38 @@ def converge(
         return converge_design(as_design(design), key, read, progress=progress)
     except InputError as error:
         raise InputError(f"{name}: {error}") from None
+
+
+def assumptions(
+    design: AnyDesign, *, only: Iterable[str] | None = None, progress: Progress | None = None
+) -> Assumptions:
+    """Run a design with one modelling assumption changed at a time, as `forficula assumptions` does.
+
+    Args:
+        design: or its name or path.
+        only: names of the assumptions to change, such as "slow rise"; all that apply if not given.
+        progress: called now and then with the runs done and the stage, the time of the stage and the longest it can
+            take, s.
+
+    Returns:
+        The runs, and which of them change the verdict. `to_xarray` returns the table, `save` writes the folder.
+
+    Raises:
+        InputError: no such design or assumption, or the design cannot be built.
+
+    >>> found = ff.assumptions(design, only=["timestep"])
+    >>> found.own.status, found.deciding
+    ('closed and opened', ())
+    """
+    from forficula.study.assumptions import run_assumptions
+    from forficula.study.modelling_assumptions import selected
+
+    read = as_design(design)
+    try:
+        chosen = selected(only)
+    except InputError as error:
+        raise InputError(f"only: {error}") from None
+    return run_assumptions(read, assumptions=chosen, progress=progress)
 
 
 def new_study(

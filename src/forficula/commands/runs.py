@@ -100,9 +100,19 @@ def run(
     print_outcome(chosen.name, outcome)
     print_storage(record, outcome)
     print_strength(record)
+    _print_assumptions(chosen, folder)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
     return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
+
+
+def _print_assumptions(design: Design, folder: Path) -> None:
+    """Print which modelling assumptions decide the result of a design, where that is known."""
+    from forficula.study.assumptions_file import known_assumptions, known_text
+
+    known = known_assumptions(design, folder)
+    if known is not None:
+        print(f"\n{known_text(*known)}")
 
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:

@@ -11,7 +11,7 @@ from forficula.errors import InputError
 
 
 def schema(
-    kind: Annotated[str, Parameter(help="summary (of a run), landscape, or row (of a study).")],
+    kind: Annotated[str, Parameter(help="summary (of a run), landscape, row (of a study), or assumptions.")],
     /,
 ) -> None:
     """Print the JSON schema of what --json writes."""

@@ -220,3 +220,47 @@ def converge(
     came_to(folder / "convergence.json")
     print(f"\nwritten to {folder}")
     return exit_status([convergence.own_verdict], tolerate=tolerate, ok_if=ok_if) or 2 * (convergence.fine is False)
+
+
+def assumptions(
+    design: DesignName,
+    /,
+    *,
+    only: Annotated[
+        list[str] | None,
+        Parameter(help='Change this assumption, such as "slow rise", and no other; may be repeated.', negative=()),
+    ] = None,
+    settings: Settings = None,
+    out: Annotated[
+        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-assumptions if not given.")
+    ] = None,
+    tolerate: Tolerate = False,
+    ok_if: OkIf = None,
+) -> int:
+    """Run a design with one modelling assumption changed at a time: which of them decide its result?
+
+    They are rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops, step and start.
+    """
+    from forficula.design import load_design
+    from forficula.study.assumptions_file import ASSUMPTIONS_FILE, FOLDER_ENDING
+    from forficula.study.modelling_assumptions import selected
+
+    chosen = load_design(design, read_settings(settings))
+    folder = out or Path("out") / f"{chosen.name}{FOLDER_ENDING}"
+    check_verdicts(ok_if)
+    check_folder(folder)
+    to_change = read_option("--only", lambda: selected(only))
+
+    from forficula.show import run_progress
+    from forficula.show.folder.assumptions_folder import write_assumptions
+    from forficula.show.study.assumptions_table import print_assumptions
+    from forficula.study.assumptions import run_assumptions
+
+    tell_replaced(folder, "table of assumptions")
+    with run_progress("building the changed designs") as progress:
+        found = run_assumptions(chosen, assumptions=to_change, progress=progress)
+    print_assumptions(found)
+    write_assumptions(found, folder)
+    came_to(folder / ASSUMPTIONS_FILE)
+    print(f"\nwritten to {folder}")
+    return exit_status([found.own.verdict], tolerate=tolerate, ok_if=ok_if)

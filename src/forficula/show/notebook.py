@@ -38,10 +38,12 @@ from forficula.show.page.rich_html import laid_out
 from forficula.show.page.run_page import run_page
 from forficula.show.page.words import outcome_sentence
 from forficula.show.structure.pattern_figure import draw_pattern
+from forficula.show.study.assumptions_table import assumptions_table
 from forficula.show.study.convergence_table import convergence_table
 from forficula.show.style import PAGE_WIDTH, description
 from forficula.statics import EnergyLandscape
 from forficula.structure import structure_of
+from forficula.study.assumptions import Assumptions
 from forficula.study.convergence import Convergence
 from forficula.study.factors import Factor
 from forficula.study.study import Study
@@ -124,6 +126,12 @@ def _law(law: MaterialLaw) -> Iterator[str]:
 def _convergence(convergence: Convergence) -> Iterator[str]:
     yield from _told(convergence_table(convergence))
     yield _first_figure(convergence)
+
+
+@_parts.register
+def _assumptions(assumptions: Assumptions) -> Iterator[str]:
+    yield from _told(assumptions_table(assumptions))
+    yield _first_figure(assumptions)
 
 
 @_parts.register

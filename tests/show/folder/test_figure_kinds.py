@@ -11,6 +11,7 @@ from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
 from forficula.show.folder import figure_kinds
+from forficula.show.folder.assumptions_folder import assumptions_drawings
 from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, cycling_summary, read_cycling
 from forficula.show.folder.figure_kinds import folder_drawings, write_figure
@@ -20,11 +21,13 @@ from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
 from forficula.structure import structure_of
+from forficula.study.assumptions_file import save_assumptions
 from forficula.study.convergence import converge
 from forficula.study.convergence_file import load_convergence, save_convergence
 from forficula.study.cycling import Cycling, driven_transitions
 from forficula.study.refinement import TIMESTEP
 from forficula.study.static_map import map_study, static_map
+from tests.assumptions import ASSUMED
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle
 from tests.show.study.test_maps import TWO, planted
@@ -59,6 +62,7 @@ def folders(tmp_path_factory, reference, reference_run, cycling, convergence):
     write_text(place / "run" / "cycles.json", json.dumps(cycling_summary(cycling)))
     write_text(place / "landscape" / "landscape.json", '{"simulation": null, "figures": ["tendon", "wing", "levels"]}')
     save_convergence(convergence, place / "converge" / "convergence.nc")
+    save_assumptions(ASSUMED, place / "assumptions" / "assumptions.json")
     for name, table in (("study/table.nc", planted(TWO)), ("landscape/map.nc", slow_maps(reference))):
         write_bytes(place / name, table.to_netcdf(engine="h5netcdf"))
     write_text(place / "material" / "material.json", "{}")
@@ -75,6 +79,7 @@ KINDS = {
     "run": ["angles", "cycles", "energy", "folding", "package", "pattern", "strain"],
     "landscape": ["levels", "map", "tendon", "wing"],
     "converge": ["angles", "times"],
+    "assumptions": ["assumptions"],
     "study": ["energy", "fold_times", "status", "torques", "works"],
 }
 
@@ -142,6 +147,10 @@ def test_the_figures_of_a_convergence_study_are_drawn_again(folders, tmp_path, c
     # its curves are kept with seven digits, of which a figure shows fewer, but not always the same
     write_figure(folders / "converge", "angles", tmp_path / "again.svg")
     assert (tmp_path / "again.svg").read_text().count("<path") > 20
+
+
+def test_the_figure_of_assumptions_is_drawn_again(folders, tmp_path):
+    assert_drawn_again(folders / "assumptions", assumptions_drawings(ASSUMED), "assumptions", tmp_path)
 
 
 def test_a_convergence_study_is_read_as_it_was_written(folders, convergence):

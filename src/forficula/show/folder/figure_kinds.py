@@ -20,6 +20,7 @@ from forficula.goals.optimise import Optimum
 from forficula.make.part import PartSet
 from forficula.material.characterisation import Characterisation
 from forficula.reproduction import shown_tendon
+from forficula.show.folder.assumptions_folder import assumptions_drawings
 from forficula.show.folder.convergence_folder import CONVERGENCE_FILE, convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, read_cycling
 from forficula.show.folder.identify_folder import IDENTIFIED
@@ -34,6 +35,8 @@ from forficula.show.folder.tolerance_folder import TOLERANCE_TABLE, tolerance_dr
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 from forficula.statics import EnergyLandscape
+from forficula.study.assumptions import Assumptions
+from forficula.study.assumptions_file import ASSUMPTIONS_FILE, load_assumptions
 from forficula.study.convergence import Convergence
 from forficula.study.convergence_file import load_convergence
 from forficula.study.cycling import Cycling
@@ -81,7 +84,7 @@ def drawings_of(result: object) -> dict[str, Drawing]:
 
     Args:
         result: a folder that forficula wrote, or a record, a landscape, a table of a study or of an identification, a
-            convergence study, what became of cycles, a material, parts, or a search for the best design.
+            convergence study, assumptions, what became of cycles, a material, parts, or a search for the best design.
 
     Raises:
         InputError: it has no figures.
@@ -102,6 +105,8 @@ def drawings_of(result: object) -> dict[str, Drawing]:
             return identify_drawings(result) if "fact" in result.dims else study_drawings(result)
         case Convergence():
             return convergence_drawings(result)
+        case Assumptions():
+            return assumptions_drawings(result)
         case Cycling():
             return cycling_drawings(result)
         case Characterisation():
@@ -170,6 +175,10 @@ def _convergence(folder: Path) -> dict[str, Drawing]:
     return convergence_drawings(load_convergence(folder / CONVERGENCE_FILE))
 
 
+def _assumptions(folder: Path) -> dict[str, Drawing]:
+    return assumptions_drawings(load_assumptions(folder / ASSUMPTIONS_FILE))
+
+
 def _landscape(folder: Path) -> dict[str, Drawing]:
     """The landscape is surveyed again when a figure is drawn: that takes a second, and all of it in a file many MB."""
     design = load_design(str(folder / "design.toml"))
@@ -201,6 +210,7 @@ _READERS: dict[str, Callable[[Path], dict[str, Drawing]]] = {
     "map.nc": _static_map,
     BILL_FILE: _parts,
     CONVERGENCE_FILE: _convergence,
+    ASSUMPTIONS_FILE: _assumptions,
     IDENTIFIED: _identified,
     TOLERANCE_TABLE: _tolerance,
 }

@@ -1,0 +1,155 @@
+"""What changed assumptions do to the times and the works of a design: a dot for each, beside its uncertainty."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from forficula.show.style import (
+    BLACK,
+    BLUE,
+    PAGE_WIDTH,
+    VERMILION,
+    describe,
+    figure_style,
+    fit_legend,
+    is_narrow,
+)
+from forficula.study.assumptions import AssumptionRun, Assumptions, Effect
+
+# inch, of a row and of what is above and below the rows
+_ROW, _AROUND = 0.19, 1.0
+_INK, _BAND = "0.45", "0.85"
+# %; changes below are drawn evenly, those beyond by their logarithm
+_EVEN = 10.0
+_NAME_LETTERS = 22  # of a name in a figure as wide as a column
+_LOOKS: dict[Effect, tuple[str, dict[str, Any]]] = {
+    Effect.VERDICT: ("changes the verdict", {"marker": "D", "color": VERMILION, "ms": 5}),
+    Effect.NUMBERS: ("changes numbers", {"marker": "o", "color": BLUE, "ms": 4.5}),
+    Effect.NOTHING: ("no effect", {"marker": "o", "mfc": "white", "mec": BLUE, "ms": 4.5}),
+    Effect.UNKNOWN: ("no reliable result", {"marker": "x", "color": _INK, "ms": 4.5}),
+}
+_MISSED: dict[str, Any] = {"marker": ">", "ms": 5}
+
+
+def draw_assumptions(found: Assumptions, width: float = PAGE_WIDTH) -> Figure:
+    """Draw by how much every changed assumption changes the time and the work of each transition, in percent.
+
+    Rows are the changed assumptions, panels the times and works. The band is the numerical uncertainty of the design's
+    own run. A transition that fails with the change has a triangle at the right edge instead of a dot.
+
+    Args:
+        found: what to draw.
+        width: of the figure, inch.
+    """
+    panels = [
+        (each.time if kind == "time" else f"work of {each.noun}", each.name, kind)
+        for kind in ("time", "work")
+        for each in found.transitions
+        if _value(found.own, each.name, kind)
+    ]
+    narrow = is_narrow(width)
+    with figure_style():
+        across = max(1, min(len(panels), 2 if narrow else 4))
+        down = max(1, math.ceil(len(panels) / across))
+        height = down * (_ROW * len(found.runs) + 0.5) + _AROUND
+        figure = Figure(figsize=(width, height), layout="constrained")
+        every = figure.subplots(down, across, squeeze=False).ravel().tolist()
+        for axes in every[max(len(panels), 1) :]:
+            axes.set_visible(False)
+        for axes, (label, name, kind) in zip(every, panels, strict=False):
+            _draw_panel(axes, found, name, kind)
+            axes.set_xlabel(f"{label},\nchange (%)", fontsize=7 if narrow else 8)
+        for number, axes in enumerate(every[: max(len(panels), 1)]):
+            _name_rows(axes, found if number % across == 0 else None, len(found.runs), narrow=narrow)
+        handles = [Line2D([], [], ls="", label=label, **look) for label, look in _LOOKS.values()]
+        handles.append(Line2D([], [], ls="", color=VERMILION, label="fails with the change", **_MISSED))
+        fit_legend(
+            figure,
+            [*handles, Patch(fc=_BAND, label="numerical uncertainty")],
+            3,
+            loc="outside upper center",
+        )
+        return describe(figure, f"What modelling assumptions of {found.design.name} change. {_sentence(found)}")
+
+
+def _value(run: AssumptionRun, name: str, kind: str) -> float | None:
+    return (run.times if kind == "time" else run.works)[name]
+
+
+def _draw_panel(axes: Axes, found: Assumptions, name: str, kind: str) -> None:
+    """Draw a dot for every run that has the value, and a triangle where the transition fails."""
+    own = _value(found.own, name, kind)
+    assert own
+    axes.set_xscale("symlog", linthresh=_EVEN)
+    half = 100 * found.uncertainty.get(f"{name}.{kind}", 0.0) / abs(own)
+    axes.axvspan(-half, half, color=_BAND, lw=0)
+    axes.axvline(0, color=BLACK, lw=0.6)
+    changes: list[float] = []
+    for row, run in enumerate(found.runs):
+        axes.axhline(row, color="0.92", lw=0.5, zorder=0)
+        value, (_, look) = _value(run, name, kind), _LOOKS[run.effect]
+        # the work of a stage that missed its goal is that of another motion
+        if value is None or run.times[name] is None:
+            if run.verdict.tells:
+                axes.plot(
+                    [0.98],
+                    [row],
+                    transform=axes.get_yaxis_transform(),
+                    ls="",
+                    color=VERMILION,
+                    **_MISSED,
+                    clip_on=False,
+                )
+            continue
+        changes.append(100 * (value - own) / abs(own))
+        axes.plot([0, changes[-1]], [row, row], color=look.get("color", BLUE), lw=0.9)
+        axes.plot([changes[-1]], [row], ls="", **look)
+    least, most = min(changes, default=0.0), max(changes, default=0.0)
+    axes.set_xlim(min(2 * least, -1.2 * _EVEN), max(4 * most, 1.2 * _EVEN))
+    axes.set_xticks(_ticks(*axes.get_xlim()), minor=False)
+    axes.xaxis.set_minor_locator(_none())
+    axes.xaxis.set_major_formatter(lambda tick, _: f"{tick:+.0f}" if tick else "0")
+
+
+def _ticks(low: float, high: float) -> list[float]:
+    """Powers of ten of both signs between two bounds, %, and 0; every second one where there are many."""
+    powers = [10.0**power for power in range(1, 9)]
+    within = [tick for tick in powers if tick <= max(-low, high)]
+    kept = within[:: 1 + len(within) // 3]
+    return [tick for tick in (*(-each for each in reversed(kept)), 0.0, *kept) if low <= tick <= high]
+
+
+def _none() -> Any:
+    from matplotlib.ticker import NullLocator
+
+    return NullLocator()
+
+
+def _name_rows(axes: Axes, found: Assumptions | None, count: int, *, narrow: bool) -> None:
+    """Name the rows, those that change the verdict in its colour; without assumptions leave them without a name."""
+    axes.set_ylim(count - 0.5, -0.5)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    for row, run in enumerate(() if found is None else found.runs):
+        axes.annotate(
+            textwrap.fill(run.label, _NAME_LETTERS) if narrow else run.label,
+            (0, row),
+            (-4, 0),
+            xycoords=axes.get_yaxis_transform(),
+            textcoords="offset points",
+            ha="right",
+            va="center",
+            fontsize=6 if narrow else 7,
+            color=VERMILION if run.effect is Effect.VERDICT else BLACK,
+        )
+
+
+def _sentence(found: Assumptions) -> str:
+    return f"{found.verdict[:1].upper()}{found.verdict[1:]}."

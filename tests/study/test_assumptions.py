@@ -1,0 +1,233 @@
+"""Assumptions of a design, changed one at a time: which apply, what each does, and what is known before a run."""
+
+import json
+from dataclasses import replace
+
+import jsonschema
+import numpy as np
+import pytest
+
+import forficula as ff
+from forficula.analysis import Verdict
+from forficula.analysis.json_schemas import json_schema
+from forficula.design import design_from_text, design_text
+from forficula.errors import InputError
+from forficula.study.assumptions import AssumptionRun, Effect, effect_of, run_assumptions
+from forficula.study.assumptions_file import (
+    ASSUMPTIONS_FILE,
+    assumptions_json,
+    known_assumptions,
+    known_text,
+    load_assumptions,
+    measured_assumptions,
+    save_assumptions,
+)
+from forficula.study.cycling import least_slow_torques
+from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
+from tests.assumptions import FLAP, flap
+
+EVERYWHERE = {"half hinge damping", "twice hinge damping", "gravity", "slow rise", "timestep"}
+OF_WINGS = EVERYWHERE | {
+    *("half other damping", "twice other damping", "tendon height", "membrane mass", "tendon mass", "hinge mass"),
+    *("medium", "contact", "stiffer stops", "softer stops", "start"),
+}
+OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium"}
+APPLY = {
+    "binder2025": OF_WINGS | {"armature"},
+    "binder2025-built": OF_WINGS,
+    "binder2025-joint": EVERYWHERE
+    | {"no rise", "tendon height", "tendon mass", "hinge mass", "stiffer stops", "softer stops", "start"},
+    "letter-fold": OF_BENDING | {"stiffer stops", "softer stops"},
+    "bistable-clasp": OF_BENDING,
+    "kresling-cell": OF_BENDING,
+    # its timestep is "auto", which a run of the assumptions finds first
+    "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium"},
+}
+
+
+def named(*names):
+    return tuple(each for each in ASSUMPTIONS if each.name in names)
+
+
+def found_of(name):
+    design = ff.load_design(name)
+    return {each.name: variant_of(each, design) for each in ASSUMPTIONS}
+
+
+@pytest.mark.parametrize("name", APPLY)
+def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_others_have_a_reason(name):
+    found = found_of(name)
+    assert {each for each, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
+    assert all(reason.strip() for reason in found.values() if isinstance(reason, str))
+    # each changed design is one that a file can hold
+    for variant in found.values():
+        if isinstance(variant, Variant):
+            assert design_from_text(design_text(variant.design)).hash == variant.design.hash
+
+
+def test_what_a_design_already_assumes_is_turned_into_its_opposite():
+    plain, built, joint = found_of("binder2025"), found_of("binder2025-built"), found_of("binder2025-joint")
+    assert plain["medium"].label == "in air"
+    assert built["medium"].label == "empty space"
+    assert built["medium"].design.medium is None
+    assert plain["membrane mass"].design.membrane.density == 1200.0
+    assert built["membrane mass"].design.membrane.density == 0.0
+    assert plain["hinge mass"].design.vein.added_mass == built["hinge mass"].design.vein.added_mass + 1.4e-3
+    assert built["tendon mass"].design.tendon.mass == 0.0
+    # 3.1 mm: the radius of a bar of 5 mm and half of a thick strap
+    assert plain["tendon height"].design.tendon.proximal_offset == pytest.approx(3.1e-3)
+    assert joint["tendon height"].design.tendon.distal_offset == 0.0
+
+
+def test_tendons_that_differ_from_vein_to_vein_are_all_changed():
+    one = {"vein": 0, "stiffness": "10 N/cm", "rest_length": "9 cm", "damping": "0.1 N s/m"}
+    ends = {"proximal_attachment": "5.5 cm", "distal_attachment": "5.5 cm"}
+    given = [one | ends, one | ends | {"vein": 2, "damping": "0.3 N s/m"}]
+    design = ff.load_design("binder2025").with_values({"tendon": given})
+    (twice,) = named("twice other damping")
+    first, none, last = variant_of(twice, design).design.tendons
+    assert (first.damping, none, last.damping) == (0.2, None, 0.6)
+    (mass,) = named("tendon mass")
+    assert all(each is None or each.mass > 0 for each in variant_of(mass, design).design.tendons)
+
+
+@pytest.fixture(scope="module")
+def flapping():
+    return run_assumptions(flap())
+
+
+def test_an_overdamped_hinge_takes_as_long_as_its_damping_and_a_rise_delays_it_by_half_of_itself(flapping):
+    # c dq/dt = tau min(t / T, 1): t = c q / tau + T / 2
+    creases, torque = 0.21 * FLAP["crease.damping"], 0.3
+    own = flapping.own.times["close"]
+    assert own == pytest.approx(creases * np.pi / 3 / torque, rel=5e-3)
+    times = {run.name: run.times["close"] for run in flapping.runs}
+    assert times["twice hinge damping"] == pytest.approx(2 * own, rel=5e-3)
+    assert times["half hinge damping"] == pytest.approx(own / 2, rel=2e-2)
+    assert times["slow rise"] == pytest.approx(own + 0.2 / 2, rel=5e-3)
+    effects = {run.name: run.effect for run in flapping.runs}
+    assert {name for name, effect in effects.items() if effect is Effect.NUMBERS} == {
+        *("twice hinge damping", "half hinge damping", "slow rise"),
+    }
+    assert flapping.deciding == ()
+    assert flapping.verdict.startswith("closed; none of ")
+
+
+def test_a_torque_that_rises_slower_than_everything_is_that_of_the_statics():
+    stages = ff.load_design("binder2025-joint").si_tables()["protocol"]["stages"][:3]
+    rise = {"hinge.damping": 1e-4, "protocol.rise": 0.0, "protocol.timestep": 2e-4, "protocol.stages": stages}
+    design = ff.load_design("binder2025-joint").with_values(rise)
+
+    def slower(joint):
+        later = {"protocol.rise": 1.0, "protocol.stages.1.time_limit": 2.0}
+        return Variant(label="far slower", design=joint.with_values(later))
+
+    far = Assumption(name="far slower", meaning="A torque comes at once; instead it rises over 1 s.", change=slower)
+    found = run_assumptions(design, assumptions=[*named("slow rise"), far])
+    ((least,), *_) = least_slow_torques([design])
+    slow, slowest = (0.1 * run.times["fold"] / rise for run, rise in zip(found.runs, (0.3, 1.0), strict=True))
+    assert found.own.times["fold"] < 0.02
+    assert least < slow < 1.12 * least
+    assert least < slowest < 1.05 * least
+
+
+def test_an_assumption_that_decides_the_verdict_is_confirmed_and_named():
+    late = flap({"protocol.stages.0.time_limit": "0.3 s"})
+    told = []
+    found = run_assumptions(
+        late, assumptions=named("twice hinge damping"), progress=lambda stage, *_: told.append(stage)
+    )
+    ((run,),) = (found.deciding,)
+    assert (run.effect, run.verdict, run.times["close"]) == (Effect.VERDICT, Verdict.MOVING, None)
+    assert found.verdict == (
+        "closed; 1 of 1 changed assumption changes the verdict: twice the damping of hinges (still getting closed)"
+    )
+    # two runs, and one that confirms at half the timestep
+    assert any(stage.startswith("2 of 3 runs") for stage in told)
+
+
+def a_run(verdict=Verdict.REACHED, time=0.1, goal="close"):
+    return AssumptionRun(
+        name="gravity",
+        label="gravity across the sheet",
+        meaning="Nothing weighs.",
+        timestep=1e-4,
+        verdict=verdict,
+        goal=goal,
+        word="closed",
+        status="closed",
+        times={"close": time},
+        works={"close": 1.0},
+    )
+
+
+@pytest.mark.parametrize(
+    ("run", "effect"),
+    [
+        (a_run(), Effect.NOTHING),
+        (a_run(time=0.1015), Effect.NOTHING),
+        (a_run(time=0.103), Effect.NOTHING),  # within the numerical uncertainty
+        (a_run(time=0.107), Effect.NUMBERS),
+        (a_run(time=None), Effect.NUMBERS),
+        (a_run(Verdict.STUCK), Effect.VERDICT),
+        (a_run(goal="open"), Effect.VERDICT),
+        (a_run(Verdict.UNDECIDED), Effect.UNKNOWN),
+        (a_run(Verdict.DIVERGED), Effect.UNKNOWN),
+    ],
+)
+def test_a_change_counts_where_it_exceeds_two_percent_and_the_numerical_uncertainty(run, effect):
+    assert effect_of(run, a_run(), {"close.time": 0.005}) is effect
+    assert effect_of(run, a_run(Verdict.UNTRUSTED), {}) is Effect.UNKNOWN
+
+
+def test_the_table_is_read_as_it_was_written_and_is_what_its_schema_says(flapping, tmp_path):
+    save_assumptions(flapping, tmp_path / ASSUMPTIONS_FILE)
+    assert load_assumptions(tmp_path / ASSUMPTIONS_FILE) == flapping
+    content = json.loads(json.dumps(assumptions_json(flapping)))
+    jsonschema.Draft202012Validator(json_schema("assumptions")).validate(content)
+    (tmp_path / ASSUMPTIONS_FILE).write_text('{"design": "x"}')
+    with pytest.raises(InputError, match=r"assumptions\.json: not a table of assumptions of forficula"):
+        load_assumptions(tmp_path / ASSUMPTIONS_FILE)
+
+
+def test_the_table_is_a_dataset(flapping):
+    table = flapping.to_xarray()
+    assert table.sizes == {"run": 1 + len(flapping.runs), "transition": 1}
+    assert float(table["time"].sel(run="as designed", transition="close")) == flapping.own.times["close"]
+    assert table.attrs["says"] == flapping.verdict
+
+
+def test_known_are_assumptions_of_the_same_values_in_the_folder_of_the_run_or_beside_it(flapping, tmp_path):
+    run, beside = tmp_path / "flap", tmp_path / "flap-assumptions"
+    design = flapping.design
+    assert known_assumptions(design, run) is None
+    save_assumptions(flapping, beside / ASSUMPTIONS_FILE)
+    assert known_assumptions(design, run) == (flapping, str(beside))
+    assert known_assumptions(design.with_values({"crease.damping": 0.4}), run) is None
+    decided = replace(flapping.runs[0], effect=Effect.VERDICT, word="still closing")
+    told = known_text(replace(flapping, runs=(decided, *flapping.runs[1:])), "there")
+    assert told == (
+        f"Assumptions that decide the verdict, 1 of {len(flapping.runs)} changed assumptions: "
+        "drives rise over 0.2 s (still closing) (there)."
+    )
+    (run / ASSUMPTIONS_FILE).parent.mkdir()
+    (run / ASSUMPTIONS_FILE).write_text("another file of this name")
+    assert known_assumptions(design, run) == (flapping, str(beside))
+
+
+def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_values(tmp_path):
+    """Where this fails: `forficula assumptions NAME`, and copy assumptions.json to study/measured/NAME.json."""
+    for measured in measured_assumptions():
+        assert measured.design.hash == ff.load_design(measured.design.name).hash
+    assert known_assumptions(ff.load_design("binder2025"), tmp_path) is not None
+
+
+def test_the_measured_times_of_the_reference_wing_are_computed_again(reference_outcome):
+    (measured,) = (each for each in measured_assumptions() if each.design.name == "binder2025")
+    for name, time in measured.own.times.items():
+        assert reference_outcome.transitions[name].time == pytest.approx(time, rel=0.02)
+    (decides,) = (run for run in measured.deciding if run.name == "slow rise")
+    (rise,) = named("slow rise")
+    again = ff.measure(ff.run(variant_of(rise, measured.design).design, confirm=False))
+    assert (again.verdict, again.ending.goal) == (decides.verdict, decides.goal)
+    assert again.transitions["fold"].time == pytest.approx(decides.times["fold"], rel=0.02)
