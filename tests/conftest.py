@@ -138,6 +138,7 @@ def one_hinge(reference):
 # a coarse protocol that takes 0.5 s at most, and in which some tendons fold, some stick and some open again
 SHORT_PROTOCOL = """
 protocol.timestep = "0.4 ms"
+stops.time_constant = "2 ms"
 protocol.least_hold = 0.0
 protocol.residual_limit = 0.02
 protocol.window = "10 ms"

@@ -19,6 +19,7 @@ SHORT = with_values(
     {
         "tendon.rest_length": 0.05,
         "protocol.timestep": 4e-4,
+        "stops.time_constant": 2e-3,
         "protocol.window": 0.01,
         "protocol.residual_limit": 0.02,
         "protocol.folded_angle": "150 deg",

@@ -19,6 +19,7 @@ from tests.dynamics.protocols import on_protocol
 
 STAGES = {
     "protocol.timestep": 4e-4,
+    "stops.time_constant": 2e-3,
     "protocol.window": 0.01,
     "protocol.stages.0.time_limit": 0.02,
     "protocol.stages.1.time_limit": 0.1,

@@ -32,6 +32,7 @@ SHORT = {
     "tendon.rest_length": 0.09,
     "tendon.area": 18.75e-6,
     "protocol.timestep": 4e-4,
+    "stops.time_constant": 2e-3,
     "protocol.window": 0.01,
     **{f"protocol.stages.{stage}.time_limit": 0.1 for stage in (1, 2, 3, 4)},
     **{f"protocol.stages.{stage}.hold": 0.01 for stage in (2, 3, 4)},

@@ -42,6 +42,7 @@ def built(one_hinge, *stages, start=TAUT, gravity=-GRAVITY, law=LAW, **values):
         timestep=5e-4,
         start=start,
         values={
+            "stops.time_constant": 2e-3,
             "tendon.rest_length": REST,
             "tendon.area": AREA,
             "tendon.law": law,

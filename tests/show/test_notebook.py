@@ -30,7 +30,7 @@ def results(design, record, tmp_path_factory):
         "record": record,
         "outcome": ff.measure(record),
         "landscape": ff.landscape("letter-fold"),
-        "convergence": ff.converge(design, timesteps="0.4 0.2 ms"),
+        "convergence": ff.converge(design, timesteps="0.2 0.1 ms"),
         "assumptions": ASSUMED,
         "study": study,
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),

@@ -258,7 +258,7 @@ def test_another_key_is_refused(reference):
 @pytest.mark.usefixtures("no_column_figures")
 def test_the_command_leaves_a_table_its_numbers_two_figures_and_a_page(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms"])
+    main(["converge", "binder2025", "--timesteps", "0.2 0.1 ms"])
     printed = capsys.readouterr().out
     folder = tmp_path / "out" / "binder2025-converge"
     assert printed.splitlines()[-1] == "written to out/binder2025-converge"
@@ -282,6 +282,6 @@ def test_the_command_leaves_a_table_its_numbers_two_figures_and_a_page(tmp_path,
 def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_path, capsys):
     (tmp_path / "file").write_text("")
     with pytest.raises(SystemExit) as caught:
-        main(["converge", "binder2025", "--timesteps", "0.4 0.2 ms", "--out", str(tmp_path / "file" / "there")])
+        main(["converge", "binder2025", "--timesteps", "0.2 0.1 ms", "--out", str(tmp_path / "file" / "there")])
     assert caught.value.code == 1
     assert capsys.readouterr().err.startswith("forficula: --out: need a folder")

@@ -29,7 +29,7 @@ FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_l
 
 def folding(law: MaterialLaw | None, **values):
     """The reference, folded within 0.1 s, with tendons of a law."""
-    protocol = {"protocol.timestep": "0.4 ms", "protocol.window": "10 ms"}
+    protocol = {"protocol.timestep": "0.4 ms", "stops.time_constant": "2 ms", "protocol.window": "10 ms"}
     design = with_values(load_design("binder2025", protocol), {"protocol.stages": [SETTLE, FOLD], **values})
     return design if law is None else with_values(design, {"tendon.law": law, "tendon.area": 18.75e-6})
 

@@ -39,6 +39,7 @@ def damped(reference, stages, damping, timestep=5e-4, **torques):
                 "tendon.damping": 0.0,
                 "membrane.damping": 1e-4,
                 "protocol.timestep": timestep,
+                "stops.time_constant": 2e-3,
                 "protocol.sample_interval": 0.1,
                 "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
                 "protocol.folded_angle": FOLDED,

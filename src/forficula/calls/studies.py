@@ -38,7 +38,7 @@ def converge(
     Raises:
         InputError: none of the three, several of them, or values that are not allowed.
 
-    >>> set(ff.converge(design, timesteps="0.4 0.2 ms").statuses)
+    >>> set(ff.converge(design, timesteps="0.2 0.1 ms").statuses)
     {'closed and opened'}
     """
     from forficula.study.convergence import converge as converge_design

@@ -30,6 +30,7 @@ DEFAULTS = {"reduced_motion": "reduce", "viewport": {"width": 800, "height": 600
 RELEASE = {"drive": "none", "until": "rest", "hold": "10 ms", "time_limit": "0.1 s"}
 SHORT = {
     "protocol.timestep": "0.4 ms",
+    "stops.time_constant": "2 ms",
     "protocol.window": "10 ms",
     "protocol.stages.0.time_limit": "20 ms",
     "protocol.stages.1.time_limit": "0.1 s",

@@ -22,6 +22,7 @@ from forficula.study.kept_runs import RunToKeep, kept_runs
 from forficula.study.outcome_kinds import transitions_text
 
 SETTINGS = {
+    "stops": {"time_constant": "2 ms"},
     "protocol": {
         "timestep": "0.4 ms",
         "sample_interval": "2 ms",

@@ -19,6 +19,7 @@ from tests.workbench.test_server import SQUARE
 # a coarse protocol, so that it is soon over
 SETTINGS = {
     "protocol.timestep": "0.4 ms",
+    "stops.time_constant": "2 ms",
     "protocol.window": "10 ms",
     "protocol.stages.0.time_limit": "20 ms",
     "protocol.stages.1.time_limit": "0.1 s",
