@@ -8,7 +8,7 @@ from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
 from forficula.goals.identify.result import build_result
-from forficula.show.goals.identify_text import agrees_sentence, print_identification, together_sentences
+from forficula.show.goals.identify_text import agrees_sentences, print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
@@ -247,7 +247,8 @@ def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
-    assert "What agrees is the one drawn sample that meets every fact." in said
+    # of a single sample nothing follows for the values beside it
+    assert "Too few samples to say what agrees: 1 ran" in said
     assert "One sample meets the fact." in said
 
 
@@ -258,4 +259,4 @@ def test_where_nothing_can_be_built_the_reason_is_told():
     assert together_sentences(result)[0].startswith(
         "4 samples cannot be built, mostly: binder2025: tendon.distal_attach"
     )
-    assert agrees_sentence(result) == "None agrees, for none can be built."
+    assert agrees_sentences(result) == ["None agrees, for none can be built."]

@@ -189,9 +189,7 @@ def test_where_nothing_works_no_tolerance_is_to_blame(design, tmp_path):
 def test_where_two_tolerances_decide_nearly_the_same_the_sentences_say_that_the_order_is_not_resolved(design, tmp_path):
     close = assessed(design, tmp_path / "close", SMALL, lambda offsets: 0.2 - float(offsets @ [0, 0.16, 0, -0.15, 0]))
     told = " ".join(advice(close))
-    assert (
-        "The number of runs does not resolve which tolerance decides most of the variance: of resamplings of 32" in told
-    )
+    assert "The number of runs does not resolve which tolerance decides most of the variance: of resamplings" in told
     assert close.indices.leads[0].sum() == pytest.approx(1)
 
 

@@ -18,7 +18,7 @@ def ishigami_among_others(points):
 
 
 def sobol_g(points):
-    """Sobol (1993): factors with a = 0, 1 and 4.5 have total indices of 0.79, 0.24 and 0.035; all others are below 0.012."""
+    """Sobol (1993): total indices of 0.79, 0.24 and 0.034 where a is 0, 1 and 4.5, and below 0.012 of all others."""
     a = np.array([0.0, 1.0, 4.5, 9.0, *np.full(21, 99.0)])
     return np.prod((np.abs(4 * points - 2) + a) / (1 + a), axis=1)
 
@@ -29,7 +29,7 @@ def line(points):
 
 
 def step(points):
-    """A margin that is lost beyond a plane, of which 21 weak factors have total indices of 0.035, and four of 0.77 to 0.15."""
+    """A margin that is lost beyond a plane: four factors have total indices of 0.77 to 0.15, 21 others of 0.035."""
     weights = np.array([2.0, 1.0, 0.8, 0.6, *np.full(21, 0.15)])
     along = (points - 0.5) @ weights
     return np.where(along > 0.25 * np.sqrt(np.sum(weights**2) / 12), -0.4, 0.6) - 0.05 * along

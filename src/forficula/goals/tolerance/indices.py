@@ -152,7 +152,7 @@ def line_indices(
 
 def _leads(resampled: Values, compared: int | None = None) -> Values:
     """The share of resamplings, (resamplings, results, groups), in which each group has the largest index."""
-    leads = np.zeros(resampled.shape[1:])
+    leads = np.zeros((resampled.shape[1], resampled.shape[2]))
     largest = np.argmax(resampled[:, :, :compared], axis=2)
     for group in range(leads.shape[1]):
         leads[:, group] = np.mean(largest == group, axis=0)

@@ -19,7 +19,8 @@ class Probability:
         unknown: runs that tell nothing, for they are not to be trusted.
         undecided: runs whose verdict differs at half the timestep.
         share: of the runs that tell, those in which it holds; None where none tells.
-        low: lower end of the 95 % interval, with every run that tells nothing or is undecided counted as one that fails.
+        low: lower end of the 95 % interval, with every run that tells nothing or is undecided counted as one that
+            fails.
         high: upper end, with every such run counted as one that works.
     """
 

@@ -35,13 +35,13 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
     Returns:
         Dimensions: `fact`, that it works, does each transition, stays there, meets each limit, with `probability` and
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
-        intervals, and `leads`, the share of resamplings in which it has the largest one; `factor`, with value and width
-        in SI, what the screening says of it where there is one (`screening_share` of the variance that it decides
-        alone, `screening_resolved` whether that exceeds chance, and `screening_effect` from a few exchanged rows), how far it alone may go down and up, in widths, NaN where that
-        is not known, why it ends there, and what half of its tolerance gains; `map_x` and `map_y`, two factors that
-        alone are off, with `map_outcome`, where there is a map; `sample`, with every value in SI, `answer`, `outcome`,
-        `status`, `verdict` and `margin`. The attribute `says` has the sentences, and `transitions` names the
-        transitions as that of a study does.
+        intervals, and `leads`, the share of resamplings in which its index is the largest; `factor`, with value and
+        width in SI, what the screening says of it where there is one (`screening_share` of the variance that it decides
+        alone, `screening_resolved` whether that exceeds chance, `screening_effect` from a few exchanged rows), how far
+        it alone may go down and up, in widths, NaN where that is not known, why it ends there, and what half of its
+        tolerance gains; `map_x` and `map_y`, two factors that alone are off, with `map_outcome`, where there is a map;
+        `sample`, with every value in SI, `answer`, `outcome`, `status`, `verdict` and `margin`. The attribute `says`
+        has the sentences, and `transitions` names the transitions as that of a study does.
     """
     question = found.question
     variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
