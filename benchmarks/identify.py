@@ -1,16 +1,18 @@
 """Coverage of the ranges of an identification: hidden values are planted, and looked for by what they bring about.
 
 Facts are what a design with hidden values does, exactly or with an error that is uniform within the fact's tolerance.
-Hidden values are drawn from what is believed. Stand-ins are closed forms in place of runs of the letter fold:
+Hidden values are drawn from what is believed. Stand-ins are closed forms in place of runs of the letter fold, with 60
+drawn samples and none placed:
 
 - smooth: a time and an energy over two values;
 - steps: how many of 21 conditions close, and an energy;
 - jump: a time that part of the samples does not have, and an energy;
 - four: three smooth numbers over four values.
 
-    python benchmarks/identify.py [--plantings N] [--only NAME ...] [--folder DIR] [--json FILE]
+    python benchmarks/identify.py [--plantings N] [--only NAME ...] [--folder DIR] [--verbose] [--json FILE]
 
-`letter-fold` runs the simulation, in a folder whose rows are used again; its default is 24 plantings.
+`letter-fold` runs the simulation, of 48 drawn and up to 12 placed samples, in a folder whose rows are used again; its
+default is 24 plantings.
 """
 
 from __future__ import annotations
@@ -27,17 +29,17 @@ from typing import Any
 import numpy as np
 import xarray
 
-from forficula.design import key_value, load_design
+from forficula.design import load_design
 from forficula.goals.identify import observations_of
-from forficula.goals.identify.identify import identify_samples
+from forficula.goals.identify.finding import Finding
+from forficula.goals.identify.identify import Sample
 from forficula.goals.identify.marginal import marginals
 from forficula.goals.identify.observations import Observations
-from forficula.goals.identify.prior import values_at
+from forficula.goals.identify.prior import prior_shares, values_at
 from forficula.goals.identify.result import build_result
 from forficula.goals.identify.run_identify import identify
-from forficula.goals.identify.sample_runs import ConditionRun
-from forficula.study.evaluate import evaluate, row_key
-from forficula.study.journal import Row
+from forficula.study.evaluate import evaluate
+from forficula.study.factors import Factor
 
 SAMPLES, PLACED, TOLERANCE = 48, 12, 0.04
 _STIFFNESS, _DAMPING = "tendon.left.stiffness", "crease.damping"
@@ -78,7 +80,7 @@ def jump(values: Mapping[str, float]) -> Numbers:
 
 
 def four(values: Mapping[str, float]) -> Numbers:
-    """Four values in two numbers, of which facts take three combinations of conditions."""
+    """Four values in two numbers, of which facts take the energy twice, once with another stiffness."""
     stiffness, damping = values[_STIFFNESS] / 50, values[_DAMPING] / 0.04
     length, density = (values[_LENGTH] - 0.05) / 0.005, values[_DENSITY] / 800
     return (
@@ -88,48 +90,74 @@ def four(values: Mapping[str, float]) -> Numbers:
 
 
 COUNTED: dict[str, Any] = {"quantity": "closed", "statistic": "count", "until": "close"}
-LENGTHS = {"over": {_LENGTH: "4..6 cm step 0.1"}}
+COUNTED["over"] = {_LENGTH: "4..6 cm step 0.1"}
+LENGTHS = np.linspace(0.04, 0.06, 21).tolist()
+# of what a stand-in does not vary, SI
+OWN = {_LENGTH: 0.05, _DENSITY: 800.0}
+_ABSENT = 2.0
 # form, unknowns, facts without their bounds
 CASES: dict[str, tuple[Form | None, dict[str, Any], list[dict[str, Any]]]] = {
     "smooth": (smooth, TWO, [CLOSE, STORED]),
-    "steps": (steps, TWO, [{**COUNTED, **LENGTHS}, STORED]),
+    "steps": (steps, TWO, [COUNTED, STORED]),
     "jump": (jump, TWO, [CLOSE, STORED]),
     "four": (
         four,
         FOUR,
-        [CLOSE, STORED, {**STORED, "settings": {_STIFFNESS: "0.5 N/cm"}}],
+        [CLOSE, STORED, {**STORED, "at": {_STIFFNESS: 50.0}}],
     ),
     "letter-fold": (None, TWO, [CLOSE, STORED]),
 }
 
 
-def rows_of(form: Form, runs: Sequence[ConditionRun]) -> list[Row]:
-    """Rows as runs of the letter fold have them, by a closed form."""
-    rows = []
-    for run in runs:
-        numbers = form({key: float(key_value(run.design, key)) for key in FOUR})
-        rows.append(
-            {
-                "key": row_key(run.design),
-                "verdict": "reached" if numbers[0] is not None else "stuck",
-                "closed": numbers[0] is not None,
-                "close_time_s": numbers[0],
-                "flat_energy_J": numbers[1],
-            }
+def values_of(form: Form, facts: Sequence[dict[str, Any]], values: Mapping[str, float]) -> list[float]:
+    """What the facts' quantities are of a stand-in, SI."""
+    seen = []
+    for fact in facts:
+        own = {**values, **fact.get("at", {})}
+        time_, stored = form(own)
+        if fact["quantity"] == "closed":
+            seen.append(float(sum(form({**own, _LENGTH: length})[0] is not None for length in LENGTHS)))
+        elif fact["quantity"] == "close_time":
+            seen.append(_ABSENT if time_ is None else time_)
+        else:
+            seen.append(stored)
+    return seen
+
+
+def stand_in_samples(form: Form, facts: Sequence[dict[str, Any]], asked: Observations) -> list[Sample]:
+    """Samples of a stand-in, all of them drawn."""
+    samples = []
+    for number, shares in enumerate(prior_shares(asked.priors, asked.samples, asked.seed)):
+        values = {prior.key: float(_si(prior, share)) for prior, share in zip(asked.priors, shares, strict=True)}
+        seen = values_of(form, facts, {**OWN, **values})
+        findings = []
+        for fact, value in zip(asked.facts, seen, strict=True):
+            assert isinstance(fact.bound, float)
+            miss = value - fact.bound
+            met = abs(miss) <= fact.tolerance
+            findings.append(Finding(value=value, miss=miss, distance=abs(miss), met=met, tells=True, untold=0))
+        samples.append(
+            Sample(number=number, shares=shares, values=values_at(asked.priors, shares), findings=tuple(findings))
         )
-    return rows
+    return samples
+
+
+def _si(prior: Factor, share: float) -> float:
+    assert prior.distribution is not None
+    return float(prior.distribution.quantiles(np.array([share]))[0])
 
 
 def observed(
-    unknown: dict[str, Any], facts: list[dict[str, Any]], bounds: Sequence[tuple[float, float]], seed: int
+    unknown: dict[str, Any], facts: list[dict[str, Any]], bounds: Sequence[tuple[float, float]], seed: int, samples: int
 ) -> Observations:
     """The facts with what they are to be, and their tolerances, SI."""
     tables = []
     for number, (fact, (bound, tolerance)) in enumerate(zip(facts, bounds, strict=True)):
         unit = {"close_time": " s", "flat_energy": " J"}.get(fact["quantity"])
         asked = {"equals": f"{bound!r}{unit}", "tolerance": f"{tolerance!r}{unit}"} if unit else None
-        tables.append({"name": f"fact {number}", **fact, **(asked or {"equals": bound, "tolerance": tolerance})})
-    sampling = {"samples": SAMPLES, "directed": PLACED, "seed": seed}
+        plain = {key: value for key, value in fact.items() if key != "at"}
+        tables.append({"name": f"fact {number}", **plain, **(asked or {"equals": bound, "tolerance": tolerance})})
+    sampling = {"samples": samples, "directed": PLACED, "seed": seed}
     return observations_of(
         {"name": "planted", "design": "letter-fold", "unknown": unknown, "sampling": sampling, "fact": tables}
     )
@@ -139,26 +167,14 @@ def planting(name: str, number: int, folder: Path) -> dict[str, Any]:
     """Plant values, look for them, and say whether the ranges hold them."""
     form, unknown, facts = CASES[name]
     generator = np.random.default_rng([number, 2026])
-    blank = observed(unknown, facts, [(1.0, 0.0)] * len(facts), 0)
-    hidden = values_at(blank.priors, generator.uniform(0, 1, len(unknown)))
-
-    def assess(runs: Sequence[ConditionRun]) -> list[Row]:
-        if form is not None:
-            return rows_of(form, runs)
-        rows = {row["key"]: row for row in evaluate([run.design for run in runs])}
-        return [rows[run.key] for run in runs]
-
-    # what the hidden values bring about: one sample of choices, each with one value
-    alone = observations_of(
-        {
-            "name": "hidden",
-            "design": "letter-fold",
-            "unknown": {key: [value] for key, value in hidden.items()},
-            "sampling": {"samples": 1, "directed": 0},
-            "fact": [{"name": f"fact {each}", **fact, "equals": _none(fact)} for each, fact in enumerate(facts)],
-        }
-    )
-    seen = [each.value for each in identify_samples(alone, assess)[0].findings]
+    blank = observed(unknown, facts, [(1.0, 0.0)] * len(facts), 0, 1)
+    shares = generator.uniform(0, 1, len(unknown))
+    hidden = {prior.key: _si(prior, share) for prior, share in zip(blank.priors, shares, strict=True)}
+    if form is None:
+        (row,) = evaluate([load_design("letter-fold", hidden)])
+        seen = [_ABSENT if row["close_time_s"] is None else row["close_time_s"], row["flat_energy_J"]]
+    else:
+        seen = values_of(form, facts, {**OWN, **hidden})
     bounds = []
     for fact, value in zip(facts, seen, strict=True):
         counted = fact["quantity"] == "closed"
@@ -166,26 +182,22 @@ def planting(name: str, number: int, folder: Path) -> dict[str, Any]:
         # every other planting has an error
         error = generator.uniform(-1, 1) * tolerance * (number % 2)
         bounds.append((float(round(value + error)) if counted else value + error, tolerance))
-    # the letter fold's samples are run once for six plantings
-    asked = observed(unknown, facts, bounds, number // 6 if form is None else number)
     start = time.process_time()
     if form is None:
-        result = identify(asked, folder, threads=1)
+        # the drawn samples are run once for six plantings
+        result = identify(observed(unknown, facts, bounds, number // 6, SAMPLES), folder, threads=1)
     else:
-        result = build_result(asked, identify_samples(asked, assess), 0)
-    return {**told(result, load_design("letter-fold", hidden)), "seconds": time.process_time() - start}
+        asked = observed(unknown, facts, bounds, number, SAMPLES + PLACED)
+        result = build_result(asked, stand_in_samples(form, facts, asked), 0)
+    return {**told(result, hidden), "seconds": time.process_time() - start}
 
 
-def _none(fact: dict[str, Any]) -> object:
-    return 0 if fact["quantity"] == "closed" else "0 " + {"close_time": "s", "flat_energy": "J"}[fact["quantity"]]
-
-
-def told(result: xarray.Dataset, hidden: Any) -> dict[str, Any]:
+def told(result: xarray.Dataset, hidden: Mapping[str, float]) -> dict[str, Any]:
     """Whether every range holds what was hidden, how wide it is, and what is said of all facts together."""
     holds, widths, before = [], [], []
     for each in marginals(result):
         low, high = (float(end) for end in each.agrees)  # type: ignore[arg-type]
-        truth = float(key_value(hidden, each.key))
+        truth = hidden[each.key]
         holds.append(bool(low <= truth * (1 + 1e-6) and truth * (1 - 1e-6) <= high))
         shares, values = result[f"{each.name}_share"].values, result[each.name].values
         widths.append(float(np.ptp(np.interp([low, high], np.sort(values), np.sort(shares)))))
@@ -209,13 +221,18 @@ def main() -> None:
     parser.add_argument("--plantings", type=int, help="100 of stand-ins, 24 of the simulation")
     parser.add_argument("--only", nargs="*", choices=list(CASES), default=list(CASES))
     parser.add_argument("--folder", type=Path, help="of the letter fold's rows")
+    parser.add_argument("--verbose", action="store_true", help="print every planting")
     parser.add_argument("--json", type=Path)
     given = parser.parse_args()
     records = {}
     with tempfile.TemporaryDirectory() as scratch:
         for name in given.only:
             count = given.plantings or (24 if CASES[name][0] is None else 100)
-            found = [planting(name, number, given.folder or Path(scratch)) for number in range(count)]
+            found = []
+            for number in range(count):
+                found.append(planting(name, number, given.folder or Path(scratch)))
+                if given.verbose:
+                    print(name, number, json.dumps(found[-1]), flush=True)
             held, before = (np.array([each[key] for each in found]) for key in ("holds", "before"))
             unmet = [each for each in found if not each["met"]]
             records[name] = {
