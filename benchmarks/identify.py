@@ -171,7 +171,7 @@ def planting(name: str, number: int, folder: Path) -> dict[str, Any]:
     shares = generator.uniform(0, 1, len(unknown))
     hidden = {prior.key: _si(prior, share) for prior, share in zip(blank.priors, shares, strict=True)}
     if form is None:
-        (row,) = evaluate([load_design("letter-fold", hidden)])
+        (row,) = evaluate([load_design("letter-fold", values_at(blank.priors, shares))])
         seen = [_ABSENT if row["close_time_s"] is None else row["close_time_s"], row["flat_energy_J"]]
     else:
         seen = values_of(form, facts, {**OWN, **hidden})

@@ -42,10 +42,10 @@ class Screening:
 def screening(points: Values, values: Values, effects: Values, kept: int, seed: int) -> Screening:
     """Choose the factors that get indices of their own.
 
-    First those that decide something alone beyond chance, by `deciding_factors` from all rows. Few rows of exchanged
-    factors do not rank these: of a margin with a step, most of what eight rows say of a factor is chance. But they see
-    factors that act only together with others: a quarter of the places, and those that are left, go to the factors
-    with the largest effects.
+    First those that decide something alone beyond chance, by `deciding_factors` from all rows, then those whose shares
+    come next. Few rows of exchanged factors do not rank these: of a margin with a step, most of what eight rows say of
+    a factor is chance. But they see factors that act only together with others: a quarter of the factors that are kept
+    are those of the others with the largest effects.
 
     Args:
         points: independent rows in the unit cube, (rows, factors).
@@ -55,10 +55,12 @@ def screening(points: Values, values: Values, effects: Values, kept: int, seed: 
         seed: of the permutations.
     """
     shares, resolved = deciding_factors(points, values, seed)
-    alone = [factor for factor in np.argsort(-shares, kind="stable").tolist() if resolved[factor]]
+    by_share = np.argsort(-shares, kind="stable").tolist()
+    # what changes the margin in no row where it is exchanged needs no rows of its own, unless it decides beyond chance
+    alone = [factor for factor in by_share if resolved[factor]]
+    alone += [factor for factor in by_share if not resolved[factor] and effects[factor] > 0]
     chosen = alone[: kept - kept // _RESERVED]
     others = [factor for factor in np.argsort(-effects, kind="stable").tolist() if factor not in chosen]
-    # of exchanged factors those that change nothing in any row need no runs of their own, but for a map's two axes
     wanted = max(int(np.sum(effects[others] > 0)), _MAP_AXES - len(chosen))
     chosen += others[: min(wanted, kept - len(chosen))]
     return Screening(shares=shares, resolved=resolved, effects=effects, kept=tuple(chosen))
