@@ -163,7 +163,7 @@ def _between(result: Dataset) -> list[str]:
         ]
     return [
         f"{first}, and by a model fitted between the samples no values do: they miss at least one by"
-        f" {float(told['between_apart']):.2g} of its standard errors or more."
+        f" {_apart(result)} of its standard errors or more."
     ]
 
 
@@ -276,7 +276,7 @@ def agrees_sentences(result: Dataset) -> list[str]:
     if not told["between_possible"]:
         return [
             "No values meet all facts, on samples or between them: the ranges are of the values whose facts are"
-            f" least far off, at best {float(told['between_apart']):.2g} standard errors. They are no estimate."
+            f" least far off, at best {_apart(result)} standard errors. They are no estimate."
         ]
     return [
         "Ranges hold 95 % of the values that meet every fact, on samples and between them. They come from a kriging"
@@ -285,6 +285,11 @@ def agrees_sentences(result: Dataset) -> list[str]:
         " is right.",
         *_coarse(result),
     ]
+
+
+def _apart(result: Dataset) -> str:
+    """By how many standard errors of the model between the samples the worst fact is missed at best, two digits."""
+    return number_text(float(f"{float(result.attrs['between_apart']):.2g}"))
 
 
 def _coarse(result: Dataset) -> list[str]:
