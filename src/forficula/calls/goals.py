@@ -33,7 +33,8 @@ def identify(
         progress: called after every batch with the samples done, all samples, and those so far.
 
     Returns:
-        Over samples and facts: what was found, how far it is from each fact, and what agrees.
+        Over samples and facts: what was found, how far it is from each fact, and which samples agree. Each unknown
+        value has the ends of its range, SI, as the attributes `agrees_low` and `agrees_high`, or `agrees_choices`.
 
     Raises:
         InputError: no such observations, values that are not allowed, or a folder of others.

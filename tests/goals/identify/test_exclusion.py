@@ -1,5 +1,7 @@
 """What it means that no sample meets two facts: shares with intervals, and when none says nothing."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -58,6 +60,21 @@ def test_facts_that_are_met_by_too_few_tell_nothing_of_whether_they_exclude_one_
     assert conjunction((1, 2), evidence(met, targets=targets)).verdict is Together.MET
     assert conjunction((0, 3), evidence(met, targets=targets)).verdict is Together.NEVER
     assert best_subsets(met) == [(1, 2)]
+
+
+def test_facts_that_values_between_the_samples_may_meet_do_not_exclude_one_another():
+    met, targets = halves(placed=[(0, 1)])
+    asked = []
+
+    def open_between(facts):
+        asked.append(facts)
+        return True
+
+    seen = replace(evidence(met, targets=targets), open_between=open_between)
+    assert conjunction((0, 1), seen).verdict is Together.OPEN
+    # what is settled by samples is not asked for
+    assert conjunction((1, 2), seen).verdict is Together.MET
+    assert asked == [(0, 1)]
 
 
 def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():

@@ -7,8 +7,9 @@ from forficula.design import load_design
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.exclusion import Together
 from forficula.goals.identify.identify import identify_samples
+from forficula.goals.identify.marginal import marginals
 from forficula.goals.identify.result import build_result
-from forficula.show.goals.identify_text import agrees_sentence, print_identification, together_sentences
+from forficula.show.goals.identify_text import agrees_sentences, print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
 # less than any overbend
@@ -90,6 +91,9 @@ def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contra
     # none of 64: less than 3 / 64 of the priors, as the rule of three has it
     assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
     assert result.attrs["most_met"] == 1
+    said = [*together_sentences(result), *agrees_sentences(result)]
+    assert "No sample meets all 2 facts, and by a model fitted between the samples no values do" in said[0]
+    assert any(each.startswith("No values meet all facts") for each in said)
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
 
@@ -114,6 +118,13 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     drawn = observed(facts, samples=64)
     assert int(drawn.met_together[0, 1]) == 0
     assert drawn.together.values[0, 1] != Together.EXCLUDED
+    # though the hidden values meet both
+    assert (
+        "No sample meets all 2 facts, but samples are too few to say that no values do" in together_sentences(drawn)[0]
+    )
+    for each in marginals(drawn):
+        planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]
+        assert each.agrees[0] <= planted_at <= each.agrees[1]
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
@@ -132,6 +143,7 @@ def test_a_value_among_choices_is_found_by_what_it_does():
     met = result.sel(sample=result.met.all("fact"))
     assert 0 < met.sizes["sample"] < 64
     np.testing.assert_allclose(met.tendon_distal_attachment.astype(float), 0.04)
+    assert {each.key: each.agrees for each in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
 
 
 def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way():
@@ -247,7 +259,8 @@ def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
-    assert "What agrees is the one drawn sample that meets every fact." in said
+    # of a single sample nothing follows for the values beside it
+    assert "Too few samples to say what agrees: 1 ran" in said
     assert "One sample meets the fact." in said
 
 
@@ -258,4 +271,4 @@ def test_where_nothing_can_be_built_the_reason_is_told():
     assert together_sentences(result)[0].startswith(
         "4 samples cannot be built, mostly: binder2025: tendon.distal_attach"
     )
-    assert agrees_sentence(result) == "None agrees, for none can be built."
+    assert agrees_sentences(result) == ["None agrees, for none can be built."]

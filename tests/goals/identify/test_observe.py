@@ -117,7 +117,7 @@ def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
         "absent": "1 s",
     }
     stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
-    assert stiff == Finding(value=0.0, distance=0.0, met=True, tells=True, untold=0)
+    assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, tells=True, untold=0)
     soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
     # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each twice over
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)

@@ -186,6 +186,19 @@ def test_where_nothing_works_no_tolerance_is_to_blame(design, tmp_path):
     assert tighten_first(hopeless) is None
 
 
+def test_where_two_tolerances_decide_nearly_the_same_the_sentences_say_that_the_order_is_not_resolved(design, tmp_path):
+    close = assessed(design, tmp_path / "close", SMALL, lambda offsets: 0.2 - float(offsets @ [0, 0.16, 0, -0.15, 0]))
+    told = " ".join(advice(close))
+    assert "The number of runs does not resolve which tolerance decides most of the variance: of resamplings" in told
+    assert close.indices.leads[0].sum() == pytest.approx(1)
+
+
+def test_where_one_tolerance_decides_far_more_its_order_is_resolved(found):
+    assert "does not resolve" not in " ".join(advice(found))
+    assert found.indices.leads[0, found.kept.index(1)] > 0.95
+    assert tolerance_table(found)["screening_resolved"].values.tolist() == [False, True, False, True, False]
+
+
 def test_without_time_for_indices_straight_lines_still_find_what_decides(design, tmp_path):
     lines = assessed(design, tmp_path / "lines", LINE, line)
     assert [KEYS[factor] for factor in lines.order[:2]] == [KEYS[1], KEYS[3]]

@@ -8,7 +8,7 @@ import pytest
 from scipy import special, stats
 
 from forficula.goals.tolerance.points import two_samples
-from forficula.goals.tolerance.probability import probability, surely_less
+from forficula.goals.tolerance.probability import interval_both_ways, probability, surely_less
 
 REPETITIONS = 200
 POINTS = 256
@@ -96,6 +96,36 @@ def test_runs_that_tell_nothing_widen_the_interval_by_all_that_they_could_be():
     assert doubtful.share == sure.share == 0.8
     assert doubtful.low == probability(200, 56).low < sure.low
     assert doubtful.high == probability(206, 50).high > sure.high
+
+
+def test_undecided_runs_count_as_failing_at_the_lower_end_and_as_working_at_the_upper_one():
+    low, high = interval_both_ways(200, 50, 6)
+    assert low == probability(200, 56).low < probability(200, 50).low
+    assert high == probability(206, 50).high > probability(200, 50).high
+    counted = probability(200, 50, unknown=2, undecided=4)
+    assert (counted.low, counted.high) == (low, high)
+    assert (counted.unknown, counted.undecided, counted.count, counted.share) == (2, 4, 256, 0.8)
+
+
+def test_the_interval_holds_the_probability_whichever_way_undecided_runs_would_have_gone():
+    """Of designs of which 80 % work a tenth is undecided, and all of these fail, or all work."""
+    for works_if_decided in (False, True):
+        held = 0
+        for seed in range(REPETITIONS):
+            generator = np.random.default_rng(seed)
+            works, undecided = generator.random(POINTS) < 0.8, generator.random(POINTS) < 0.1
+            truth = 0.72 + 0.1 * works_if_decided
+            low, high = interval_both_ways(
+                int(np.sum(works & ~undecided)), int(np.sum(~works & ~undecided)), int(np.sum(undecided))
+            )
+            held += low <= truth <= high
+        assert held / REPETITIONS >= stats.binom.ppf(1e-3, REPETITIONS, 0.95) / REPETITIONS
+
+
+@pytest.mark.parametrize("counts", [(0, 0, 0), (3, 2, -1)])
+def test_an_interval_of_no_runs_or_of_a_negative_number_of_them_is_refused(counts):
+    with pytest.raises(ValueError, match="need runs"):
+        interval_both_ways(*counts)
 
 
 def test_where_every_run_works_failing_is_still_possible():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -28,6 +28,7 @@ class Together(StrEnum):
     MET = "met together"
     PLACED = "met together where placed"  # by no sample that was drawn, and by one that was placed
     NEARLY = "nearly met together"  # by none, but one misses them by little
+    OPEN = "open between samples"  # by none, but samples lie too far apart to exclude values between them
     EXCLUDED = "exclude one another"  # by none of those that tell, and by none that was placed to
     UNTRIED = "met by none, not tried"  # by none, but none was placed to meet them either
     RARE = "too rare to tell"  # by none, but hardly one meets the rarer one
@@ -43,12 +44,15 @@ class Evidence:
         tells: whether it met or missed each for certain, (samples, facts).
         excess: by how much it misses each beyond its tolerance, in units of the fact's scale, (samples, facts).
         targets: of each sample the facts that it was placed to meet together; none where it was drawn from the priors.
+        open_between: whether some facts may be met together by values between the samples, as far as emulators of the
+            facts allow to say.
     """
 
     met: Mask
     tells: Mask
     excess: Array
     targets: Sequence[tuple[int, ...]]
+    open_between: Callable[[tuple[int, ...]], bool] = lambda _: False
 
     @property
     def placed(self) -> Mask:
@@ -104,6 +108,9 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
     drawn, alone = int((whole & told & ~placed).sum()), met[told & ~placed].sum(axis=0)
     later, tried = int((whole & placed).sum()), sum(tuple(facts) == tuple(target) for target in seen.targets)
     near = float(seen.excess[:, chosen].max(axis=1).min(initial=np.inf))
+    verdict = _verdict(drawn, later, tried, near, alone if met.any(axis=0).all() else None)
+    if verdict is Together.EXCLUDED and seen.open_between(tuple(facts)):
+        verdict = Together.OPEN
     return Conjunction(
         facts=tuple(facts),
         told=int((told & ~placed).sum()),
@@ -113,7 +120,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
         tried=tried,
         near=near,
         most=largest_share(drawn + int((open_ & ~placed).sum()), int((~placed).sum())),
-        verdict=_verdict(drawn, later, tried, near, alone if met.any(axis=0).all() else None),
+        verdict=verdict,
     )
 
 

@@ -19,6 +19,7 @@ class Finding:
 
     Attributes:
         value: of what is observed, SI.
+        miss: the value less its bound, SI, signed.
         distance: by how much the fact is missed, SI, at least 0; where runs that do not tell leave it open between two
             numbers, the larger one, and where they leave it open altogether, as if these had no number.
         met: whether it is within the fact's tolerance, whatever runs that do not tell would have come to.
@@ -27,6 +28,7 @@ class Finding:
     """
 
     value: float
+    miss: float
     distance: float
     met: bool
     tells: bool
@@ -45,6 +47,7 @@ def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
     within = fact.tolerance + _ROUNDING * max(1.0, abs(first.value))
     return Finding(
         value=first.value,
+        miss=first.value - bound.value,
         distance=far if math.isfinite(far) else _distance(fact, first.value, bound.value),
         met=far <= within,
         tells=far <= within or near > within,

@@ -27,7 +27,8 @@ class Marginal:
         name: of the coordinate in the result.
         key: of the design.
         believed: 5th and 95th percentile of the drawn samples, as the coordinate has them; words where it has such.
-        agrees: the same of those that agree.
+        agrees: ends of the range of what agrees between the samples, as the coordinate has them, or some of the choices
+            of what has such; of a result without these, 5th and 95th percentile of the samples that agree.
         chance: that samples that agree by chance would differ as much from the others (Kolmogorov and Smirnov) in any
             of the unknowns that are not told of more surely (Holm 1979, jstor.org/stable/4615733): of fifteen of which
             facts tell nothing, every other time one differs by itself with a chance below 5 %.
@@ -36,7 +37,7 @@ class Marginal:
     name: str
     key: str
     believed: tuple[object, object]
-    agrees: tuple[object, object]
+    agrees: tuple[object, ...]
     chance: float
 
     @property
@@ -60,7 +61,7 @@ def marginals(result: xarray.Dataset) -> list[Marginal]:
                 name=name,
                 key=str(result[name].attrs["key"]),
                 believed=_ends(values[drawn], shares[drawn]),
-                agrees=_ends(values[agrees], shares[agrees]),
+                agrees=_range(result[name]) or _ends(values[agrees], shares[agrees]),
                 chance=chance,
             )
         )
@@ -77,6 +78,15 @@ def unknowns_of(result: xarray.Dataset) -> list[str]:
     """The names of the coordinates of unknowns; read from a file, one alone is no list."""
     names: str | Sequence[str] = result.attrs["unknowns"]
     return [names] if isinstance(names, str) else [str(name) for name in names]
+
+
+def _range(coordinate: xarray.DataArray) -> tuple[object, ...]:
+    """What agrees between the samples; empty where a result does not say so."""
+    told = coordinate.attrs
+    if "agrees_choices" in told:
+        # read from a file, one alone is no list
+        return tuple(str(value) for value in np.atleast_1d(told["agrees_choices"]))
+    return (float(told["agrees_low"]), float(told["agrees_high"])) if "agrees_low" in told else ()
 
 
 def _ends(values: NDArray[np.generic], shares: NDArray[np.float64]) -> tuple[object, object]:

@@ -38,10 +38,11 @@ def values_at(priors: Sequence[Factor], shares: Sequence[float] | Array) -> dict
         priors: the unknowns; of those with values, each is as likely as the others.
         shares: of the draws of each unknown that lie below, (unknowns,).
     """
-    return {prior.key: _value_at(prior, float(share)) for prior, share in zip(priors, shares, strict=True)}
+    return {prior.key: value_at(prior, float(share)) for prior, share in zip(priors, shares, strict=True)}
 
 
-def _value_at(prior: Factor, share: float) -> object:
+def value_at(prior: Factor, share: float) -> object:
+    """The value of an unknown at a share of its prior, as a design file has it."""
     if prior.distribution is None:
         return choice_at(prior.values, share)
     shares = np.clip([share], _LEAST_SHARE, 1 - _LEAST_SHARE)

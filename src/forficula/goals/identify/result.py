@@ -18,7 +18,9 @@ from forficula.goals.identify.exclusion import (
 from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_text import asked_text
 from forficula.goals.identify.identify import Sample, excess_of, fact_scales, met_of, tells_of
+from forficula.goals.identify.inference import APART, Inference, infer
 from forficula.goals.identify.observations import Observations
+from forficula.goals.identify.prior import value_at
 from forficula.goals.share_interval import share_interval
 from forficula.quantities import parse_quantity
 from forficula.study.factors import Factor
@@ -47,6 +49,12 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         `met_together_placed` and `tried_together` (placed to), and `together_share_high` of the priors at a one-sided
         95 %, `together_near` (the least by which the worse one of both is missed, in scales), `together_if_independent`
         (how many would be met, were the one not to mind the other) and `together`, a verdict in words.
+
+        What agrees between the samples comes from emulators of the facts (`infer`): each unknown has the attributes
+        `agrees_low` and `agrees_high`, the ends of a range in its unit, or `agrees_choices`. `between_error` is the
+        emulator's standard error of each fact there, in half-widths of what the fact allows. Attributes of the whole
+        are `emulated` (0 where fewer than `emulator_samples` ran), `between_share` (of the priors that meets all
+        facts), `between_apart` (by how many standard errors the worst fact is missed at best) and `between_possible`.
     """
     from forficula.goals.identify.identification_table import IdentificationTable
 
@@ -57,24 +65,47 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
     inside = np.array(ran)
     agrees = np.zeros(len(samples), dtype=bool)
     agrees[inside] = agreeing(met[inside], excess[inside], placed[inside])
+    inference = infer(
+        observations,
+        [sample for sample in samples if not sample.why],
+        (excess[inside] / (1 + excess[inside])).sum(axis=1),
+    )
     seen = Evidence(
         met=met[inside],
         tells=tells_of(samples, len(facts))[inside],
         excess=excess[inside],
         targets=[sample.target for sample in samples if not sample.why],
+        open_between=lambda these: inference.apart(these) <= APART,
     )
     variables: dict[str, Any] = {
         **_samples(samples, facts, met, np.where(inside[:, None], excess, np.nan)),
         "agrees": ("sample", agrees),
         **_of_facts(facts, scales),
+        "between_error": ("fact", _between_errors(inference, len(facts))),
         **_shares(seen),
         **_pairs(seen),
     }
     return IdentificationTable(
         variables,
-        coords={**_unknowns(observations.priors, samples), **_names(facts)},
-        attrs=_attributes(observations, samples, seen, runs),
+        coords={**_unknowns(observations.priors, samples, inference), **_names(facts)},
+        attrs={**_attributes(observations, samples, seen, runs), **_between(inference)},
     )
+
+
+def _between(inference: Inference) -> dict[str, Any]:
+    """What emulators say of all facts together between the samples; of files, attributes are numbers."""
+    found = inference.agreement
+    return {
+        "emulated": int(found is not None),
+        "emulator_samples": inference.needed,
+        "between_share": np.nan if found is None else found.share,
+        "between_apart": np.nan if found is None else found.apart,
+        "between_possible": int(inference.possible),
+    }
+
+
+def _between_errors(inference: Inference, facts: int) -> Any:
+    return np.full(facts, np.nan) if inference.agreement is None else inference.agreement.errors
 
 
 def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess: Any) -> dict[str, Any]:
@@ -163,7 +194,7 @@ def _pairs(seen: Evidence) -> dict[str, Any]:
     return {name: (("fact", "other_fact"), values) for name, values in names.items()}
 
 
-def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample]) -> dict[str, Any]:
+def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample], inference: Inference) -> dict[str, Any]:
     coordinates: dict[str, Any] = {}
     for number, prior in enumerate(priors):
         unit = prior.unit
@@ -178,12 +209,23 @@ def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample]) -> dict[str, 
             numbers = [parse_quantity(value, unit) for value in values]
         plain: Any = numbers if unit is not None else values
         words = any(isinstance(value, str) for value in plain)
+        attributes |= _agrees(prior, number, inference)
         coordinates[prior.dimension] = ("sample", np.array(plain, dtype=object if words else float), attributes)
         shares = np.array([sample.shares[number] for sample in samples])
         coordinates[f"{prior.dimension}_share"] = (
             "sample", shares, {"key": prior.key, "long_name": f"share of the prior below {prior.key}"},
         )  # fmt: skip
     return coordinates
+
+
+def _agrees(prior: Factor, number: int, inference: Inference) -> dict[str, object]:
+    """What agrees of an unknown: the ends of its range in SI, or some of its choices."""
+    if prior.distribution is None:
+        chosen = [prior.values[choice] for choice in inference.choices_of(number)]
+        return {"agrees_choices": [str(value) for value in chosen]}
+    ends = [value_at(prior, share) for share in inference.range_of(number)]
+    numbers = [parse_quantity(end, prior.unit) if prior.unit is not None else float(str(end)) for end in ends]
+    return {"agrees_low": numbers[0], "agrees_high": numbers[1]}
 
 
 def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evidence, runs: int) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from forficula.goals.share_interval import LEVEL
 from forficula.goals.tolerance.probability import Probability, surely_less
 from forficula.goals.tolerance.tolerance import Tolerance
 
@@ -114,10 +115,24 @@ def _decides(found: Tolerance) -> list[str]:
             if found.probability.works
             else "None of them works, whatever the tolerances: move the design first."
         )
-        return [f"{what} What matters most is {which}: it {decides}.", *_rest(found)]
+        return [f"{what} What matters most is {which}: it {decides}.", *_unresolved(found), *_rest(found)]
     told = f"Tighten {which}, first. It {decides}{_gained(found, factor)}."
     by_chance = found.narrowed[factor].gain_low <= 0
-    return [f"{told} Half of it alone gains no more than chance." if by_chance else told, *_rest(found)]
+    told = f"{told} Half of it alone gains no more than chance." if by_chance else told
+    return [told, *_unresolved(found), *_rest(found)]
+
+
+def _unresolved(found: Tolerance) -> list[str]:
+    """That more runs may show another factor to decide most: where resamplings disagree on which does."""
+    leads = np.nan_to_num(found.indices.leads[0, : len(found.kept)])
+    order = np.argsort(-leads, kind="stable")
+    if len(order) < 2 or leads[order[0]] >= LEVEL:
+        return []
+    first, second = (f"{found.question.keys[found.kept[place]]} in {_number(leads[place])} %" for place in order[:2])
+    return [
+        f"The number of runs does not resolve which tolerance decides most of the variance: of resamplings of"
+        f" {found.indices.rows} rows, {first}, {second}."
+    ]
 
 
 def _decided(found: Tolerance, place: int) -> tuple[float, float, float]:

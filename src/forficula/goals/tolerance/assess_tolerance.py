@@ -21,6 +21,7 @@ from forficula.goals.tolerance.points import Points, exchanged, two_samples
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, assess_samples, built_design, joined, margin_names
 from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
+from forficula.goals.tolerance.screening import Screening, screening
 from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, VerdictMap
 from forficula.quantities import as_written, is_whole
 from forficula.study.evaluate import evaluate
@@ -175,6 +176,7 @@ class _Decided:
         indices: of groups of factors.
         effects: of every factor.
         kept: factors with indices of their own.
+        screened: what the screening says; None where there is none.
     """
 
     samples: Samples
@@ -182,6 +184,7 @@ class _Decided:
     indices: Indices
     effects: Values
     kept: tuple[int, ...]
+    screened: Screening | None = None
 
 
 def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
@@ -196,25 +199,29 @@ def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
         return _Decided(samples=at_first, every=at_first, indices=indices, effects=effects, kept=kept)
     at_second = trials(question.offsets(second[: plan.rows]))
     samples = joined([at_first, at_second])
-    screened = plan.screens(factors)
-    if screened:
+    screened: Screening | None = None
+    if plan.screens(factors):
         effects = _effects(trials, plan, first, second, at_first, samples)
-        kept = tuple(np.argsort(-effects, kind="stable")[: plan.kept].tolist())
+        points = np.concatenate([first, second[: plan.rows]])
+        screened = screening(points, samples.margins[0], effects, plan.kept, seed)
+        kept = screened.kept
     groups = [[factor] for factor in kept]
     called = [question.keys[factor] for factor in kept]
-    if screened:
+    if screened is not None:
         groups.append([factor for factor in range(factors) if factor not in kept])
         called.append(REST)
     mixed = [exchanged(first[: plan.rows], second[: plan.rows], group) for group in groups]
     at_mixed = trials(question.offsets(np.concatenate(mixed)))
     margins = at_mixed.margins.reshape(len(names), len(groups), plan.rows).swapaxes(0, 1)
-    indices = sobol_indices(names, called, at_first.margins[:, : plan.rows], at_second.margins, margins, seed)
+    at_rows = at_first.margins[:, : plan.rows]
+    indices = sobol_indices(names, called, at_rows, at_second.margins, margins, seed, compared=len(kept) or None)
     return _Decided(
         samples=samples,
         every=joined([samples, at_mixed]),
         indices=indices,
-        effects=effects if screened else indices.total[0],
+        effects=indices.total[0] if screened is None else effects,
         kept=kept,
+        screened=screened,
     )
 
 
@@ -236,6 +243,7 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
         indices=decided.indices,
         effects=decided.effects,
         kept=decided.kept,
+        screened=decided.screened,
         narrowed=tuple(
             narrowed(samples.offsets[tells, factor], works[tells], deviation.distribution)
             for factor, deviation in enumerate(question.deviations)

@@ -31,6 +31,8 @@ class Indices:
         total: what it decides alone and together with others: the share that would stay if all others were known.
         total_low: lower ends.
         total_high: upper ends.
+        leads: share of the resamplings in which each group's index is the largest of those that are compared: the total
+            one, or the first-order one where there are no total ones.
         rows: points of each sample that they come from.
     """
 
@@ -42,11 +44,18 @@ class Indices:
     total: Values
     total_low: Values
     total_high: Values
+    leads: Values
     rows: int
 
 
 def sobol_indices(
-    results: Sequence[str], groups: Sequence[str], at_first: Values, at_second: Values, at_mixed: Values, seed: int
+    results: Sequence[str],
+    groups: Sequence[str],
+    at_first: Values,
+    at_second: Values,
+    at_mixed: Values,
+    seed: int,
+    compared: int | None = None,
 ) -> Indices:
     """Estimate first-order and total indices from results at two samples and at mixtures of them.
 
@@ -60,6 +69,7 @@ def sobol_indices(
         at_second: at the second one, alike.
         at_mixed: at the first one with a group's columns of the second, (groups, results, rows).
         seed: of the resampling.
+        compared: how many groups, from the first on, are compared with one another in `leads`; all where not given.
 
     Raises:
         ValueError: a result that is not finite, and which; scipy would give zeros without a word.
@@ -76,7 +86,8 @@ def sobol_indices(
         resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0
     )
     still = ~_varies(at_first, at_second)
-    for values in (first, total, first_low, first_high, total_low, total_high):
+    leads = _leads(resampled[:, 1], compared)
+    for values in (first, total, first_low, first_high, total_low, total_high, leads):
         values[still] = np.nan
     return Indices(
         results=tuple(results),
@@ -87,6 +98,7 @@ def sobol_indices(
         total=total,
         total_low=total_low,
         total_high=total_high,
+        leads=leads,
         rows=rows,
     )
 
@@ -114,14 +126,15 @@ def line_indices(
     _check_finite(results, at_points, "the sample")
     rows, factors = points.shape
     unknown = np.full((len(results), factors), np.nan)
-    first, low, high = unknown.copy(), unknown.copy(), unknown.copy()
+    first, low, high, leads = (unknown.copy() for _ in range(4))
     if tells_lines(rows, factors):
         first = _plane_shares(points, at_points)
         picks = np.random.default_rng(seed).integers(rows, size=(_RESAMPLES, rows))
         resampled = np.array([_plane_shares(points[pick], at_points[:, pick]) for pick in picks])
         low, high = np.quantile(resampled, [(1 - LEVEL) / 2, (1 + LEVEL) / 2], axis=0)
+        leads = _leads(resampled)
     still = ~_varies(at_points, at_points)
-    for values in (first, low, high):
+    for values in (first, low, high, leads):
         values[still] = np.nan
     return Indices(
         results=tuple(results),
@@ -132,8 +145,18 @@ def line_indices(
         total=unknown,
         total_low=unknown,
         total_high=unknown,
+        leads=leads,
         rows=rows,
     )
+
+
+def _leads(resampled: Values, compared: int | None = None) -> Values:
+    """The share of resamplings, (resamplings, results, groups), in which each group has the largest index."""
+    leads = np.zeros((resampled.shape[1], resampled.shape[2]))
+    largest = np.argmax(resampled[:, :, :compared], axis=2)
+    for group in range(leads.shape[1]):
+        leads[:, group] = np.mean(largest == group, axis=0)
+    return leads
 
 
 def tells_lines(rows: int, factors: int) -> bool:

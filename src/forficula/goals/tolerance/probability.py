@@ -17,8 +17,10 @@ class Probability:
         works: runs in which it holds.
         fails: runs in which it does not.
         unknown: runs that tell nothing, for they are not to be trusted.
+        undecided: runs whose verdict differs at half the timestep.
         share: of the runs that tell, those in which it holds; None where none tells.
-        low: lower end of the 95 % interval, with every run that tells nothing counted as one that fails.
+        low: lower end of the 95 % interval, with every run that tells nothing or is undecided counted as one that
+            fails.
         high: upper end, with every such run counted as one that works.
     """
 
@@ -28,41 +30,63 @@ class Probability:
     share: float | None
     low: float
     high: float
+    undecided: int = 0
 
     @property
     def count(self) -> int:
-        """All runs, those that tell nothing among them."""
-        return self.works + self.fails + self.unknown
+        """All runs, those that tell nothing and undecided ones among them."""
+        return self.works + self.fails + self.unknown + self.undecided
 
 
-def probability(works: int, fails: int, unknown: int = 0) -> Probability:
+def interval_both_ways(works: int, fails: int, undecided: int) -> tuple[float, float]:
+    """Compute the 95 % interval of a probability that holds whichever way undecided runs go.
+
+    The lower end is that of `share_interval` with all undecided runs failing, the upper end that with all working.
+
+    Args:
+        works: runs in which it holds.
+        fails: runs in which it does not.
+        undecided: runs that leave it open.
+
+    Raises:
+        ValueError: no runs at all, or a negative number of them.
+    """
+    count = works + fails + undecided
+    if min(works, fails, undecided) < 0 or count == 0:
+        raise ValueError(f"need runs, got {works} that work, {fails} that fail, {undecided} that are undecided")
+    return share_interval(works, count)[0], share_interval(works + undecided, count)[1]
+
+
+def probability(works: int, fails: int, unknown: int = 0, undecided: int = 0) -> Probability:
     """Estimate a probability from runs at random points.
 
     The interval is the exact one of `share_interval`: of independent points it
     holds the probability at least 95 times in 100, however near to 0 or 1 that is, where Wilson's does so only on
     average. Points of a Latin hypercube scatter hardly more than independent ones, and mostly less (Owen 1997,
-    doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing widen it by all
-    they could be.
+    doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing, and those
+    that are undecided, widen it by all they could be (`interval_both_ways`).
 
     Args:
         works: runs in which it holds.
         fails: runs in which it does not.
         unknown: runs that tell nothing.
+        undecided: runs whose verdict differs at half the timestep.
 
     Raises:
         ValueError: no runs at all, or a negative number of them.
     """
-    count = works + fails + unknown
-    if min(works, fails, unknown) < 0 or count == 0:
-        raise ValueError(f"need runs, got {works} that work, {fails} that fail, {unknown} that tell nothing")
+    if min(unknown, undecided) < 0:
+        raise ValueError(f"need runs, got {unknown} that tell nothing and {undecided} that are undecided")
+    low, high = interval_both_ways(works, fails, unknown + undecided)
     told = works + fails
     return Probability(
         works=works,
         fails=fails,
         unknown=unknown,
+        undecided=undecided,
         share=works / told if told else None,
-        low=share_interval(works, count)[0],
-        high=share_interval(works + unknown, count)[1],
+        low=low,
+        high=high,
     )
 
 

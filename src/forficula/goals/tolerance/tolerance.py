@@ -16,6 +16,7 @@ from forficula.goals.tolerance.plan import Plan
 from forficula.goals.tolerance.probability import Probability, probability
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, fact_names
+from forficula.goals.tolerance.screening import Screening
 
 # of straight lines, which every factor has
 _MOST_SHOWN = 10
@@ -72,6 +73,7 @@ class Tolerance:
         effects: of every factor, from few rows, the share of the margin's variance that has to do with it; of few
             factors those of their own indices; NaN where there are none.
         kept: numbers of the factors with indices of their own, in the order of the indices.
+        screened: what chose them among many; None where every factor has its own.
         narrowed: of every factor.
         reaches: of every factor alone how far it may go down and up, in widths; empty where that was not looked for.
         nearest: nearest failure with all factors off; None where none was found or looked for.
@@ -87,6 +89,7 @@ class Tolerance:
     indices: Indices
     effects: Values
     kept: tuple[int, ...]
+    screened: Screening | None
     narrowed: tuple[Narrowed, ...]
     reaches: tuple[tuple[Reach, Reach], ...]
     nearest: NearestFailure | None

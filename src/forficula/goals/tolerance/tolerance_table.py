@@ -35,11 +35,13 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
     Returns:
         Dimensions: `fact`, that it works, does each transition, stays there, meets each limit, with `probability` and
         its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
-        intervals; `factor`, with value and width in SI, how far it alone may go down and up, in widths, NaN where that
-        is not known, why it ends there, and what half of its tolerance gains; `map_x` and `map_y`, two factors that
-        alone are off, with `map_outcome`, where there is a map; `sample`, with every value in SI, `answer`, `outcome`,
-        `status`, `verdict` and `margin`. The attribute `says` has the sentences, and `transitions` names the
-        transitions as that of a study does.
+        intervals, and `leads`, the share of resamplings in which its index is the largest; `factor`, with value and
+        width in SI, what the screening says of it where there is one (`screening_share` of the variance that it decides
+        alone, `screening_resolved` whether that exceeds chance, `screening_effect` from a few exchanged rows), how far
+        it alone may go down and up, in widths, NaN where that is not known, why it ends there, and what half of its
+        tolerance gains; `map_x` and `map_y`, two factors that alone are off, with `map_outcome`, where there is a map;
+        `sample`, with every value in SI, `answer`, `outcome`, `status`, `verdict` and `margin`. The attribute `says`
+        has the sentences, and `transitions` names the transitions as that of a study does.
     """
     question = found.question
     variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
@@ -84,18 +86,22 @@ def _indices(indices: Indices) -> dict[str, Any]:
         "total_index": (over, indices.total),
         "total_index_low": (over, indices.total_low),
         "total_index_high": (over, indices.total_high),
+        "leads": (over, indices.leads),
     }
 
 
 def _factors(found: Tolerance) -> dict[str, Any]:
     question = found.question
     units = [_unit(question, factor) for factor in range(len(question.keys))]
+    screened, unknown = found.screened, np.full(len(units), np.nan)
     table: dict[str, Any] = {
         "value": ("factor", [float(key_value(question.design, key)) for key in question.keys]),
         "width": ("factor", deviation_widths(question.design, question.deviations)),
         "unit": ("factor", units),
         "distribution": ("factor", [each.distribution for each in question.deviations]),
         "screening_effect": ("factor", found.effects),
+        "screening_share": ("factor", unknown if screened is None else screened.shares),
+        "screening_resolved": ("factor", unknown > 0 if screened is None else screened.resolved),
         "gain": ("factor", [each.gain for each in found.narrowed]),
         "gain_low": ("factor", [each.gain_low for each in found.narrowed]),
         "gain_high": ("factor", [each.gain_high for each in found.narrowed]),

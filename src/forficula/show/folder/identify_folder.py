@@ -13,7 +13,12 @@ from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
 from forficula.show.goals.identify_figures import identify_drawings
-from forficula.show.goals.identify_text import first_sentence, identification_text, together_sentences
+from forficula.show.goals.identify_text import (
+    agrees_sentences,
+    first_sentence,
+    identification_text,
+    together_sentences,
+)
 from forficula.show.page.identify_page import write_identify_page
 from forficula.show.page.rich_html import laid_out
 from forficula.show.style import save_figures
@@ -41,7 +46,10 @@ def write_identification(result: Dataset, folder: Path) -> None:
         write_text(unfinished / IDENTIFIED_FILE, told + "\n")
         csv = samples_csv(result)
         write_text(unfinished / "samples.csv", csv)
-        write_text(unfinished / _SUMMARY, "\n".join([first_sentence(result), *together_sentences(result)]) + "\n")
+        write_text(
+            unfinished / _SUMMARY,
+            "\n".join([first_sentence(result), *together_sentences(result), *agrees_sentences(result)]) + "\n",
+        )
         save_figures(identify_drawings(result), unfinished)
         write_identify_page(result, laid_out(identification_text(result)), unfinished / "report.html", csv=csv)
 
@@ -75,7 +83,14 @@ def identification_json(result: Dataset) -> dict[str, Any]:
             _pair_json(result.isel(fact=one, other_fact=other), float(result["met_alone"].values[other, one]))
             for one, other in itertools.combinations(range(result.sizes["fact"]), 2)
         ],
+        "between": {
+            "emulated": bool(told["emulated"]),
+            "share": _finite(told["between_share"]),
+            "apart": _finite(told["between_apart"]),
+            "possible": bool(told["between_possible"]),
+        },
         "sentences": together_sentences(result),
+        "agrees_sentences": agrees_sentences(result),
         "unknowns": [
             {
                 "key": each.key,
@@ -118,6 +133,10 @@ def _pair_json(pair: Dataset, other_alone: float) -> dict[str, Any]:
         "nearest_in_scales": near if np.isfinite(near) else None,
         "verdict": str(pair["together"].values),
     }
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
 
 
 def _plain(value: object) -> object:

@@ -128,7 +128,9 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             "": Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, and it is open whether any can"),
             Together.PLACED: Patch(fc="none", ec="none", label="+ by samples that were placed"),
         }
-        words |= {""} if words & {Together.RARE, Together.UNTRIED, Together.NEARLY, Together.NEVER} else set()
+        words |= (
+            {""} if words & {Together.RARE, Together.UNTRIED, Together.NEARLY, Together.OPEN, Together.NEVER} else set()
+        )
         handles = [look for word, look in looks.items() if word in words]
         axes.set_xlabel("drawn samples that meet both facts")
         if handles:

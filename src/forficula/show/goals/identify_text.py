@@ -40,7 +40,7 @@ def identification_text(result: Dataset) -> Group:
         *(Text(sentence) for sentence in together_sentences(result)),
         Text("Unknown values", style="italic"),
         unknowns_table(result),
-        Text(agrees_sentence(result)),
+        *(Text(sentence) for sentence in agrees_sentences(result)),
     )
 
 
@@ -97,6 +97,7 @@ def _number(fact: Dataset, value: float) -> str:
 _PAIRS = {
     Together.EXCLUDED: "Exclude one another, as far as samples tell, for each is met by some, and none meets both",
     Together.UNTRIED: "Met together by none, though each is by some; no sample was placed to meet both",
+    Together.OPEN: "Met together by none, but samples lie too far apart to say that no values between them do",
     Together.NEARLY: "Met together by none, but nearly so by one",
     Together.PLACED: "Met together by samples that were placed, and by none that was drawn",
     Together.RARE: "Met together by none, and the rarer one by too few for that to tell anything",
@@ -139,12 +140,31 @@ def _most_met(result: Dataset) -> list[str]:
         return [f"{count} samples meet {what}." if count > 1 else f"One sample meets {what}."]
     best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
     if not most:
-        return ["No sample meets any fact." if facts > 1 else "No sample meets the fact."]
-    sentences = [f"No sample meets all {facts} facts; the most that one meets is {most}: {best[0]}."]
+        return [*_between(result), *(["No sample meets any fact."] if facts > 1 else [])]
+    sentences = [*_between(result), f"The most that one sample meets is {most}: {best[0]}."]
     if len(best) > 1:
         others = "1 other set" if len(best) == 2 else f"{len(best) - 1} other sets"
         sentences.append(f"{others} of {counted(most, 'fact')} {'is' if len(best) == 2 else 'are'} met, too.")
     return sentences
+
+
+def _between(result: Dataset) -> list[str]:
+    """Whether values between the samples may meet what no sample does."""
+    told, facts = result.attrs, result.sizes["fact"]
+    first = f"No sample meets {f'all {facts} facts' if facts > 1 else 'the fact'}"
+    if not told["emulated"]:
+        return [f"{first}, but samples are too few to say whether other values do."]
+    if told["between_possible"]:
+        share, drawn = float(told["between_share"]), int(told["drawn"])
+        return [
+            f"{first}, but samples are too few to say that no values do: by a model fitted between them,"
+            f" {_percent(share)} of what is believed meets {'them' if facts > 1 else 'it'}, {share * drawn:.2g} of"
+            f" {counted(drawn, 'drawn sample')}."
+        ]
+    return [
+        f"{first}, and by a model fitted between the samples no values do: they miss at least one by"
+        f" {_apart(result)} of its standard errors or more."
+    ]
 
 
 def _untold(result: Dataset) -> list[str]:
@@ -231,8 +251,8 @@ def unknowns_table(result: Dataset) -> Table:
     return table
 
 
-def _range(result: Dataset, marginal: Marginal, ends: tuple[object, object]) -> str:
-    if isinstance(ends[0], str) or ends[0] is None:
+def _range(result: Dataset, marginal: Marginal, ends: tuple[object, ...]) -> str:
+    if not ends or isinstance(ends[0], str) or ends[0] is None:
         return " | ".join(dict.fromkeys(map(str, ends)))
     coordinate = result[marginal.name]
     shown = coordinate.copy(data=np.full(coordinate.shape, 0.0))
@@ -241,13 +261,47 @@ def _range(result: Dataset, marginal: Marginal, ends: tuple[object, object]) -> 
     return f"{number_text(float(values[0]))} to {number_text(float(values[min(1, len(values) - 1)]))} {unit}".rstrip()
 
 
-def agrees_sentence(result: Dataset) -> str:
-    """What is taken for what agrees."""
-    agrees = result["agrees"].values
-    whole = bool(result["met"].values[agrees].all()) if agrees.any() else False
+def agrees_sentences(result: Dataset) -> list[str]:
+    """What is taken for what agrees, what that assumes, and whether the samples were enough."""
+    told, agrees = result.attrs, result["agrees"].values
     if not agrees.any():
-        return "None agrees, for none can be built."
-    if (count := int(agrees.sum())) == 1:
-        return f"What agrees is the one drawn sample that {'meets every fact' if whole else 'is nearest to all facts'}."
-    what = "meet every fact" if whole else "are nearest to all facts"
-    return f"What agrees are the {count} drawn samples that {what}; ranges hold 90 % of the samples."
+        return ["None agrees, for none can be built."]
+    if not told["emulated"]:
+        ran = int((result["status"].values == "ran").sum())
+        unknown = counted(len(np.atleast_1d(told["unknowns"])), "unknown value")
+        return [
+            f"Too few samples to say what agrees: {ran} ran; a model between the samples of {unknown} needs at least"
+            f" {told['emulator_samples']} whose runs are all reliable. The ranges are what is believed."
+        ]
+    if not told["between_possible"]:
+        return [
+            "No values meet all facts, on samples or between them: the ranges are of the values whose facts are"
+            f" least far off, at best {_apart(result)} standard errors. They are no estimate."
+        ]
+    return [
+        "Ranges hold 95 % of the values that meet every fact, on samples and between them. They come from a kriging"
+        " model of each fact, fitted to the samples, with its errors. They assume that values are as likely as"
+        " believed, that each observation lies within its tolerance of the truth, and that the model of the structure"
+        " is right.",
+        *_coarse(result),
+    ]
+
+
+def _apart(result: Dataset) -> str:
+    """By how many standard errors of the model between the samples the worst fact is missed at best, two digits."""
+    return number_text(float(f"{float(result.attrs['between_apart']):.2g}"))
+
+
+def _coarse(result: Dataset) -> list[str]:
+    """The facts whose ranges are as wide as the samples' distance makes them, and not as the fact's tolerance does."""
+    coarse = [
+        f"{name} ({float(error):.2g} times)"
+        for name, error in zip(result["fact"].values, result["between_error"].values, strict=True)
+        if error > 1
+    ]
+    if not coarse:
+        return []
+    return [
+        "More samples would narrow the ranges: between the samples the model's standard error is larger than the"
+        f" tolerance of {', '.join(coarse)}."
+    ]

@@ -33,6 +33,7 @@ _TOGETHER: dict[str, str] = {
     Together.EXCLUDED: "excluded",
     Together.UNTRIED: "rare",
     Together.NEARLY: "rare",
+    Together.OPEN: "rare",
     Together.RARE: "rare",
     Together.NEVER: "never",
 }
