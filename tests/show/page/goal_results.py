@@ -27,7 +27,7 @@ SETTINGS = {
         "timestep": "0.4 ms",
         "sample_interval": "2 ms",
         "stages": {"snap": {"time_limit": "0.5 s"}, "release opened": {"time_limit": "0.5 s"}},
-    }
+    },
 }
 VARY = {
     "tendon.rest_length": {"low": "5.5 cm", "high": "7 cm"},
