@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from forficula.errors import InputError
+from forficula.files import read_bytes
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.quantities import as_written
@@ -86,10 +87,7 @@ def read_dxf(file: Path) -> Drawing:
 
 def _pairs(file: Path) -> list[Pair]:
     """The group codes and values of a file."""
-    try:
-        content = file.read_bytes()
-    except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+    content = read_bytes(file)
     if content.startswith(b"AutoCAD Binary DXF"):
         raise InputError("need DXF as text, got binary DXF; save it as ASCII DXF")
     rows = content.decode("utf-8-sig", errors="replace").splitlines()

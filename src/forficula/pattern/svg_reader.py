@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import read_bytes
 from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
@@ -49,9 +50,9 @@ def read_svg(file: Path) -> Drawing:
         InputError: the file cannot be read, is no SVG, or has curves or copies among its creases.
     """
     try:
-        root = ElementTree.fromstring(file.read_bytes())
-    except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+        root = ElementTree.fromstring(read_bytes(file))
+    except InputError:
+        raise
     except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise InputError(f"need XML, as SVG files are: {error}") from error
     if _tag(root) != "svg":
