@@ -14,7 +14,15 @@ import pytest
 from forficula.design import load_design
 from forficula.dynamics import load_record
 from forficula.errors import InputError
-from forficula.files import clear_leftovers, open_to_append, read_bytes, replacing, replacing_all, write_bytes, write_text
+from forficula.files import (
+    clear_leftovers,
+    open_to_append,
+    read_bytes,
+    replacing,
+    replacing_all,
+    write_bytes,
+    write_text,
+)
 from forficula.material import load_law, read_tensile_test
 from forficula.study import load_study
 
@@ -433,7 +441,7 @@ def test_a_file_of_gigabytes_is_refused_before_it_is_read(tmp_path, name):
 
 
 @pytest.mark.skipif(not Path("/dev/fd/0").exists(), reason="no shell hands over pipes by name here")
-def test_a_pipe_that_a_shell_hands_over_is_read_to_its_end(tmp_path):
+def test_a_pipe_that_a_shell_hands_over_is_read_to_its_end():
     end, start = os.pipe()
     os.write(start, b"0,1")
     os.close(start)
@@ -463,3 +471,10 @@ def read_as_input(path):
             load_record(path)
         case _:
             load_design(path)
+
+
+@pytest.mark.parametrize(("name", "what"), [("a\0b", "a null byte"), ("a\ud800b", "a lone surrogate")])
+def test_a_name_that_no_file_can_have_is_one_error(tmp_path, name, what):
+    for use, done in ((read_bytes, "read"), (lambda path: write_bytes(path, b""), "written"), (write_new, "written")):
+        with pytest.raises(InputError, match=rf"cannot be {done}: (embedded null byte|its name holds {what})"):
+            use(tmp_path / name)

@@ -117,6 +117,16 @@ def _launch(
     return status
 
 
+# letters of a word in an error; paths of files are shorter
+_LONGEST_WORD = 300
+
+
+def _without_long_words(text: str) -> str:
+    """Write an error on one line; of a path or value of thousands of letters only the beginning."""
+    words = text.split()
+    return " ".join(word if len(word) <= _LONGEST_WORD else f"{word[: _LONGEST_WORD // 2]}..." for word in words)
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
@@ -131,7 +141,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             finally:
                 flush_output()
     except (InputError, CycloptsError) as error:
-        print(f"forficula: {' '.join(str(error).split())}", file=sys.stderr)
+        print(f"forficula: {_without_long_words(str(error))}", file=sys.stderr)
         sys.exit(1)
     except BrokenPipeError:
         # whoever read our output has seen enough

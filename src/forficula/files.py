@@ -70,6 +70,7 @@ def replacing(path: Path) -> Iterator[Path]:
     Raises:
         InputError: the folder or the file cannot be written.
     """
+    _check_name(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
@@ -103,6 +104,7 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
     Raises:
         InputError: the folder or a file in it cannot be written; what was there stands as it stood.
     """
+    _check_name(folder)
     missing, new = not folder.exists(), folder
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -128,6 +130,17 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
         if missing:
             with suppress(OSError):  # it holds files
                 folder.rmdir()
+
+
+def _check_name(path: Path) -> None:
+    """Refuse a path that no file can have."""
+    try:
+        if "\0" not in os.fsencode(path).decode("latin-1"):
+            return
+        reason = "its name holds a null byte"
+    except UnicodeEncodeError:
+        reason = "its name holds a lone surrogate"
+    raise InputError(f"{as_written(str(path))}: cannot be written: {reason}")
 
 
 def _in_place(path: Path, new: Path, folder: Path) -> Path | None:
@@ -317,7 +330,7 @@ def read_bytes(path: Path, largest: float = LARGEST_FILE) -> bytes:
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}") from None
     except UnicodeEncodeError:
-        raise InputError("cannot be read: its name holds half a character (a lone surrogate)") from None
+        raise InputError("cannot be read: its name holds a lone surrogate") from None
     except ValueError as error:  # a null byte
         raise InputError(f"cannot be read: {error}") from None
     if max(status.st_size, len(content)) > largest:

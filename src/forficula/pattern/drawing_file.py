@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import shown_path
 from forficula.names import listed
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, face_sides
 from forficula.pattern.drawing import Drawing, DrawnLine
@@ -57,7 +58,7 @@ def read_drawing(
             metres, remarks = _metres(drawing, unit)
             pattern, more = _pattern_of(drawing, metres, tolerance)
     except InputError as error:
-        raise InputError(f"{file}: {error}") from error
+        raise InputError(f"{shown_path(file)}: {error}") from error
     return pattern, [*drawing.remarks, *remarks, *more]
 
 

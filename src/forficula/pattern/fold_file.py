@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import shown_path
 from forficula.names import listed, one_line
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_area, face_sides
 from forficula.pattern.face_orientation import turned_alike
@@ -93,7 +94,7 @@ def fold_pattern(
     try:
         sheet = _sheet(all_frames(fold_document(Path(path))), unit, frame)
     except InputError as error:
-        raise InputError(f"{Path(path)}: {error}") from error
+        raise InputError(f"{shown_path(Path(path))}: {error}") from error
     return sheet.pattern, sheet.remarks
 
 
@@ -130,7 +131,7 @@ def read_folded_frames(
             except InputError as error:
                 raise InputError(f"file_frames[{number - 1}]: {error}") from error
     except InputError as error:
-        raise InputError(f"{Path(path)}: {error}") from error
+        raise InputError(f"{shown_path(Path(path))}: {error}") from error
     return states
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.files import read_bytes
+from forficula.files import read_bytes, shown_path
 from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, Kind
 from forficula.material.machine.recording import Column, Recording, at_line
@@ -48,7 +48,7 @@ def read_tensile_test(
     tests = read_tensile_tests([path], length=length, area=area)
     if len(tests) != 1:
         names = ", ".join(test.name for test in tests)
-        raise InputError(f"{Path(path)}: need one specimen, got {len(tests)}: {names}")
+        raise InputError(f"{shown_path(Path(path))}: need one specimen, got {len(tests)}: {names}")
     return tests[0]
 
 
@@ -72,7 +72,7 @@ def read_tensile_tests(
         try:
             tests += [_tensile_test(recording, length, area) for recording in _recordings(path)]
         except InputError as error:
-            raise InputError(f"{path}: {error}") from error
+            raise InputError(f"{shown_path(path)}: {error}") from error
     return tuple(tests)
 
 
