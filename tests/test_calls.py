@@ -88,7 +88,7 @@ def test_a_run_is_looked_for_in_its_folder(tmp_path, record):
     assert found.data.equals(record.data)
     ff.page(os.fspath(tmp_path / "there"), tmp_path / "page.html")
     assert "letter-fold" in (tmp_path / "page.html").read_text("utf-8")
-    with pytest.raises(ff.InputError, match=r"record.nc: cannot be read"):
+    with pytest.raises(ff.InputError, match=r"record.nc: no such file"):
         ff.load_record(tmp_path)
     with pytest.raises(ff.InputError, match="need the record of a run, or its folder, got a list"):
         ff.film([record], tmp_path / "film.gif")

@@ -523,6 +523,28 @@ def test_a_hostile_setting_is_answered_in_one_line(refusal, value):
     assert refusal("run", "binder2025", "--set", f"tendon.stiffness={value}").startswith("tendon.stiffness: ")
 
 
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["run", "binder2025", "x"], 'need no more arguments, got "x"'),
+        (["run", "binder2025", "--out", "-x"], 'Write a value that begins with a hyphen as --out="-x"'),
+        (["size", "tpu-82a", "--material", "-1 MPa"], 'Write a value that begins with a hyphen as --material="-1 MPa"'),
+        (["run", "binder2025", "--out"], 'Command "run" parameter --out requires an argument.'),
+        (["run", "binder2025", "--out", "--json"], 'Command "run" parameter --out requires an argument.'),
+        (["run", "mine.toml"], 'mine.toml: design: unknown key, got "mine.toml"; allowed here: based_on, name,'),
+        (["pattern", f"{'x' * 5000}.toml"], f"{'x' * 150}...{'x' * 14}.toml: cannot be read"),
+        (["pattern", f"{'x' * 5000}.svg"], f"{'x' * 150}...{'x' * 15}.svg: cannot be read"),
+    ],
+)
+def test_what_is_wrong_with_words_of_the_command_line_is_said_in_a_short_line(
+    refusal, in_an_empty_folder, arguments, message
+):
+    (in_an_empty_folder / "mine.toml").write_text('design = "mine.toml"')
+    answered = refusal(*arguments)
+    assert message in answered
+    assert len(answered) < 400
+
+
 def test_names_too_long_for_the_disk_are_answered_before_anything_is_done(refusal):
     assert "File name too long" in refusal("run", "binder2025", "--out", "x" * 300)
     assert "File name too long" in refusal("new", "x" * 300 + ".toml")

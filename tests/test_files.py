@@ -11,8 +11,20 @@ from pathlib import Path
 
 import pytest
 
+from forficula.design import load_design
+from forficula.dynamics import load_record
 from forficula.errors import InputError
-from forficula.files import clear_leftovers, open_to_append, replacing, replacing_all, write_bytes, write_text
+from forficula.files import (
+    clear_leftovers,
+    open_to_append,
+    read_bytes,
+    replacing,
+    replacing_all,
+    write_bytes,
+    write_text,
+)
+from forficula.material import load_law, read_tensile_test
+from forficula.study import load_study
 
 OLD = {"a.txt": "old a", "b.txt": "old b", "figures/c.svg": "old c", "gone.txt": "old", "mine.txt": "mine"}
 NEW = {"a.txt": "new a", "b.txt": "new b", "figures/c.svg": "new c", "d.txt": "new d", "more/e.svg": "new e"}
@@ -402,3 +414,67 @@ def test_a_full_disk_is_told_of_the_file_that_was_to_be_written_and_leaves_nothi
         place = tmp_path / "run" / "figures" / "b.svg" if write is write_text else tmp_path / "run"
         assert str(caught.value) == f"{place}: cannot be written: {os.strerror(errno.EFBIG)}"
     assert everything_in(tmp_path) == []
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+@pytest.mark.parametrize("name", ["d.toml", "d.fold", "d.svg", "d.dxf", "law.toml", "s.toml", "t.csv", "record.nc"])
+def test_a_named_pipe_is_refused_and_not_waited_for_whatever_it_should_describe(tmp_path, name):
+    os.mkfifo(tmp_path / name)
+    with pytest.raises(InputError, match=rf"{name}: need a regular file, got a named pipe$"):
+        read_as_input(tmp_path / name)
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="there is no device without an end here")
+@pytest.mark.parametrize("name", ["d.toml", "d.fold", "d.svg", "d.dxf", "law.toml", "s.toml", "t.csv", "record.nc"])
+def test_a_device_without_an_end_is_refused_whatever_it_should_describe(tmp_path, name):
+    (tmp_path / name).symlink_to("/dev/zero")
+    with pytest.raises(InputError, match=rf"{name}: need a regular file, got a device$"):
+        read_as_input(tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["d.toml", "d.fold", "d.svg", "d.dxf", "law.toml", "s.toml"])
+def test_a_file_of_gigabytes_is_refused_before_it_is_read(tmp_path, name):
+    with (tmp_path / name).open("wb") as file:
+        file.truncate(3 * 2**30)
+    with pytest.raises(InputError, match=rf"{name}: need a file of at most 64 MiB, got a larger one$"):
+        read_as_input(tmp_path / name)
+
+
+@pytest.mark.skipif(not Path("/dev/fd/0").exists(), reason="no shell hands over pipes by name here")
+def test_a_pipe_that_a_shell_hands_over_is_read_to_its_end():
+    end, start = os.pipe()
+    os.write(start, b"0,1")
+    os.close(start)
+    try:
+        assert read_bytes(Path(f"/dev/fd/{end}")) == b"0,1"
+    finally:
+        os.close(end)
+
+
+def test_a_file_of_a_byte_more_than_the_limit_is_refused(tmp_path):
+    (tmp_path / "long.csv").write_bytes(b"0" * 11)
+    assert read_bytes(tmp_path / "long.csv", 11) == b"0" * 11
+    with pytest.raises(InputError, match="at most"):
+        read_bytes(tmp_path / "long.csv", 10)
+
+
+def read_as_input(path):
+    """Read a file as a user gives it, by its name."""
+    match path.name:
+        case "law.toml":
+            load_law(path)
+        case "s.toml":
+            load_study(path)
+        case "t.csv":
+            read_tensile_test(path)
+        case "record.nc":
+            load_record(path)
+        case _:
+            load_design(path)
+
+
+@pytest.mark.parametrize(("name", "what"), [("a\0b", "a null byte"), ("a\ud800b", "a lone surrogate")])
+def test_a_name_that_no_file_can_have_is_one_error(tmp_path, name, what):
+    for use, done in ((read_bytes, "read"), (lambda path: write_bytes(path, b""), "written"), (write_new, "written")):
+        with pytest.raises(InputError, match=rf"cannot be {done}: (embedded null byte|its name holds {what})"):
+            use(tmp_path / name)

@@ -287,3 +287,16 @@ def test_a_value_is_shown_in_one_short_line(value):
 )
 def test_a_value_is_shown_as_a_design_file_has_it(value, shown):
     assert as_written(value) == shown
+
+
+def test_a_value_nested_thousands_deep_is_written_on_one_short_line():
+    nested, tables = [1], {"b": 1}
+    for _ in range(5000):
+        nested, tables = [nested], {"a": tables}
+    assert as_written(nested).startswith("[[[[[[[[[[")
+    assert as_written(tables).startswith("{a = {a = {a = ")
+    assert len(as_written(nested)) == len(as_written(tables)) == 60
+
+
+def test_half_a_character_is_written_by_its_number():
+    assert as_written("a\ud800b") == r'"a\ud800b"'

@@ -11,7 +11,7 @@ from inspect import signature
 from time import monotonic
 from typing import Annotated, Any
 
-from cyclopts import App, CycloptsError, Parameter
+from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, UnusedCliTokensError
 
 from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
@@ -119,6 +119,30 @@ def _launch(
     return status
 
 
+# letters of a word in an error; paths of files are shorter
+_LONGEST_WORD = 300
+
+
+def _worded(error: Exception, arguments: Sequence[str] | None) -> str:
+    """Word an error, and what to do where a value begins with a hyphen, as an option does."""
+    if isinstance(error, UnusedCliTokensError):
+        return f"need no more arguments, got {as_written(' '.join(error.unused_tokens or ()))}"
+    tokens = list(sys.argv[1:] if arguments is None else arguments)
+    if isinstance(error, MissingArgumentError) and error.keyword in tokens:
+        value = "".join(tokens[tokens.index(error.keyword) + 1 :][:1])
+        if value.startswith("-") and not value.startswith("--"):
+            return f"{error} Write a value that begins with a hyphen as {error.keyword}={as_written(value)}"
+    return str(error)
+
+
+def _without_long_words(text: str) -> str:
+    """Write an error on one line; of a path or value of thousands of letters only the beginning and the end."""
+    short = (
+        word if len(word) <= _LONGEST_WORD else f"{word[: _LONGEST_WORD // 2]}...{word[-20:]}" for word in text.split()
+    )
+    return " ".join(short)
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
@@ -133,7 +157,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             finally:
                 flush_output()
     except (InputError, CycloptsError) as error:
-        print(f"forficula: {' '.join(str(error).split())}", file=sys.stderr)
+        print(f"forficula: {_without_long_words(_worded(error, arguments))}", file=sys.stderr)
         sys.exit(1)
     except BrokenPipeError:
         # whoever read our output has seen enough

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import secrets
 import shutil
+import stat
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -28,6 +30,10 @@ from forficula.toml_text import parse_toml
 #   never touched.
 _MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
 _TURN = ".forficula.lock"
+
+LARGEST_FILE = 2**26  # bytes: a FOLD file of a thousand frames of a thousand vertices each has this size
+_PIECE = 2**20
+_HANDED_OVER = re.compile(r"/dev/stdin|(?:/dev|/proc/self)/fd/[0-9]+")
 
 AnyPath = str | os.PathLike[str]
 
@@ -65,6 +71,7 @@ def replacing(path: Path) -> Iterator[Path]:
     Raises:
         InputError: the folder or the file cannot be written.
     """
+    _check_name(path)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
@@ -98,6 +105,7 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
     Raises:
         InputError: the folder or a file in it cannot be written; what was there stands as it stood.
     """
+    _check_name(folder)
     missing, new = not folder.exists(), folder
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -123,6 +131,17 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
         if missing:
             with suppress(OSError):  # it holds files
                 folder.rmdir()
+
+
+def _check_name(path: Path) -> None:
+    """Refuse a path that no file can have."""
+    try:
+        if "\0" not in os.fsencode(path).decode("latin-1"):
+            return
+        reason = "its name holds a null byte"
+    except UnicodeEncodeError:
+        reason = "its name holds a lone surrogate"
+    raise InputError(f"{as_written(str(path))}: cannot be written: {reason}")
 
 
 def _in_place(path: Path, new: Path, folder: Path) -> Path | None:
@@ -280,6 +299,50 @@ def write_bytes(path: Path, content: bytes | memoryview) -> None:
         temporary.write_bytes(content)
 
 
+def read_bytes(path: Path, largest: float = LARGEST_FILE) -> bytes:
+    """Read a regular file that someone wrote.
+
+    A pipe or a device is refused, because it may never end. An exception is what a shell hands over as /dev/stdin or
+    /dev/fd/63 (process substitution).
+
+    Args:
+        path: of the file.
+        largest: number of bytes that it may have.
+
+    Raises:
+        InputError: no such file, it cannot be read, is no regular file, or is larger; the caller names the file.
+    """
+    handed_over = _HANDED_OVER.fullmatch(str(path)) is not None
+    # to open a named pipe would otherwise wait for someone who writes to it
+    more = 0 if handed_over else getattr(os, "O_NONBLOCK", 0)
+    content = bytearray()
+    try:
+        with io.FileIO(path, opener=lambda name, flags: os.open(name, flags | more)) as file:
+            status = os.fstat(file.fileno())
+            if not (stat.S_ISREG(status.st_mode) or handed_over):
+                raise InputError(f"need a regular file, got {_kind_of(status.st_mode)}")
+            # the size of a pipe and of some regular files is unknown: read piece by piece
+            while status.st_size <= largest and len(content) <= largest and (piece := file.read(_PIECE)):
+                content += piece
+    except InputError:
+        raise
+    except FileNotFoundError:
+        raise InputError("no such file") from None
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}") from None
+    except UnicodeEncodeError:
+        raise InputError("cannot be read: its name holds a lone surrogate") from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"cannot be read: {error}") from None
+    if max(status.st_size, len(content)) > largest:
+        raise InputError(f"need a file of at most {largest / 2**20:g} MiB, got a larger one")
+    return bytes(content)
+
+
+def _kind_of(mode: int) -> str:
+    return "a named pipe" if stat.S_ISFIFO(mode) else "a socket" if stat.S_ISSOCK(mode) else "a device"
+
+
 def read_text(path: Path) -> str:
     """Read a text that someone wrote.
 
@@ -287,20 +350,22 @@ def read_text(path: Path) -> str:
         path: of the file, UTF-8.
 
     Raises:
-        InputError: no such file, it cannot or may not be read, or it is not UTF-8.
+        InputError: what `read_bytes` raises, it may not be read, or it is not UTF-8; the message names the file.
     """
     check_may_read(path)
     try:
         # Windows' editors begin UTF-8 with a byte order mark
-        return path.read_text("utf-8-sig")
-    except FileNotFoundError:
-        raise InputError(f"{path}: no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        text = read_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
-    except ValueError as error:  # a null byte
-        raise InputError(f"{as_written(str(path))}: cannot be read: {error}") from None
+    except InputError as error:
+        raise InputError(f"{shown_path(path)}: {error}") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def shown_path(path: Path) -> str:
+    """Write a path for an error: in quotes where it holds what no line of text can show."""
+    return str(path) if str(path).isprintable() else as_written(str(path))
 
 
 def read_toml(path: Path, what: str) -> dict[str, Any]:

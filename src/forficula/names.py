@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import difflib
+import math
 import re
 from collections.abc import Iterable
 
 from forficula.errors import InputError
-from forficula.quantities import as_written
+from forficula.quantities import as_written, is_whole
 
 # what moves a terminal's cursor or ends a line, and halves of characters that no file can hold
 _NO_LETTER = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
@@ -44,6 +45,29 @@ def unknown_key(key: str, value: object, hint: str) -> str:
     """
     got = "" if value is None else f", got {as_written(value)}"  # of a key alone there is none
     return f"{key}: unknown key{got}; {hint}"
+
+
+def as_given(value: object) -> str:
+    """The end of an error: what was given in place of what is needed, or that nothing was."""
+    return "none is given" if value is None else f"got {as_written(value)}"
+
+
+def check_whole(key: str, value: object, least: int, most: float = math.inf) -> int:
+    """Take a whole number between bounds.
+
+    Args:
+        key: by which errors call it.
+        value: as given, None where it is not.
+        least: allowed.
+        most: allowed.
+
+    Raises:
+        InputError: it is no whole number, or out of bounds; the message has both.
+    """
+    if not is_whole(value, least, most):
+        upper = f" and <= {most}" if most < math.inf else ""
+        raise InputError(f"{key}: need a whole number >= {least}{upper}, {as_given(value)}")
+    return value
 
 
 def one_of(names: Iterable[str], got: object, others: Iterable[str] = (), near_to: Iterable[str] = ()) -> str:

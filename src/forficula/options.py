@@ -32,7 +32,8 @@ def _whole_number(_type: object, tokens: Sequence[Token]) -> int:
     """Take a whole number as one: a fraction would otherwise be rounded without a word."""
     (token,) = tokens
     if not re.fullmatch(rf"[+-]?{_WHOLE.pattern}", token.value):
-        raise InputError(f"need a whole number, got {as_written(token.value)}")
+        few = " of at most 18 digits" if re.fullmatch("[+-]?[0-9]+", token.value) else ""
+        raise InputError(f"need a whole number{few}, got {as_written(token.value)}")
     return int(token.value)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, TypeGuard
@@ -168,21 +169,43 @@ def round_below(most: float) -> float:
 
 def as_written(value: object) -> str:
     """Write a value for an error: as a design file has it, on one short line."""
+    # nested lists and tables of more levels have more brackets than the line has letters
+    return _written(value, _LONGEST_SHOWN // 2)
+
+
+def _written(value: object, levels: int) -> str:
+    """Write a value on one short line, with the lists and tables in it down to some levels."""
     match value:
         case bool():
             text = str(value).lower()
         case str():
             text = json.dumps(value[: 2 * _LONGEST_SHOWN], ensure_ascii=False)
+            # halves of characters, which no output can write
+            text = re.sub("[\ud800-\udfff]", lambda half: f"\\u{ord(half[0]):04x}", text)
+        case list() | tuple() | dict() if levels == 0:
+            text = "..."
         case list() | tuple():
-            text = f"[{', '.join(as_written(item) for item in value[:_LONGEST_SHOWN])}]"
+            text = f"[{_first_of(_written(item, levels - 1) for item in value)}]"
         case dict():
-            text = f"{{{', '.join(f'{key} = {as_written(item)}' for key, item in value.items())}}}"
+            entries = (f"{str(key)[:_LONGEST_SHOWN]} = {_written(item, levels - 1)}" for key, item in value.items())
+            text = f"{{{_first_of(entries)}}}"
         case int() if abs(value) >= 10**_LONGEST_SHOWN:
             text = "a whole number of very many digits"
         case _:
             text = str(value)
     text = " ".join(text.split())
     return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 3]}..."
+
+
+def _first_of(texts: Iterable[str]) -> str:
+    """Join texts by commas, as many as one line can show and one more."""
+    joined, length = [], 0
+    for text in texts:
+        joined.append(text)
+        length += len(text) + 2
+        if length > _LONGEST_SHOWN + 2:
+            break
+    return ", ".join(joined)
 
 
 def is_whole(value: object, least: int, most: float = math.inf) -> TypeGuard[int]:

@@ -8,7 +8,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from forficula.errors import InputError
+from forficula.quantities import as_written
 
+MOST_LEVELS = 32  # parts of a key; those of forficula have at most six
+_LONG_LINE = 2000
+_KEY_START = re.compile(r"[\s\[]*[\w.\s\"'-]*")
 _LINE = re.compile(r"\(at line (\d+), ")
 _KEY = re.compile(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=")
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(?:#.*)?")
@@ -23,17 +27,45 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
         what: it should describe, such as "a design".
 
     Raises:
-        InputError: it is not TOML; the caller knows the file.
+        InputError: it is not TOML, or a key has too many parts; the caller knows the file.
     """
+    for number, line in enumerate(text.splitlines(), 1):
+        # tomllib takes seconds and gigabytes for a key of ten thousand parts
+        if len(line) > _LONG_LINE and (start := _KEY_START.match(line)) and start[0].count(".") > _LONG_LINE // 2:
+            raise InputError(f"line {number}: need a key of at most {MOST_LEVELS} parts, got {as_written(start[0])}")
     try:
-        return tomllib.loads(text)
+        tables = tomllib.loads(text)
+        check_levels(tables)
+        return tables
     except tomllib.TOMLDecodeError as error:
         reason = _table_and_list(text, str(error)) or f"{error}{_given_twice(text, str(error))}"
         raise InputError(f"not TOML: {reason}") from None
+    except InputError:
+        raise
     except ValueError:  # of Python's own, which reads no number of thousands of digits
         raise InputError("not TOML: a whole number has too many digits") from None
     except RecursionError:
         raise InputError(f"not TOML for {what}: nested too deeply") from None
+
+
+def check_levels(tables: Mapping[str, object]) -> None:
+    """Refuse tables and lists nested more deeply than any key of a file is.
+
+    Args:
+        tables: by key, which may have parts with dots between them.
+
+    Raises:
+        InputError: the key that has too many parts.
+    """
+    within: list[tuple[str, int, object]] = [("", 0, tables)]
+    while within:
+        key, levels, value = within.pop()
+        if levels > MOST_LEVELS:
+            raise InputError(f"{as_written(key)}: need a key of at most {MOST_LEVELS} parts; it is nested more deeply")
+        if isinstance(value, Mapping):
+            within += [(key or str(part), levels + str(part).count(".") + 1, each) for part, each in value.items()]
+        elif isinstance(value, list | tuple):
+            within += [(key, levels + 1, each) for each in value if isinstance(each, Mapping | list | tuple)]
 
 
 def with_remarks(text: str, remarks: Mapping[str, str]) -> str:

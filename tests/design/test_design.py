@@ -201,6 +201,14 @@ def test_lengths_beyond_any_world_are_refused(key, length):
     assert message.endswith(f"and <= 1e+14 cm, got {100 * length:.4g} cm")
 
 
+@pytest.mark.parametrize("key", ["proximal_rows", "distal_rows"])
+def test_more_rows_of_the_membrane_than_the_engine_holds_are_refused(key):
+    rows = [row / 1001 for row in range(1, 1001)]
+    assert refusal(**{f"membrane__{key}": [*rows, 0.9999]}).startswith(
+        f"membrane.{key}: need at most 1000 entries, got"
+    )
+
+
 @pytest.mark.parametrize("name", ["", "  ", "a\nb", "\x1b[2J", "\x00", "\x85", "\ud800"])
 def test_a_stage_has_a_name_that_a_terminal_and_a_file_can_hold(name):
     stages = [stage.model_dump() for stage in REFERENCE.protocol.stages]

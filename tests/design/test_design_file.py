@@ -1,4 +1,5 @@
 import math
+import sys
 import time
 import tomllib
 
@@ -590,3 +591,63 @@ def test_a_key_missing_in_a_section_that_may_be_left_out_is_not_to_be_inherited(
     (tmp_path / "tied.toml").write_text('based_on = "binder2025"\n[coupling]\n', "utf-8")
     with pytest.raises(InputError, match=r"coupling\.stiffness: is missing; give it, or leave out \[coupling\]"):
         load_design(tmp_path / "tied.toml")
+
+
+@pytest.mark.parametrize(
+    "deep", ["a." * 20_000 + "b = 1", "[" + "a." * 20_000 + "b]", "a = {" + "b." * 3000 + "c = 1}"]
+)
+def test_keys_nested_thousands_deep_are_one_error(refusal, deep):
+    assert "need a key of at most 32 parts" in refusal(f"{BASED}\n{deep}")
+
+
+def test_a_value_set_thousands_of_levels_deep_is_one_error():
+    nested = 1
+    for _ in range(3000):
+        nested = {"a": nested}
+    for values in ({"a." * 3000 + "b": 1}, {"tendon": nested}, {"tendon.stiffness": [nested]}):
+        with pytest.raises(InputError, match="need a key of at most 32 parts"):
+            REFERENCE.with_values(values)
+
+
+def test_two_thousand_files_based_on_one_another_are_one_short_error(refusal, tmp_path):
+    for number in range(2000):
+        (tmp_path / f"{number}.toml").write_text(f'based_on = "{number + 1}.toml"')
+    message = refusal('based_on = "0.toml"')
+    assert message.endswith("48.toml: based_on: need at most 50 files that are based on one another, got more")
+    assert len(message) < 150
+
+
+def test_a_chain_of_files_is_read_from_its_base_up(tmp_path):
+    (tmp_path / "0.toml").write_text(f'{BASED}[tendon]\nrest_length = "7 cm"\nstiffness = "12 N/cm"')
+    for number in range(1, 40):
+        (tmp_path / f"{number}.toml").write_text(f'based_on = "{number - 1}.toml"')
+    (tmp_path / "wing.toml").write_text('based_on = "39.toml"\n[tendon]\nstiffness = "11 N/cm"')
+    tendon = load_design(tmp_path / "wing.toml").tendon
+    assert (tendon.rest_length, tendon.stiffness) == (0.07, 1100.0)
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"tendon.stiffness": "\ud800"}, r'tendon.stiffness: need text in UTF-8, got "\ud800"'),
+        ({"tendon": {"law": ["\ud800"]}}, r'tendon.law.0: need text in UTF-8, got "\ud800"'),
+        ({"a\ud800": 1}, r'need keys in UTF-8, got "a\ud800"'),
+    ],
+)
+def test_half_a_character_in_a_value_or_key_is_one_error(settings, message):
+    for read in (lambda: load_design("binder2025", settings), lambda: REFERENCE.with_values(settings)):
+        with pytest.raises(InputError) as refused:
+            read()
+        assert message in str(refused.value)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+def test_a_design_file_whose_name_is_no_utf_8_needs_a_name_of_its_own(tmp_path):
+    path = tmp_path / "a\udcff.toml"
+    path.write_text(BASED)
+    with pytest.raises(
+        InputError, match=r"name: is missing, and the file's name is no text in UTF-8, got \"a.udcff\"$"
+    ):
+        load_design(path)
+    path.write_text(f'name = "a"\n{BASED}')
+    assert load_design(path).name == "a"

@@ -50,7 +50,7 @@ def test_settings_hold_for_a_file_too():
     ("name", "unit", "message"),
     [
         ("simple.fold", None, "frame_unit"),
-        ("none.fold", 0.05, "need a file that can be read"),
+        ("none.fold", 0.05, "no such file"),
         ("miura-sheet", 0.05, "unit: a design has units of its own, got 0.05 m"),
     ],
 )

@@ -155,7 +155,7 @@ def test_lines_that_are_no_sheet_are_refused(tmp_path, shapes, message):
 
 
 def test_a_drawing_of_a_point_is_refused(tmp_path):
-    with pytest.raises(InputError, match=r"need a drawing of a size > 0 m and up to .*, got 0 m"):
+    with pytest.raises(InputError, match=r"need a drawing of a size from 1e-12 m to .*, got 0 m"):
         read_drawing(svg(tmp_path / "point.svg", line(5, 5, 5, 5)))
 
 

@@ -137,3 +137,11 @@ def test_a_file_that_is_no_drawing_is_refused(tmp_path, content, message):
 def test_lines_of_other_colours_are_told(tmp_path):
     _, remarks = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, crease((62, 1)), dxf_line(0, 0, 1, 1, (62, 4))))
     assert remarks[0].endswith('are: 1 of layer "0", colour #00ffff')
+
+
+@pytest.mark.parametrize("units", ["abc", "nan", "1e400", "5.7", "-1"])
+def test_a_unit_of_the_header_that_is_none_is_refused_with_its_line_and_name(tmp_path, units):
+    path = dxf(tmp_path / "sheet.dxf", RIM, units=units)
+    with pytest.raises(InputError, match=rf'line 12: \$INSUNITS: need a whole number from 0 on, got "{units}"$'):
+        read_drawing(path)
+    assert path.read_text().splitlines()[11] == units

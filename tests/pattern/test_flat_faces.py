@@ -1,6 +1,13 @@
+import json
+import math
+from time import process_time
+
+import numpy as np
 import pytest
 
 from forficula.errors import InputError
+from forficula.pattern import read_fold
+from forficula.pattern.flat_faces import check_face_sides
 from tests.pattern.fold_files import SQUARE, outcome
 
 CENTRE = [*SQUARE["vertices_coords"], [5, 5]]
@@ -76,3 +83,29 @@ def test_a_face_that_crosses_itself_is_found_in_a_solid_shape(tmp_path):
     }
     with pytest.raises(InputError, match=r"faces_vertices\[0\]: need a face that does not cross itself, got its sides"):
         outcome(tmp_path, bow_tie)
+
+
+def test_a_grid_of_thousands_of_squares_without_faces_is_read_in_seconds(tmp_path):
+    count = 70
+    number = np.arange(count**2).reshape(count, count)
+    across, upwards = (number[:, :-1], number[:, 1:]), (number[:-1], number[1:])
+    edges = np.concatenate([np.column_stack([one.ravel(), other.ravel()]) for one, other in (across, upwards)])
+    document = {
+        "vertices_coords": [[x, y] for y in range(count) for x in range(count)],
+        "edges_vertices": edges.tolist(),
+    }
+    path = tmp_path / "grid.fold"
+    path.write_text(json.dumps(document))
+    before = process_time()
+    found = {frozenset(face) for face in read_fold(path, 0.01).faces_vertices}
+    assert process_time() - before < 6  # all pairs of edges took four times as long
+    corners = (number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1])
+    assert found == {frozenset(face) for face in zip(*(each.flat for each in corners), strict=True)}
+
+
+@pytest.mark.parametrize("corners", [[0, 2, 4, 1, 3], [0, 1, 3, 2, 4], [0, 3, 1, 4, 2]])
+def test_a_face_like_a_star_which_turns_to_one_side_crosses_itself(corners):
+    places = [[math.cos(angle), math.sin(angle)] for angle in np.radians([0, 72, 144, 216, 288])]
+    with pytest.raises(InputError, match="need a face that does not cross itself"):
+        check_face_sides(np.column_stack([places, np.zeros(5)]), [corners])
+    check_face_sides(np.column_stack([places, np.zeros(5)]), [[0, 1, 2, 3, 4], [4, 3, 2, 1, 0]])

@@ -1,4 +1,5 @@
 import math
+import re
 
 import numpy as np
 import pytest
@@ -80,3 +81,10 @@ def test_edges_come_from_faces_where_the_file_has_faces_only(tmp_path):
         InputError, match="edges_vertices: need the key in the file, for edges_assignment says something"
     ):
         outcome(tmp_path, faces | {"edges_assignment": list("BBBBB")}, without=("edges_vertices",))
+
+
+@pytest.mark.parametrize("unit", [1e300, 1e-300, 1e13, 1e-14])
+def test_a_unit_by_which_a_sheet_is_larger_than_worlds_or_smaller_than_atoms_is_refused(tmp_path, unit):
+    message = rf"need a sheet of a size from 1e-12 m to 1e\+12 m, got 10 units of {re.escape(f'{unit:g}')} m each"
+    with pytest.raises(InputError, match=message):
+        outcome(tmp_path, {"frame_unit": "unit"}, unit=unit)

@@ -3,6 +3,7 @@
 import pytest
 
 from forficula.design import design_from_text, design_text, load_design, with_values
+from forficula.design.provenance import PAPERS
 from forficula.errors import InputError
 from forficula.reproduction import named_reproduction, shown_hinge, shown_tendon
 from forficula.study.convergence import converge
@@ -27,11 +28,15 @@ def test_what_a_design_reproduces_is_inherited_and_kept_but_no_value_of_its_own(
     assert (shown_tendon(free), shown_hinge(free)) == (1, None)
 
 
-def test_a_design_that_names_no_paper_there_is_is_refused_where_one_is_needed(reference):
-    unknown = with_values(reference, {"reproduces": "elsewhere"})
-    for ask in (shown_tendon, shown_hinge):
-        with pytest.raises(InputError, match='reproduces: need one of binder2025, got "elsewhere"'):
-            ask(unknown)
+def test_a_design_that_names_no_paper_there_is_is_refused_when_it_is_read_with_its_file(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('based_on = "binder2025"\nreproduces = "nonsense"\n')
+    with pytest.raises(InputError, match=r'mine\.toml: reproduces: need one of binder2025, got "nonsense"$'):
+        load_design(path)
+
+
+def test_every_paper_that_a_design_may_name_has_a_reproduction():
+    assert [named_reproduction(name).name for name in PAPERS] == list(PAPERS)
 
 
 def test_a_convergence_study_shows_the_hinge_that_is_asked_for_or_the_last(reference):

@@ -179,5 +179,6 @@ def test_more_units_than_anyone_simulates_are_refused():
         "vein.diameter": 1e-6,
         "membrane.margin": 1e-6,
     }
-    with pytest.raises(InputError, match=r"need at most 2002 bodies to simulate it \(two for every vein\), got 2006$"):
+    message = r"need at most 2002 bodies to simulate it \(two for every vein, pattern.units = 501\), got 2006$"
+    with pytest.raises(InputError, match=message):
         compile_model(with_values(SHORT, {"pattern.units": 501, "protocol.sample_interval": 1.0} | closed))

@@ -193,11 +193,14 @@ def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_pat
 @pytest.mark.parametrize(
     ("sampling", "message"),
     [
-        ("", "sampling.count: need a whole number >= 1, got None"),
-        ("[sampling]\ncount = 0", "sampling.count: need a whole number >= 1, got 0"),
-        ("[sampling]\ncount = true", "sampling.count: need a whole number >= 1, got True"),
-        ("[sampling]\ncount = 2.5", "sampling.count: need a whole number >= 1, got 2.5"),
-        ("[sampling]\ncount = 1_000_000_000_000", "sampling.count: need at most 1000000, got 1000000000000"),
+        ("", "sampling.count: need a whole number >= 1 and <= 1000000, none is given"),
+        ("[sampling]\ncount = 0", "sampling.count: need a whole number >= 1 and <= 1000000, got 0"),
+        ("[sampling]\ncount = true", "sampling.count: need a whole number >= 1 and <= 1000000, got true"),
+        ("[sampling]\ncount = 2.5", "sampling.count: need a whole number >= 1 and <= 1000000, got 2.5"),
+        (
+            "[sampling]\ncount = 1_000_000_000_000",
+            "sampling.count: need a whole number >= 1 and <= 1000000, got 1000000000000",
+        ),
         ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
         ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
         ("[sampling]\ncounts = 3", "sampling.counts: unknown key, got 3; did you mean sampling.count?"),

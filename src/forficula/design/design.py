@@ -13,7 +13,7 @@ from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
-from forficula.design.provenance import WORDS
+from forficula.design.provenance import WORDS, check_paper
 from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError
@@ -59,6 +59,11 @@ class Design(Displayed, Part):
     @classmethod
     def _names_a_folder(cls, name: str) -> str:
         return folder_name(name)
+
+    @field_validator("reproduces")
+    @classmethod
+    def _names_a_paper(cls, reproduces: str | None) -> str | None:
+        return reproduces if reproduces is None else check_paper(reproduces)
 
     def __repr__(self) -> str:
         """The design by its name; `print` writes its file, with units."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
 from functools import cache
 from importlib import resources
@@ -33,7 +34,10 @@ from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
 from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
-from forficula.toml_text import with_remarks
+from forficula.toml_text import check_levels, with_remarks
+
+_MOST_FILES = 50  # that are based on one another
+_SURROGATE = re.compile("[\ud800-\udfff]")
 
 # what stands for a design where one is wanted
 AnyDesign = Design | str | os.PathLike[str]
@@ -166,47 +170,94 @@ def _named_tables(name: str) -> dict[str, Any]:
     return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
 
 
-def _read_files(name_or_path: str, above: tuple[Path, ...] = ()) -> list[File]:
-    """A design and what it is based on, the last one first."""
-    if name_or_path in _named():
-        named = deepcopy(_named_tables(name_or_path))
-        above_it = named.pop("based_on", None)
-        return [*(_read_files(above_it) if above_it else []), (name_or_path, named)]
-    path = Path(name_or_path)
+def _read_files(name_or_path: str) -> list[File]:
+    """Read a design and what it is based on, the last one first."""
+    files: list[File] = []
+    above: list[Path] = []
+    base: str | None = name_or_path
+    while base is not None:
+        name = base
+        try:
+            if name in _named():
+                tables = deepcopy(_named_tables(name))
+                base = tables.pop("based_on", None)
+            else:
+                tables = _file_tables(name, above)
+                base = _base_of(tables, Path(name))
+                above.append(Path(name))
+        except InputError as error:
+            # of a long chain the first file and the last
+            chain = above if len(above) < 4 else [above[0], "...", above[-1]]
+            raise InputError("".join([*(f"{path}: based_on: " for path in chain), str(error)])) from None
+        files.insert(0, (name, tables))
+    return files
+
+
+def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
+    """Read what a file says, which other files are based on."""
+    path = Path(name)
     if path.suffix.lower() != ".toml":
         known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
-        hint = _nearest(name_or_path, known) or f"the named designs are {', '.join(_named())}"
-        raise InputError(f"{as_written(name_or_path)} is neither a named design nor a .toml file; {hint}")
+        hint = _nearest(name, known) or f"the named designs are {', '.join(_named())}"
+        raise InputError(f"{as_written(name)} is neither a named design nor a .toml file; {hint}")
+    if len(above) == _MOST_FILES:
+        raise InputError(f"need at most {_MOST_FILES} files that are based on one another, got more")
     tables = read_toml(path, "a design")
-    if path.resolve() in above:
+    if path.resolve() in [other.resolve() for other in above]:
         raise InputError(f"{path}: goes round in a circle")
-    tables.setdefault("name", path.stem)
-    tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
     try:
-        tables = with_sheet_read(tables, folder=path.parent)
+        if "name" not in tables:
+            tables["name"] = _name_of(path)
+        tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
+        return with_sheet_read(tables, folder=path.parent)
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+def _name_of(path: Path) -> str:
+    """Return the name that a design has without a key `name`: that of its file."""
+    if _SURROGATE.search(path.stem):
+        raise InputError(f"name: is missing, and the file's name is no text in UTF-8, got {as_written(path.stem)}")
+    return path.stem
+
+
+def _base_of(tables: dict[str, Any], path: Path) -> str | None:
+    """Take out of the tables of a file what it is based on: a name, or a path that starts from the file's folder."""
     base = tables.pop("based_on", None)
     if base is None:
-        return [(name_or_path, tables)]
+        return None
     if not isinstance(base, str):
         raise InputError(f'{path}: based_on: need the name of a design such as "binder2025", got {as_written(base)}')
-    if base.lower().endswith(".toml"):
-        base = str(path.parent / base)
-    try:
-        return [*_read_files(base, (*above, path.resolve())), (name_or_path, tables)]
-    except InputError as error:
-        raise InputError(f"{path}: based_on: {error}") from None
+    return str(path.parent / base) if base.lower().endswith(".toml") else base
 
 
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool) -> dict[str, Any]:
     """Put values into tables by their dotted keys; those of a section count together, whatever their order."""
     if not (isinstance(settings, Mapping) and all(isinstance(key, str) for key in settings)):
         raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
+    _check_texts(settings)
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
     check_once(settings, tables)
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
+
+
+def _check_texts(settings: Mapping[str, object]) -> None:
+    """Refuse values nested too deeply, and texts that no file can hold."""
+    check_levels(settings)
+    within: list[tuple[str, object]] = [("", settings)]
+    while within:
+        key, value = within.pop()
+        match value:
+            case str() if _SURROGATE.search(value):
+                raise InputError(f"{key}: need text in UTF-8, got {as_written(value)}, which holds a lone surrogate")
+            case Mapping():
+                for part, inside in value.items():
+                    if isinstance(part, str) and _SURROGATE.search(part):
+                        raise InputError(f"need keys in UTF-8, got {as_written(part)}, which holds a lone surrogate")
+                    within.append((f"{key}.{part}" if key else str(part), inside))
+            case list() | tuple():
+                within += [(f"{key}.{number}", entry) for number, entry in enumerate(value)]
 
 
 def _with_source(base: dict[str, Any], tables: dict[str, Any], given: Mapping[str, object]) -> dict[str, Any]:

@@ -27,6 +27,7 @@ from forficula.quantities import show_quantity
 # beyond atoms and worlds, m: within, every power that a unit has of a length is a float
 _SMALLEST, _LARGEST = 1e-12, 1e12
 MOST_UNITS = 10_000
+MOST_ROWS = 1000  # of the mesh: with 100 times as many the engine runs out of memory
 
 
 class FanPatternSection(Part):
@@ -120,11 +121,18 @@ class MembraneSection(Part):
     ]
     proximal_rows: Annotated[
         tuple[Share, ...],
-        Field(min_length=1, description="rows of its mesh, in shares of the proximal length; the first is its edge"),
+        Field(
+            min_length=1,
+            max_length=MOST_ROWS,
+            description="rows of its mesh, in shares of the proximal length; the first is its edge",
+        ),
     ]
     distal_rows: Annotated[
         tuple[Share, ...],
-        Field(description="rows of its mesh between ring fold and tip, in shares of the distal length"),
+        Field(
+            max_length=MOST_ROWS,
+            description="rows of its mesh between ring fold and tip, in shares of the distal length",
+        ),
     ]
 
 

@@ -230,7 +230,9 @@ def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
     here = siblings(place, model)
     other = _MEANT.get(wrong.lower(), "")
-    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1):
+    # names of sections are short: "design" is not near "vein"
+    cutoff = 0.6 if section else 0.65
+    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1, cutoff=cutoff):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from forficula.errors import InputError
 from forficula.names import listed
+from forficula.quantities import as_written
 
 if TYPE_CHECKING:
     from forficula.design.design import Design
 
 # what a design says of itself, which is no value of it
 WORDS = ("name", "source", "shows", "reproduces")
+PAPERS = ("binder2025",)  # that a design or a study may be set beside
 _MOST_TOLD = 6
 
 
@@ -62,3 +65,14 @@ def scaled_source(name: str, source: str, factor: float) -> str:
     """The source of a design that was scaled in size."""
     scaled = f"{name} at {factor:g} times its size"
     return f"{scaled}; {name}: {source}" if source else scaled
+
+
+def check_paper(name: str) -> str:
+    """Take the name of a paper that is reproduced.
+
+    Raises:
+        InputError: there is none of that name; the caller knows the key.
+    """
+    if name not in PAPERS:
+        raise InputError(f"need one of {', '.join(PAPERS)}, got {as_written(name)}")
+    return name

@@ -152,6 +152,7 @@ def compile_model(design: Design) -> Model:
         InputError: it cannot be built, or MuJoCo refuses the model, and why.
     """
     structure = structure_of(design)
+    _check_size(design, structure)
     units = model_units(structure)
     model = compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
     check_apart(model.engine, model.in_units, units.length)
@@ -221,8 +222,11 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
 
 def _check_size(design: Design, structure: Structure) -> None:
     if (count := len(structure.bodies)) > _MOST_BODIES:
-        follows = f" ({structure.appearance.bodies})" if structure.appearance.bodies else ""
-        raise InputError(f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{follows}, got {count}")
+        pattern = getattr(design, "pattern", ())
+        counts = [f"pattern.{key} = {value}" for key, value in pattern if type(value) is int and value > 1]
+        follows = [text for text in (structure.appearance.bodies, *counts) if text]
+        reason = f" ({', '.join(follows)})" if follows else ""
+        raise InputError(f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{reason}, got {count}")
 
 
 def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -20,7 +21,7 @@ from forficula.design import Design, Stage, design_from_text, design_text
 from forficula.displayed import Displayed
 from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
-from forficula.files import as_path, write_bytes
+from forficula.files import as_path, read_bytes, shown_path, write_bytes
 from forficula.quantities import show_duration
 from forficula.structure import Structure, distances_of, hinges_of, measure_of, read_angles, structure_of
 
@@ -300,9 +301,9 @@ def load_record(path: str | os.PathLike[str]) -> Record:
     path = as_path(path, "the folder of a run, or its record.nc")
     path = path / "record.nc" if path.is_dir() else path
     try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+        content = read_bytes(path, math.inf)  # as large as its run was long
+    except InputError as error:
+        raise InputError(f"{shown_path(path)}: {error}") from None
     whole, seal, checksum = content.rpartition(_SEAL)
     if not seal:
         why = "no checksum ends it: it is cut off, or not of this version"

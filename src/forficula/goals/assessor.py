@@ -13,7 +13,7 @@ from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.goals.outcome_quantity import SOURCES, STATIC, OutcomeQuantity, Source, quantities_of
 from forficula.goals.static_values import static_values
-from forficula.quantities import as_written, is_whole
+from forficula.names import check_whole
 from forficula.study.evaluate import ending_row, evaluate, row_key
 from forficula.study.journal import Journal, Row, open_journal, read_rows
 from forficula.study.run_study import Evaluate, Progress
@@ -206,8 +206,7 @@ def open_assessor(
     """
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
-    if not is_whole(threads, 0):
-        raise InputError(f"threads: need a whole number >= 0, got {as_written(threads)}")
+    check_whole("threads", threads, 0)
     folder = Path(folder)
     rows = read_rows(folder, base)
     with open_journal(folder, base, shard) as journal:

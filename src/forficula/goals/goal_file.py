@@ -15,8 +15,8 @@ from forficula.goals.goal_keys import GOAL_KEYS
 from forficula.goals.limit import Limit, check_limits, read_limit
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantity_of
 from forficula.goals.parameter import Parameter, read_parameter
-from forficula.names import folder_name, one_of
-from forficula.quantities import as_written, is_whole
+from forficula.names import check_whole, folder_name, one_of
+from forficula.quantities import as_written
 from forficula.study.file_keys import check_keys, dotted_values
 from forficula.study.named_file import base_design, load_named, named_files
 from forficula.study.search_file import read_search
@@ -227,6 +227,4 @@ def _search(given: Mapping[str, Any], asked: Sequence[OutcomeQuantity], base: De
 def _count(given: Mapping[str, Any], name: str) -> int:
     default, least = _COUNTS[name]
     value = given.get(name, default)
-    if not is_whole(value, least, _MOST):
-        raise InputError(f"search.{name}: need a whole number >= {least}, got {as_written(value)}")
-    return int(value)
+    return check_whole(f"search.{name}", value, least, _MOST)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -229,7 +230,8 @@ def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
     return np.flatnonzero(inside).astype(np.int64)
 
 
-def creases_inside(pattern: CreasePattern) -> list[tuple[int, NDArray[np.int64]]]:
+@lru_cache(maxsize=4)  # each of the checks of a pattern begins with it
+def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, NDArray[np.int64]], ...]:
     """List every interior vertex with the edges at it, flat ones left out.
 
     Args:
@@ -249,7 +251,9 @@ def creases_inside(pattern: CreasePattern) -> list[tuple[int, NDArray[np.int64]]
         for vertex in ends:
             if letter != "F" and vertex in edges:
                 edges[vertex].append(edge)
-    return [(vertex, _counterclockwise(pattern, vertex, np.array(edges[vertex], dtype=np.int64))) for vertex in inside]
+    return tuple(
+        (vertex, _counterclockwise(pattern, vertex, np.array(edges[vertex], dtype=np.int64))) for vertex in inside
+    )
 
 
 def _counterclockwise(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:

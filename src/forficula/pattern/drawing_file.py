@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import shown_path
 from forficula.names import listed
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, face_sides
 from forficula.pattern.drawing import Drawing, DrawnLine
@@ -23,7 +24,7 @@ from forficula.pattern.svg_reader import read_svg
 from forficula.quantities import show_value
 
 _TOLERANCE = 1e-4  # of the drawing's size: drawing programs round to 1e-5 of it, people see 1e-3
-_LARGEST = 1e6  # m
+_SMALLEST, _LARGEST = 1e-12, 1e6  # m
 
 
 def read_drawing(
@@ -57,7 +58,7 @@ def read_drawing(
             metres, remarks = _metres(drawing, unit)
             pattern, more = _pattern_of(drawing, metres, tolerance)
     except InputError as error:
-        raise InputError(f"{file}: {error}") from error
+        raise InputError(f"{shown_path(file)}: {error}") from error
     return pattern, [*drawing.remarks, *remarks, *more]
 
 
@@ -88,8 +89,10 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
     ends = metres * np.array([(line.start, line.end) for line in lines])
     ends -= ends.min(axis=(0, 1))
     size = float(ends.max())
-    if not 0 < size <= _LARGEST:
-        raise InputError(f"need a drawing of a size > 0 m and up to {_LARGEST:g} m, got {size:g} m")
+    if not _SMALLEST <= size <= _LARGEST:
+        raise InputError(
+            f"need a drawing of a size from {_SMALLEST:g} m to {_LARGEST:g} m, got {size:g} m, in units of {metres:g} m"
+        )
     if tolerance is None:
         tolerance = _TOLERANCE * size
     elif not 0 < tolerance < size:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import colorsys
 import itertools
 import math
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from forficula.errors import InputError
+from forficula.files import read_bytes
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.quantities import as_written
@@ -66,7 +68,8 @@ def read_dxf(file: Path) -> Drawing:
     Raises:
         InputError: the file cannot be read, is no DXF text, or has curves or blocks among its creases.
     """
-    sections = _sections(_pairs(file))
+    pairs = _pairs(file)
+    sections = _sections(pairs)
     if "ENTITIES" not in sections:
         raise InputError("need a DXF drawing as text, got no section ENTITIES")
     layers = _layers(sections.get("TABLES", []))
@@ -80,16 +83,13 @@ def read_dxf(file: Path) -> Drawing:
         except InputError as error:
             raise InputError(f"{kind} {seen[kind]}{handle}: {error}") from None
     remarks = check_some(lines, left_out)
-    unit = _METRES.get(_insert_units(sections.get("HEADER", [])))
+    unit = _METRES.get(_insert_units(pairs, sections.get("HEADER", [])))
     return Drawing(lines=tuple(lines), unit=unit, assumed_unit=None, title="", remarks=remarks)
 
 
 def _pairs(file: Path) -> list[Pair]:
     """The group codes and values of a file."""
-    try:
-        content = file.read_bytes()
-    except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+    content = read_bytes(file)
     if content.startswith(b"AutoCAD Binary DXF"):
         raise InputError("need DXF as text, got binary DXF; save it as ASCII DXF")
     rows = content.decode("utf-8-sig", errors="replace").splitlines()
@@ -148,11 +148,14 @@ def _with_vertices(entities: Sequence[Entity]) -> Iterator[list[Entity]]:
         yield waiting
 
 
-def _insert_units(header: Sequence[Pair]) -> int:
+def _insert_units(pairs: Sequence[Pair], header: Sequence[Pair]) -> int:
     """The number of the drawing's unit; 0 where it has none."""
-    for (_, name), (_, value) in itertools.pairwise(header):
+    for (code, name), (_, value) in itertools.pairwise(header):
         if name == "$INSUNITS":
-            return int(_number(value))
+            if not re.fullmatch(r"\+?[0-9]{1,9}(\.0*)?", value):
+                line = 2 * pairs.index((code, name)) + 4  # two lines a pair
+                raise InputError(f"line {line}: $INSUNITS: need a whole number from 0 on, got {as_written(value)}")
+            return int(float(value))
     return 0
 
 

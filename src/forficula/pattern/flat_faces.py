@@ -71,9 +71,11 @@ def faces_between(points: NDArray[np.float64], edges: NDArray[np.int64]) -> list
     """
     following = next_sides(points, edges)
     faces: list[list[int]] = []
-    while following:
-        start, side = next(iter(following.items()))
-        del following[start]
+    # sides leave the table as their faces are found; a loop over it would pass all of these again for every face
+    for start in [*following]:
+        side = following.pop(start, None)
+        if side is None:
+            continue
         face = [start[1]]
         while side != start:
             face.append(side[1])
@@ -142,9 +144,8 @@ def check_face_sides(points: NDArray[np.float64], faces: Sequence[Sequence[int]]
     Raises:
         InputError: sides of a face cross.
     """
-    for number, face in enumerate(faces):
-        if len(face) < 4:  # a triangle cannot
-            continue
+    for number in _not_convex(points, faces):
+        face = faces[number]
         corners = points[list(face)] - points[list(face)].mean(axis=0)
         across = corners @ np.linalg.svd(corners)[2][:2].T  # in the plane that fits best
         size = float(np.ptp(across, axis=0).max())
@@ -156,6 +157,24 @@ def check_face_sides(points: NDArray[np.float64], faces: Sequence[Sequence[int]]
                 f"faces_vertices[{number}]: need a face that does not cross itself, got its sides {a} to {b} and {c} to"
                 f" {d} crossing; name its vertices in their order around it"
             )
+
+
+def _not_convex(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> list[int]:
+    """List the faces that may cross themselves: those that do not turn to one side only, and once around."""
+    sizes = np.array([len(face) for face in faces])
+    found: list[int] = []
+    for size in np.unique(sizes[sizes > 3]).tolist():
+        numbers = np.flatnonzero(sizes == size)
+        corners = points[np.array([faces[number] for number in numbers.tolist()])]
+        corners = corners - corners.mean(axis=1, keepdims=True)
+        across = corners @ np.linalg.svd(corners, full_matrices=False)[2][:, :2].swapaxes(1, 2)
+        side = np.roll(across, -1, axis=1) - across
+        after = np.roll(side, -1, axis=1)
+        cross = side[..., 0] * after[..., 1] - side[..., 1] * after[..., 0]
+        turns = np.arctan2(cross, (side * after).sum(axis=2))
+        convex = (np.abs(np.sign(cross).sum(axis=1)) == size) & (np.abs(turns.sum(axis=1)) < 3 * math.pi)
+        found += numbers[~convex].tolist()
+    return sorted(found)
 
 
 def check_faces_apart(points: NDArray[np.float64], edges: NDArray[np.int64], faces: Sequence[Sequence[int]]) -> None:

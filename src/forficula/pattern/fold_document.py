@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from forficula.errors import InputError
+from forficula.files import read_bytes
 from forficula.names import one_of
 from forficula.quantities import as_written
 
@@ -21,9 +22,7 @@ def fold_document(file: Path) -> FoldFrame:
         InputError: it cannot be read, or is no FOLD file of version 1.
     """
     try:
-        document = json.loads(file.read_text(encoding="utf-8-sig"), parse_constant=_refuse_constant)
-    except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+        document = json.loads(read_bytes(file).decode("utf-8-sig"), parse_constant=_refuse_constant)
     except InputError:
         raise
     except json.JSONDecodeError as error:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import shown_path
 from forficula.names import listed, one_line
 from forficula.pattern.crease_pattern import CreasePattern, check_edges, face_area, face_sides
 from forficula.pattern.face_orientation import turned_alike
@@ -24,12 +25,12 @@ from forficula.pattern.flat_faces import (
 )
 from forficula.pattern.fold_document import FoldFrame, all_frames, chosen_frame, fold_document, frame_classes
 from forficula.pattern.fold_frame import (
+    coords_in_metres,
     coords_of,
     edges_of,
     fold_angles_of,
     letters_by_angle,
     letters_of,
-    metres_of,
     target_angles,
     values_of,
     vertex_lists,
@@ -93,7 +94,7 @@ def fold_pattern(
     try:
         sheet = _sheet(all_frames(fold_document(Path(path))), unit, frame)
     except InputError as error:
-        raise InputError(f"{Path(path)}: {error}") from error
+        raise InputError(f"{shown_path(Path(path))}: {error}") from error
     return sheet.pattern, sheet.remarks
 
 
@@ -130,13 +131,13 @@ def read_folded_frames(
             except InputError as error:
                 raise InputError(f"file_frames[{number - 1}]: {error}") from error
     except InputError as error:
-        raise InputError(f"{Path(path)}: {error}") from error
+        raise InputError(f"{shown_path(Path(path))}: {error}") from error
     return states
 
 
 def _folded_state(frame: FoldFrame, unit: float | None, sheet: _Sheet) -> Frame:
     """Title, positions and fold angles of a frame."""
-    coords = coords_of(frame) * metres_of(frame, unit)
+    coords = coords_in_metres(frame, unit)
     edge_count = len(edges_of(frame, len(coords))) if "edges_vertices" in frame or "faces_vertices" in frame else 0
     fold_angles, _ = fold_angles_of(frame, edge_count)
     if (len(coords), edge_count) == sheet.counts:
@@ -163,7 +164,7 @@ def _sheet(frames: Sequence[FoldFrame], unit: float | None, chosen: int | str | 
 def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _Sheet:
     """Turn the keys of a frame into a pattern."""
     frame = frames[number]
-    coords = coords_of(frame) * metres_of(frame, unit)
+    coords = coords_in_metres(frame, unit)
     edges = check_edges(edges_of(frame, len(coords)), coords)
     letters = letters_of(frame, len(edges))
     given_angles, remarks = fold_angles_of(frame, len(edges), letters)

@@ -17,6 +17,7 @@ from forficula.quantities import as_written, show_value
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": 0.0254, "pt": 0.0254 / 72}
 _FOLDED_FLAT = 180 * (1 + 1e-9)  # deg; more is only rounding
 _LARGEST = 1e100  # squares of lengths must be numbers
+_SMALLEST_SHEET, _LARGEST_SHEET = 1e-12, 1e12  # m
 _TARGETS = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
 
@@ -52,6 +53,27 @@ def metres_of(frame: FoldFrame, unit: float | None) -> float:
         return known
     assert unit is not None  # one of the two is there
     return unit
+
+
+def coords_in_metres(frame: FoldFrame, unit: float | None) -> NDArray[np.float64]:
+    """Take the positions, m, shape (N, 3), z = 0 where there are two coordinates.
+
+    Args:
+        frame: of the file.
+        unit: that is given beside the file, m; None where there is none.
+
+    Raises:
+        InputError: what `coords_of` and `metres_of` raise, or a sheet larger than worlds or smaller than atoms.
+    """
+    coords, metres = coords_of(frame), metres_of(frame, unit)
+    extent = float(np.ptp(coords, axis=0).max())
+    # edges without a length are refused as such
+    if extent and not _SMALLEST_SHEET <= extent * metres <= _LARGEST_SHEET:
+        raise InputError(
+            f"vertices_coords: need a sheet of a size from {_SMALLEST_SHEET:g} m to {_LARGEST_SHEET:g} m, got"
+            f" {extent:g} units of {metres:g} m each; is the unit right?"
+        )
+    return coords * metres
 
 
 def coords_of(frame: FoldFrame) -> NDArray[np.float64]:

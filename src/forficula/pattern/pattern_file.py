@@ -7,6 +7,7 @@ from pathlib import Path
 
 from forficula.allowed_files import check_may_read
 from forficula.errors import InputError
+from forficula.files import shown_path
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.drawing_file import read_drawing
 from forficula.pattern.fold_file import fold_pattern
@@ -41,11 +42,15 @@ def read_pattern(
     ending = file.suffix.lower()
     if ending not in PATTERN_FILES:
         known = ", ".join(f"{each} ({what})" for each, what in PATTERN_FILES.items())
-        raise InputError(f"{file}: need a file that ends with one of {known}, got {as_written(file.suffix)}")
+        raise InputError(
+            f"{shown_path(file)}: need a file that ends with one of {known}, got {as_written(file.suffix)}"
+        )
     if ending == ".fold":
         if tolerance is not None:
-            raise InputError(f"{file}: tolerance: need none for a FOLD file, whose edges name their vertices")
+            raise InputError(
+                f"{shown_path(file)}: tolerance: need none for a FOLD file, whose edges name their vertices"
+            )
         return fold_pattern(file, unit, frame)
     if frame is not None:
-        raise InputError(f"{file}: frame: need none for a drawing, got {as_written(frame)}")
+        raise InputError(f"{shown_path(file)}: frame: need none for a drawing, got {as_written(frame)}")
     return read_drawing(file, unit, tolerance)

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
+
 _CHUNK = 2_000_000  # pairs of boxes that are compared at a time
+_FEW = 10_000  # pairs of boxes that are compared without a grid
+_MOST_CELLS = 8  # a box reaches into, on average
 
 
 def crossings(
@@ -79,15 +86,62 @@ def boxes_that_meet(
     Returns:
         Number in the first and in the second list, shape (K, 2), in increasing order.
     """
-    rows = max(1, _CHUNK // max(1, len(other_low)))
+    if len(low) * len(other_low) <= _FEW:
+        meet = (low[:, np.newaxis] <= other_high) & (other_low <= high[:, np.newaxis])
+        return np.argwhere(meet.all(axis=2))
+    # boxes that meet share a cell of a grid: only those are compared, n log n where they lie side by side
+    (cells, boxes), (other_cells, others) = _cells_of_boxes([(low, high), (other_low, other_high)])
+    first, last = (np.searchsorted(other_cells, cells, side) for side in ("left", "right"))
+    ends = np.cumsum(last - first)
     found = []
-    for first in range(0, len(low), rows):
-        part_low, part_high = low[first : first + rows, np.newaxis], high[first : first + rows, np.newaxis]
-        meet = np.ones((len(part_low), len(other_low)), dtype=bool)
-        for axis in (0, 1):
-            meet &= (part_low[..., axis] <= other_high[:, axis]) & (other_low[:, axis] <= part_high[..., axis])
-        found.append(np.argwhere(meet) + np.array([first, 0]))
-    return np.concatenate(found) if found else np.empty((0, 2), dtype=np.int64)
+    start = 0
+    while start < len(cells):
+        # in parts, which a computer's memory holds whatever the boxes
+        stop = max(start + 1, int(np.searchsorted(ends, _CHUNK + (ends[start - 1] if start else 0), "right")))
+        counts = (last - first)[start:stop]
+        box = np.repeat(boxes[start:stop], counts)
+        steps = np.arange(len(box)) - np.repeat(np.cumsum(counts) - counts, counts)
+        other = others[np.repeat(first[start:stop], counts) + steps]
+        meet = ((low[box] <= other_high[other]) & (other_low[other] <= high[box])).all(axis=1)
+        found.append(box[meet] * len(other_low) + other[meet])
+        start = stop
+    # two boxes may share several cells
+    return np.column_stack(np.divmod(np.unique(np.concatenate(found)), len(other_low)))
+
+
+def _cells_of_boxes(lists: Sequence[tuple[Array, Array]]) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
+    """Find the cells of a grid that boxes reach into.
+
+    Args:
+        lists: lower and upper corners of boxes, m, each of shape (A, 2).
+
+    Returns:
+        For each list the cells in increasing order, shape (C,), and the boxes that reach into them, shape (C,).
+    """
+    corners = np.concatenate([corner for corner_pair in lists for corner in corner_pair])
+    origin, size = corners.min(axis=0), np.ptp(corners, axis=0)
+    divisions = max(1, math.isqrt(max(len(low) for low, _ in lists)))
+    while True:
+        # a function that never falls: boxes that touch share a cell, whatever is rounded
+        scale = np.divide(divisions, size, out=np.zeros(2), where=size > 0)
+        ranges = [
+            [np.clip(((corner - origin) * scale).astype(np.int64), 0, divisions - 1) for corner in pair]
+            for pair in lists
+        ]
+        spans = [high - low + 1 for low, high in ranges]
+        reached = sum(int(span.prod(axis=1).sum()) for span in spans)
+        if divisions == 1 or reached <= _MOST_CELLS * sum(map(len, spans)):
+            break
+        divisions //= 2
+    found = []
+    for (low, _), span in zip(ranges, spans, strict=True):
+        counts = span.prod(axis=1)
+        box = np.repeat(np.arange(len(low)), counts)
+        across, upwards = np.divmod(np.arange(len(box)) - np.repeat(np.cumsum(counts) - counts, counts), span[box, 1])
+        cells = (low[box, 0] + across) * divisions + low[box, 1] + upwards
+        order = np.argsort(cells, kind="stable")
+        found.append((cells[order], box[order]))
+    return found
 
 
 def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -15,13 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import read_bytes
 from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.pattern.svg_style import PIXEL, Rules, Style, colour_of, length_of, number_of, rules_of, style_of
+from forficula.pattern.svg_transform import NUMBER, check_rules, matrix_of, numbers_of
 from forficula.quantities import as_written
 
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_ALIGNED = re.compile(r"none|x(?:Min|Mid|Max)Y(?:Min|Mid|Max)")
 _SHAPES = {"line", "polyline", "polygon", "rect", "path", "circle", "ellipse", "use", "svg"}
 _PATH_NUMBERS = {"m": 2, "l": 2, "h": 1, "v": 1, "z": 0}
 _LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -49,9 +51,9 @@ def read_svg(file: Path) -> Drawing:
         InputError: the file cannot be read, is no SVG, or has curves or copies among its creases.
     """
     try:
-        root = ElementTree.fromstring(file.read_bytes())
-    except OSError as error:
-        raise InputError(f"need a file that can be read, got {error.strerror}") from error
+        root = ElementTree.fromstring(read_bytes(file))
+    except InputError:
+        raise
     except (ElementTree.ParseError, LookupError, ValueError) as error:
         raise InputError(f"need XML, as SVG files are: {error}") from error
     if _tag(root) != "svg":
@@ -65,8 +67,11 @@ def read_svg(file: Path) -> Drawing:
 def _drawing(root: ElementTree.Element) -> Drawing:
     """The drawing that an SVG file's root is."""
     rules, seen, left_out = rules_of(root), Counter[str](), Counter[str]()
+    check_rules(rules)
+    unit, assumed, stretch = _scale(root)
     lines: list[DrawnLine] = []
-    for shape, place in _shapes(root, _Place(style={}, to_page=np.eye(3), letter=None), rules):
+    page = _Place(style={}, to_page=np.eye(3), letter=None)
+    for shape, place in _shapes(root, page, rules, np.diag([1.0, stretch, 1.0])):
         seen[_tag(shape)] += 1
         own = f" (id {as_written(shape.get('id'))})" if shape.get("id") else ""
         try:
@@ -74,7 +79,6 @@ def _drawing(root: ElementTree.Element) -> Drawing:
         except InputError as error:
             raise InputError(f"{_tag(shape)} {seen[_tag(shape)]}{own}: {error}") from None
     remarks = check_some(lines, left_out)
-    unit, assumed = _unit(root)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
     return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
 
@@ -83,27 +87,50 @@ def _tag(element: ElementTree.Element) -> str:
     return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
 
 
-def _unit(root: ElementTree.Element) -> tuple[float | None, float | None]:
-    """Length of the drawing's unit, m, as the file says it, and as it may be assumed where it speaks of pixels."""
-    box = [float(number) for number in re.findall(_NUMBER, root.get("viewBox", ""))]
-    if len(box) != 4:
-        return None, PIXEL
+def _scale(root: ElementTree.Element) -> tuple[float | None, float | None, float]:
+    """How large a drawing is: SVG 2, section 8.2, without where on the page it lies.
+
+    Returns:
+        Length of the drawing's unit along x, m, as the file says it, and as it may be assumed where it speaks of
+        pixels; and by how much that along y is larger.
+    """
+    if not root.get("viewBox", "").strip():
+        return None, PIXEL, 1.0
+    box = numbers_of("viewBox", root.get("viewBox", ""))
+    if len(box) != 4 or min(box[2:]) <= 0:
+        raise InputError(f"viewBox: need four numbers, the last two > 0, got {as_written(root.get('viewBox'))}")
     sides = [(length_of(root.get(key)), in_box) for key, in_box in zip(("width", "height"), box[2:], strict=True)]
     known = [(*side, in_box) for side, in_box in sides if side is not None and side[0] > 0 and in_box > 0]
     if not known:
-        return None, None
-    # both ways alike, as large as the page allows
-    scale = min(number * (PIXEL if metres is None else metres) / in_box for number, metres, in_box in known)
-    return (None if any(metres is None for _, metres, _ in known) else scale), scale
+        return None, None, 1.0
+    scales = [number * (PIXEL if metres is None else metres) / in_box for number, metres, in_box in known]
+    fit = root.get("preserveAspectRatio", "xMidYMid").split()
+    fit = fit[1:] if fit[:1] == ["defer"] else fit
+    if not fit or not _ALIGNED.fullmatch(fit[0]) or fit[1:] not in ([], ["meet"], ["slice"]):
+        raise InputError(
+            "preserveAspectRatio: need none, or an alignment such as xMidYMid with meet or slice,"
+            f" got {as_written(root.get('preserveAspectRatio'))}"
+        )
+    # both directions alike, as large as the page allows or as large as covers it; or each as large as the page
+    stretched = fit[0] == "none" and len(scales) == 2
+    scale = scales[0] if stretched else max(scales) if fit[1:] == ["slice"] and fit[0] != "none" else min(scales)
+    says_length = all(metres is not None for _, metres, _ in known)
+    return scale if says_length else None, scale, scales[1] / scales[0] if stretched else 1.0
 
 
-def _shapes(group: ElementTree.Element, above: _Place, rules: Rules) -> Iterator[tuple[ElementTree.Element, _Place]]:
-    """The shapes of a group, and of the groups in it, with what the groups say of them."""
+def _shapes(
+    group: ElementTree.Element, above: _Place, rules: Rules, stretch: NDArray[np.float64] | None = None
+) -> Iterator[tuple[ElementTree.Element, _Place]]:
+    """The shapes of a group, and of the groups in it, with what the groups say of them.
+
+    The drawing itself is a group that a stretch may turn into its page, before its own transform.
+    """
     style = style_of(group, above.style, rules)
     if style.get("display") == "none":
         return
     try:
-        to_page = above.to_page @ _matrix(group.get("transform", ""))
+        to_page = above.to_page @ matrix_of(group, style)
+        to_page = to_page if stretch is None else to_page @ stretch
     except InputError as error:
         raise InputError(f"{_tag(group)} {as_written(group.get('id', ''))}: {error}") from None
     # an id of one letter may be the work of a program that makes files short
@@ -139,8 +166,10 @@ def _drawn_lines(
     opacity = number_of(style["opacity"]) * number_of(style.get("stroke-opacity")) * (colour[3] if colour else 1.0)
     fold_angle = _fold_angle(shape, letter, opacity)
     lines = np.array(list(_lines_of(shape)), dtype=np.float64).reshape(-1, 2)
-    matrix = place.to_page @ _matrix(shape.get("transform", ""))
+    matrix = place.to_page @ matrix_of(shape, style)
     points = (lines @ matrix[:2, :2].T + matrix[:2, 2]) * (1.0, -1.0)
+    if not np.isfinite(points).all():
+        raise InputError(f"transform: need coordinates that are finite numbers, got {as_written(points[0].tolist())}")
     ends = [(x, y) for x, y in points.tolist()]
     return [DrawnLine(start, end, letter, fold_angle, name) for start, end in zip(ends[::2], ends[1::2], strict=True)]
 
@@ -153,45 +182,9 @@ def _fold_angle(shape: ElementTree.Element, letter: str, opacity: float) -> floa
     data = next((text for key, text in shape.attrib.items() if key.lower() == "data-foldangle"), None)
     if data is None:
         return sense * math.pi * opacity
-    if re.fullmatch(_NUMBER, data.strip()) is None or not 0 <= sense * float(data) <= 180:
+    if re.fullmatch(NUMBER, data.strip()) is None or not 0 <= sense * float(data) <= 180:
         raise InputError(f"data-foldAngle: need {sense:g} times 0 to 180 deg, got {as_written(data)}")
     return math.radians(float(data))
-
-
-def _matrix(text: str) -> NDArray[np.float64]:
-    """The matrix of a transform attribute, shape (3, 3)."""
-    matrix = np.eye(3)
-    rest = re.sub(r"(\w+)\s*\(([^()]*)\)[\s,]*", "", text).strip()
-    for kind, arguments in re.findall(r"(\w+)\s*\(([^()]*)\)", text):
-        values = [float(number) for number in re.findall(_NUMBER, arguments)]
-        step = _step(kind, values)
-        if step is None:
-            rest = f"{kind}({arguments})"
-            break
-        matrix = matrix @ step
-    if rest and rest != "none":
-        raise InputError(f"transform: need translate, scale, rotate, skewX, skewY or matrix, got {rest}")
-    return matrix
-
-
-def _step(kind: str, values: list[float]) -> NDArray[np.float64] | None:
-    """One step of a transform (SVG 2, section 8.5); None where it is none."""
-    match kind, values:
-        case "matrix", [a, b, c, d, e, f]:
-            return np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
-        case "translate", [x, *rest] if len(rest) < 2:
-            return np.array([[1.0, 0.0, x], [0.0, 1.0, rest[0] if rest else 0.0], [0.0, 0.0, 1.0]])
-        case "scale", [x, *rest] if len(rest) < 2:
-            return np.diag([x, rest[0] if rest else x, 1.0])
-        case "rotate", [angle, *centre] if len(centre) in (0, 2):
-            c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-            x, y = centre or (0.0, 0.0)
-            return np.array([[c, -s, x - c * x + s * y], [s, c, y - s * x - c * y], [0.0, 0.0, 1.0]])
-        case "skewX", [angle]:
-            return np.array([[1.0, math.tan(math.radians(angle)), 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
-        case "skewY", [angle]:
-            return np.array([[1.0, 0.0, 0.0], [math.tan(math.radians(angle)), 1.0, 0.0], [0.0, 0.0, 1.0]])
-    return None
 
 
 def _lines_of(shape: ElementTree.Element) -> Iterator[Line]:
@@ -207,8 +200,10 @@ def _lines_of(shape: ElementTree.Element) -> Iterator[Line]:
             corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
             yield from zip(corners, [*corners[1:], corners[0]], strict=True)
         case "polyline" | "polygon":
-            numbers = [float(number) for number in re.findall(_NUMBER, shape.get("points", ""))]
-            points = list(zip(numbers[::2], numbers[1::2], strict=False))
+            numbers = numbers_of("points", shape.get("points", ""))
+            if len(numbers) % 2:
+                raise InputError(f"points: need two numbers for every point, got {len(numbers)} numbers")
+            points = list(zip(numbers[::2], numbers[1::2], strict=True))
             yield from itertools.pairwise(points)
             if _tag(shape) == "polygon" and len(points) > 2:
                 yield points[-1], points[0]
@@ -231,13 +226,15 @@ def _coordinate(shape: ElementTree.Element, key: str) -> float:
 def _lines_of_path(data: str) -> Iterator[Line]:
     """The straight lines of a path (SVG 2, section 9.3)."""
     here = first = (0.0, 0.0)
+    if data.strip() and data.strip()[0] not in "Mm":
+        raise InputError(f"d: need a path that begins with M, got {as_written(data)}")
     for command, text in re.findall(r"([A-DF-Za-df-z])([^A-DF-Za-df-z]*)", data):
         kind = command.lower()
         if kind not in _PATH_NUMBERS:
             raise InputError(
                 f'd: need straight lines (M, L, H, V, Z), got a curve ("{command}"); draw it as short straight lines'
             )
-        numbers, count = [float(number) for number in re.findall(_NUMBER, text)], _PATH_NUMBERS[kind]
+        numbers, count = numbers_of("d", text), _PATH_NUMBERS[kind]
         if (len(numbers) % count if count else len(numbers)) or (count and not numbers):
             raise InputError(f'd: need {count} numbers a point after "{command}", got {len(numbers)}')
         if kind == "z":

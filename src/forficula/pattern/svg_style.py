@@ -39,6 +39,7 @@ _NAMED = {
     "crimson": "#dc143c",
     "gold": "#ffd700",
 }
+_SIMPLE = re.compile(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)")
 _INHERITED = ("stroke", "stroke-opacity", "visibility")
 _OWN = ("opacity", "display")
 # m; CSS: 96 px are an inch of paper
@@ -77,9 +78,14 @@ def style_of(element: ElementTree.Element, above: Style, rules: Rules) -> Style:
     return style
 
 
+def is_simple(selector: str) -> bool:
+    """Whether a selector names elements by tag, classes and id alone, not by what is around them."""
+    return bool(selector) and _SIMPLE.fullmatch(selector) is not None
+
+
 def _selects(selector: str, element: ElementTree.Element) -> bool:
     """Whether a selector without combinators selects an element."""
-    match = re.fullmatch(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)", selector)
+    match = _SIMPLE.fullmatch(selector)
     if match is None or not selector:
         return False
     tag, rest = match.groups()

@@ -164,6 +164,7 @@ def _springs(design: SheetDesign, nodes: SheetNodes) -> tuple[Spring, ...]:
 def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
     """The creases in the order of their edges, then the bends along flat edges."""
     triangles, creases = nodes.triangles, creases_by_edge(design)
+    sheet = design.sheet  # found by all values of the design's pattern: once, not for every crease
     coords = triangles.vertices_coords
     hinges: list[Hinge] = []
     bends: list[Hinge] = []
@@ -191,7 +192,7 @@ def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
         folded = crease_sense(triangles, edge) * angle
         if folded < _FOLDED_FLAT - np.pi:
             folded += 2 * np.pi
-        hinge = sheet_hinge(design, creases[whole], design.sheet, whole, length=length, folded=folded)
+        hinge = sheet_hinge(design, creases[whole], sheet, whole, length=length, folded=folded)
         if edge != whole:
             hinge = replace(hinge, name=f"crease{edge}", label=f"crease {whole}, part {edge}")
         hinges.append(replace(hinge, flaps=points))

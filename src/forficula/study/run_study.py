@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.quantities import as_written, is_whole
+from forficula.names import check_whole
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row, open_journal, read_rows
 from forficula.study.run_count import RunCount
@@ -65,8 +65,7 @@ def run_study(
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
     for name, value, least in (("threads", threads, 0), ("batch", batch, 1)):
-        if not is_whole(value, least):
-            raise InputError(f"{name}: need a whole number >= {least}, got {as_written(value)}")
+        check_whole(name, value, least)
     folder = Path(out)
     rows = read_rows(folder, study.base)
     mine = range(shard[0] - 1, len(study.points), shard[1])

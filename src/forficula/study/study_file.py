@@ -8,9 +8,10 @@ from typing import Any
 
 from forficula.design import Design, check_keys_once, key_quantity, key_value, value_from_folder
 from forficula.design.key_table import names_within
+from forficula.design.provenance import check_paper
 from forficula.errors import InputError
-from forficula.names import folder_name, one_of
-from forficula.quantities import as_written, is_whole
+from forficula.names import check_whole, folder_name, one_of
+from forficula.quantities import as_written
 from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
 from forficula.study.factors import MOST_VALUES, Factor, drawn_values, grid_points, read_factor
@@ -96,6 +97,11 @@ def _check_tables(tables: Mapping[str, Any]) -> None:
     reproduces = tables.get("reproduces")
     if not isinstance(reproduces, str | None):
         raise InputError(f"reproduces: need the name of a paper, in quotes, got {as_written(reproduces)}")
+    try:
+        if reproduces is not None:
+            check_paper(reproduces)
+    except InputError as error:
+        raise InputError(f"reproduces: {error}") from None
 
 
 def _vary(tables: Mapping[str, Any], factors: Sequence[Factor], drawn: Sequence[Factor]) -> str:
@@ -184,13 +190,6 @@ def _drawn(factors: tuple[Factor, ...], sampling: Mapping[str, Any]) -> list[dic
     method = sampling.get("method", "sobol")
     if method not in ("random", "sobol"):
         raise InputError(f'sampling.method: need "random" or "sobol", got {method!r}')
-    count, seed = _whole("count", sampling.get("count"), 1), _whole("seed", sampling.get("seed", 0), 0)
-    if count > MOST_VALUES:
-        raise InputError(f"sampling.count: need at most {MOST_VALUES}, got {as_written(count)}")
+    count = check_whole("sampling.count", sampling.get("count"), 1, MOST_VALUES)
+    seed = check_whole("sampling.seed", sampling.get("seed", 0), 0)
     return drawn_values(factors, method, count, seed)
-
-
-def _whole(key: str, value: object, least: int) -> int:
-    if not is_whole(value, least):
-        raise InputError(f"sampling.{key}: need a whole number >= {least}, got {value!r}")
-    return value

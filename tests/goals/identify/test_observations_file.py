@@ -67,11 +67,11 @@ def test_longer_draws_begin_with_the_shorter_ones():
 @pytest.mark.parametrize(
     ("given", "error"),
     [
-        ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: need at least one table \[\[fact\]\], got None"),
+        ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: need at least one table \[\[fact\]\], none is given"),
         ({**tables(**TIME), "unknown": {}}, "unknown: need a table with at least one"),
         ({**tables(**TIME), "facts": []}, r"facts: unknown key, got \[\]; did you mean fact\?"),
         ({**tables(**TIME), "sampling": {"samples": 0}}, "sampling.samples: need a whole number >= 1 .* got 0"),
-        (tables(quantity="folded"), "fact 0: name: need a short text, got None"),
+        (tables(quantity="folded"), "fact 0: name: need a short text, none is given"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
         (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),
         (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),

@@ -41,6 +41,17 @@ def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
         assert colours(pixels(figure)) > 10  # not blank
 
 
+def test_of_very_many_moments_of_a_run_some_are_drawn_from_the_first_to_the_last(runs, monkeypatch):
+    record = runs["reference"]
+    titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes if axes.get_title()]
+    monkeypatch.setattr("forficula.show.run.folding_figure._MOST_PICTURES", 3)
+    figure = draw_folding(record, measure(record))
+    shown = [axes.get_title() for axes in figure.axes if axes.get_title() and "enlarged" not in axes.get_title()]
+    drawn = [title for title in titles if "enlarged" not in title]
+    assert (shown[0], len(shown), shown[-1]) == (drawn[0], 3, drawn[-1])
+    assert f"at 3 of {len(drawn)} moments of a run" in description(figure)
+
+
 def test_a_sheet_that_blows_up_is_drawn_as_far_as_it_is_one():
     stage = STAGE | {"name": "settle", "time_limit": "20 ms", "state": "settled"}
     torn = {"crease.stiffness": "0 N m/rad/m", "crease.rest_angle": "flat"}

@@ -14,7 +14,7 @@ from forficula.errors import InputError
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 from forficula.goals.identify.row_quantity import RowQuantity, is_state, read_combination, row_quantities
-from forficula.names import one_of, shown_name
+from forficula.names import as_given, one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.structure import structure_of
 from forficula.study.factors import Factor, grid_points, range_values, read_factor
@@ -41,7 +41,7 @@ def read_fact(given: object, base: Design, folder: Path) -> Fact:
     check_keys(given, names_within("fact", OBSERVATION_KEYS), "")
     name = given.get("name")
     if not isinstance(name, str):
-        raise InputError(f"name: need a short text, got {as_written(name)}")
+        raise InputError(f"name: need a short text, {as_given(name)}")
     term = _term(given, base, folder)
     orders = [key for key in _ORDERS if key in given]
     places = _places(given, term)

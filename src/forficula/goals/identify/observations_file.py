@@ -14,8 +14,8 @@ from forficula.goals.identify.fact import Fact
 from forficula.goals.identify.fact_file import read_fact
 from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 from forficula.goals.identify.observations import Observations
-from forficula.names import folder_name
-from forficula.quantities import as_written, is_whole
+from forficula.names import as_given, check_whole, folder_name
+from forficula.quantities import as_written
 from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor
 from forficula.study.file_keys import check_keys
 from forficula.study.named_file import base_design, load_named, named_files
@@ -103,7 +103,7 @@ def _check_allowed(prior: Factor, quantity: Quantity) -> None:
 
 def _facts(given: object, base: Design, folder: Path, priors: Sequence[Factor]) -> tuple[Fact, ...]:
     if not isinstance(given, list) or not given:
-        raise InputError(f"fact: need at least one table [[fact]], got {as_written(given)}")
+        raise InputError(f"fact: need at least one table [[fact]], {as_given(given)}")
     facts: list[Fact] = []
     for number, table in enumerate(given):
         name = table.get("name", number) if isinstance(table, dict) else number
@@ -130,9 +130,4 @@ def _check_known(fact: Fact, base: Design, priors: Sequence[Factor]) -> None:
 
 
 def _whole(sampling: Mapping[str, Any], key: str, default: int, least: int) -> int:
-    value = sampling.get(key, default)
-    if not is_whole(value, least, MOST_VALUES):
-        raise InputError(
-            f"sampling.{key}: need a whole number >= {least} and <= {MOST_VALUES}, got {as_written(value)}"
-        )
-    return value
+    return check_whole(f"sampling.{key}", sampling.get(key, default), least, MOST_VALUES)

@@ -23,7 +23,8 @@ from forficula.goals.tolerance.samples import Samples, assess_samples, built_des
 from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.screening import Screening, screening
 from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, VerdictMap
-from forficula.quantities import as_written, is_whole
+from forficula.names import check_whole
+from forficula.quantities import as_written
 from forficula.study.evaluate import evaluate
 from forficula.study.journal import Row
 from forficula.study.run_study import Evaluate, Progress
@@ -111,8 +112,7 @@ def estimate_tolerance(
 def _check(minutes: object, seed: object) -> None:
     if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:
         raise InputError(f"minutes: need a number > 0, got {as_written(minutes)}")
-    if not is_whole(seed, 0):
-        raise InputError(f"seed: need a whole number >= 0, got {as_written(seed)}")
+    check_whole("seed", seed, 0)
 
 
 @dataclass(kw_only=True)

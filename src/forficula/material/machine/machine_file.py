@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
+from forficula.files import read_bytes, shown_path
 from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, Kind
 from forficula.material.machine.recording import Column, Recording, at_line
@@ -18,7 +19,7 @@ from forficula.material.machine.zs2_file import parse_zs2
 from forficula.material.tensile.tensile_test import TensileTest, falling
 from forficula.quantities import as_written
 
-_LARGEST, _PIECE = 2**29, 2**20  # bytes of a file: a hundred hours of ten columns
+_LARGEST = 2**29  # bytes of a file: a hundred hours of ten columns
 
 
 def read_tensile_test(
@@ -47,7 +48,7 @@ def read_tensile_test(
     tests = read_tensile_tests([path], length=length, area=area)
     if len(tests) != 1:
         names = ", ".join(test.name for test in tests)
-        raise InputError(f"{Path(path)}: need one specimen, got {len(tests)}: {names}")
+        raise InputError(f"{shown_path(Path(path))}: need one specimen, got {len(tests)}: {names}")
     return tests[0]
 
 
@@ -71,29 +72,16 @@ def read_tensile_tests(
         try:
             tests += [_tensile_test(recording, length, area) for recording in _recordings(path)]
         except InputError as error:
-            raise InputError(f"{path}: {error}") from error
+            raise InputError(f"{shown_path(path)}: {error}") from error
     return tuple(tests)
 
 
 def _recordings(path: Path) -> tuple[Recording, ...]:
     """What a file holds, one entry a specimen."""
-    content = bytearray()
-    try:
-        with path.open("rb") as file:
-            # piece by piece: a device or a pipe may never end
-            while len(content) <= _LARGEST and (piece := file.read(_PIECE)):
-                content += piece
-    except FileNotFoundError as error:
-        raise InputError("no such file") from error
-    except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}") from error
-    except ValueError as error:  # a null byte in its name
-        raise InputError(f"cannot be read: {error}") from error
-    if len(content) > _LARGEST:
-        raise InputError(f"need a file of at most {_LARGEST // 2**20} MiB, got a larger one")
+    content = read_bytes(path, _LARGEST)
     if path.suffix.lower() == ".zs2":
-        return parse_zs2(bytes(content), path.stem)
-    return parse_recordings(bytes(content), path.stem)
+        return parse_zs2(content, path.stem)
+    return parse_recordings(content, path.stem)
 
 
 def _tensile_test(recording: Recording, length: float | None, area: float | None) -> TensileTest:

@@ -39,6 +39,7 @@ _LEGEND_ROW, _TITLE = 0.2, 0.42  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
 _TORN = 10.0  # spans
 _MOST_LINES = 200  # of creases and edges: more would hide what they lie on
+_MOST_PICTURES = 40
 _ENLARGED = 1.4  # times at least, or else a state is large enough as it is
 _MARGIN = 1.06  # of an enlarged picture
 _STILL = np.radians(1.0)  # hinges that turn less in a stage have no part in its progress
@@ -72,7 +73,10 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         width: of the figure, inch.
         strain: whether a membrane has the colours of its largest strains instead of those of its regions.
     """
-    moments, structure = _moments(record, outcome), record.structure
+    all_moments, structure = _moments(record, outcome), record.structure
+    # of hundreds of stages some: a picture takes a third of a second in every format
+    chosen = np.linspace(0, len(all_moments) - 1, min(_MOST_PICTURES, len(all_moments)))
+    moments = [all_moments[place] for place in chosen.round().astype(int).tolist()]
     shape, view = shape_of(structure), structure_view(structure)
     texts = _titles(moments)
     with figure_style():
@@ -121,7 +125,8 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         fit_legend(figure, handles, across, loc="outside lower center")
         seen = f" Largest strain of the membrane then: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
         told = "; ".join(texts[each].replace("\n", ", ") for each in moments)
-        what = f"The {structure.appearance.whole} {record.design.name} in space at {len(moments)} moments of a run"
+        count = f"{len(moments)}" if len(moments) == len(all_moments) else f"{len(moments)} of {len(all_moments)}"
+        what = f"The {structure.appearance.whole} {record.design.name} in space at {count} moments of a run"
         return describe(figure, f"{what}, each with the time since its stage began. {told}.{seen}")
 
 
