@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from cyclopts import Parameter, Token
 
 from forficula.errors import InputError
-from forficula.names import one_of
+from forficula.names import listed, one_of
 from forficula.quantities import as_written
 from forficula.terminal import remark
 
@@ -189,6 +189,21 @@ def read_shard(text: str) -> tuple[int, int]:
     if slash and _WHOLE.fullmatch(number) and _WHOLE.fullmatch(count) and 1 <= int(number) <= int(count):
         return int(number), int(count)
     raise InputError(f"--shard: need a number and a count such as 2/8, got {as_written(text)}")
+
+
+def check_apart(option: str, given: bool, others: Mapping[str, bool]) -> None:
+    """Refuse options beside one that leaves them without a meaning.
+
+    Args:
+        option: the one.
+        given: whether it is given.
+        others: the options that mean nothing beside it, and whether each of them is given.
+
+    Raises:
+        InputError: one of them is given with it, and which.
+    """
+    if given and (beside := [other for other, there in others.items() if there]):
+        raise InputError(f"{option}: cannot be used with {listed(beside)}; leave one of them out")
 
 
 def check_folder(folder: Path) -> None:
