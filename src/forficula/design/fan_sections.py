@@ -32,6 +32,8 @@ MOST_UNITS = 10_000
 class FanPatternSection(Part):
     """The sheet: where it folds."""
 
+    about: ClassVar[str] = "The sheet: where it folds"
+
     later: ClassVar[tuple[str, ...]] = ("ring_folds",)
 
     kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
@@ -84,6 +86,8 @@ class FanPatternSection(Part):
 class VeinSection(Part):
     """The bars."""
 
+    about: ClassVar[str] = "The bars"
+
     heading: ClassVar[str] = "Veins"
     later: ClassVar[tuple[str, ...]] = ("added_mass",)
 
@@ -99,6 +103,8 @@ Share = Annotated[float, Field(strict=True)]
 
 class MembraneSection(Part):
     """The sheet between the bars: stretch elasticity only."""
+
+    about: ClassVar[str] = "The sheet between the bars: stretch elasticity only"
 
     later: ClassVar[tuple[str, ...]] = ("density",)
     natural: ClassVar[tuple[str, ...]] = ("damping",)
@@ -131,6 +137,8 @@ class MembraneSection(Part):
 class HingeSection(Part):
     """Joints of the veins at the base and at the ring fold."""
 
+    about: ClassVar[str] = "Joints of the veins at the base and at the ring fold"
+
     heading: ClassVar[str] = "Hinges"
 
     overbend: float = quantity(
@@ -146,6 +154,8 @@ class HingeSection(Part):
 class CouplingSection(Part):
     """What ties neighbouring veins to each other at the base, so that they turn together."""
 
+    about: ClassVar[str] = "What ties neighbouring veins to each other at the base, so that they turn together"
+
     heading: ClassVar[str] = "Basal vein coupling"
 
     stiffness: float | Literal["rigid"] = quantity(
@@ -158,6 +168,8 @@ class CouplingSection(Part):
 
 class ContactSection(Part):
     """How panels and bars that touch keep apart, where protocol.contact is true."""
+
+    about: ClassVar[str] = "How panels and bars that touch keep apart, where protocol.contact is true"
 
     heading: ClassVar[str] = "Contact"
 
@@ -172,6 +184,8 @@ class ContactSection(Part):
 
 class GuardSection(Part):
     """The unstressed length limits between neighbouring tips."""
+
+    about: ClassVar[str] = "The unstressed length limits between neighbouring tips"
 
     heading: ClassVar[str] = "Guard tendons"
 

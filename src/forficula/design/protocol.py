@@ -23,6 +23,8 @@ _LONGEST_WAIT = 1e9 * 86400
 class Stage(Part):
     """A part of the protocol: what drives the structure, and when it ends."""
 
+    about: ClassVar[str] = "A part of the protocol: what drives the structure, and when it ends"
+
     natural: ClassVar[tuple[str, ...]] = ("wait",)
 
     name: Annotated[str, Field(min_length=1, description="what figures and tables call it")]
@@ -59,6 +61,8 @@ class Stage(Part):
 
 class Protocol(Part):
     """What is done to a structure, and what counts as done."""
+
+    about: ClassVar[str] = "What is done to a structure, and what counts as done"
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
 

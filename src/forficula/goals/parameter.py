@@ -134,7 +134,9 @@ def _between(key: str, given: Mapping[str, object], design: Design) -> Parameter
     scale = 1.0 if unit is None else parse_quantity(f"1 {unit.display}", unit)
     if hint := undivided(low / scale, high / scale, step / scale):
         shown = "" if unit is None else f" (in {unit.display})"
-        raise InputError(f"{key}.step: need one that divides high - low, {hint}{shown}, got {as_written(given['step'])}")
+        raise InputError(
+            f"{key}.step: need one that divides high - low, {hint}{shown}, got {as_written(given['step'])}"
+        )
     steps = [float(f"{(low + place * step) / scale:.12g}") for place in range(count)]
     texts: Sequence[object] = steps if unit is None else [f"{each:.12g} {unit.display}" for each in steps]
     stepped = Factor(key=key, model=type(design), values=tuple(texts))

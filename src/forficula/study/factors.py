@@ -166,8 +166,10 @@ def undivided(low: float, high: float, step: float) -> str:
     around = (math.floor(count), math.floor(count) + 1)
     ends = [f"{low + steps * step:.12g}" for steps in around if steps]
     # those that can be written in a few digits
-    widths = [f"{(high - low) / steps:.6g}" for steps in around if steps]
-    widths = [text for text in widths if float(text) and math.isclose(math.remainder((high - low) / float(text), 1), 0, abs_tol=1e-9)]
+    shares = [f"{(high - low) / steps:.6g}" for steps in around if steps]
+    widths = [
+        text for text in shares if float(text) and abs(math.remainder(high - low, float(text))) <= 1e-9 * float(text)
+    ]
     hint = f"such as an end of {' or '.join(ends)}"
     return f"{hint} or a step of {' or '.join(widths)}" if widths else hint
 
