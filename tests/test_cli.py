@@ -683,8 +683,14 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
             ["small.toml", "--slurm", "2", "--collect"],
             "--slurm: cannot be used with --collect; leave one of them out",
         ),
-        (["small.toml", "--slurm", "2", "--shard", "1/2"], "--slurm: cannot be used with --shard; leave one of them out"),
-        (["small.toml", "--collect", "--shard", "1/2"], "--collect: cannot be used with --shard; leave one of them out"),
+        (
+            ["small.toml", "--slurm", "2", "--shard", "1/2"],
+            "--slurm: cannot be used with --shard; leave one of them out",
+        ),
+        (
+            ["small.toml", "--collect", "--shard", "1/2"],
+            "--collect: cannot be used with --shard; leave one of them out",
+        ),
         (
             ["small.toml", "--dry-run", "--keep", "3", "--no-engine"],
             "--dry-run: cannot be used with --keep and --no-engine; leave one of them out",
@@ -746,7 +752,10 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
             ["--over", "tendon.rest_length=1..2 cm step 1", "--set", "tendon.rest_length=3 cm"],
             "--over: tendon.rest_length is under --set, too; need it in one of them",
         ),
-        (["--no-simulation", "--ok-if", "stuck"], "--no-simulation: cannot be used with --ok-if; leave one of them out"),
+        (
+            ["--no-simulation", "--ok-if", "stuck"],
+            "--no-simulation: cannot be used with --ok-if; leave one of them out",
+        ),
     ],
 )
 def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_path, capsys):

@@ -65,9 +65,7 @@ def test_a_warning_of_a_library_is_one_line_without_its_place(monkeypatch, capsy
     with warnings.catch_warnings():
         warnings.simplefilter("default")
         main(["designs"])
-    assert capsys.readouterr().err == (
-        "warning: Glyph 25240 missing from font(s) X.\n"
-    )
+    assert capsys.readouterr().err == ("warning: Glyph 25240 missing from font(s) X.\n")
 
 
 @pytest.mark.parametrize(

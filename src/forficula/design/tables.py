@@ -9,7 +9,7 @@ from typing import Any
 
 from forficula.errors import InputError
 from forficula.names import listed, unknown_key
-from forficula.quantities import as_written
+from forficula.quantities import as_written, plain_value
 
 
 class RejectedError(InputError):
@@ -159,7 +159,8 @@ def dotted_keys(tables: Mapping[str, object], prefix: str = "") -> list[str]:
 
 
 def _copied(value: object) -> object:
-    return {key: _copied(each) for key, each in value.items()} if isinstance(value, Mapping) else value
+    """A value of settings, numbers and arrays of numpy as those of a file."""
+    return {key: _copied(each) for key, each in value.items()} if isinstance(value, Mapping) else plain_value(value)
 
 
 def _first_leaf(tables: object) -> list[str]:

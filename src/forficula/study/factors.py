@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.design.provenance import WORDS
 from forficula.errors import InputError
-from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
@@ -96,6 +96,8 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
     Raises:
         InputError: an unknown key, one that no run depends on, or values that are not allowed.
     """
+    given = plain_value(given)
+    given = [plain_value(value) for value in given] if isinstance(given, list) else given
     quantity = key_quantity(key, model, given)
     if key in WORDS:
         raise InputError(f"{key}: need a key on which runs depend; this one is a word about the design")

@@ -293,7 +293,10 @@ def test_a_file_larger_than_any_test_is_refused_unread(tmp_path, monkeypatch):
         ({"length": 0.0, "area": AREA}, "length: need 0.001 mm to 1e+05 mm, got 0 mm; is its unit wrong?"),
         ({"length": 1e300, "area": AREA}, "length: need 0.001 mm to 1e+05 mm, got 1e+303 mm; is its unit wrong?"),
         ({"length": LENGTH, "area": -1.0}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got -1e+06 mm^2; is its unit wrong?"),
-        ({"length": LENGTH, "area": 1e-300}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got 1e-294 mm^2; is its unit wrong?"),
+        (
+            {"length": LENGTH, "area": 1e-300},
+            "area: need 1e-09 mm^2 to 1e+06 mm^2, got 1e-294 mm^2; is its unit wrong?",
+        ),
         ({"length": LENGTH, "area": 1e300}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got 1e+306 mm^2; is its unit wrong?"),
     ],
 )
