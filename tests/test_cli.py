@@ -562,13 +562,21 @@ def test_a_run_says_which_run_it_replaces(in_an_empty_folder, call):
 def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an_empty_folder, call, study_file):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     study_file(TENDONS)
-    for arguments, said in (
-        (("landscape", "binder2025-joint", "--no-simulation"), "a: replaces the landscape of binder2025-joint there\n"),
-        (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
-        (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
+    for out, arguments, said in (
+        (
+            "a",
+            ("landscape", "binder2025-joint", "--no-simulation"),
+            "a: replaces the landscape of binder2025-joint there\n",
+        ),
+        ("b", ("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "b: replaces the convergence study of wing ("),
+        (
+            "c",
+            ("study", "small.toml", "--keep", "0"),
+            "c: replaces the table, the maps and the page there; the rows stay\n",
+        ),
     ):
-        assert "replaces" not in call(*arguments, "--out", "a").err
-        assert said in call(*arguments, "--out", "a").err
+        assert "replaces" not in call(*arguments, "--out", out).err
+        assert said in call(*arguments, "--out", out).err
 
 
 def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(in_an_empty_folder, call):

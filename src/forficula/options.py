@@ -206,13 +206,18 @@ def check_apart(option: str, given: bool, others: Mapping[str, bool]) -> None:
         raise InputError(f"{option}: cannot be used with {listed(beside)}; leave one of them out")
 
 
-def check_folder(folder: Path) -> None:
-    """Refuse a folder that cannot be made, before a run that takes a while, and restore what a killed one left of it.
+def check_folder(folder: Path, own: str) -> None:
+    """Refuse a folder for results before a run that takes a while, and restore what a killed one left of it.
+
+    Args:
+        folder: where a command will write.
+        own: kind of its results, one of `RESULTS`.
 
     Raises:
-        InputError: it cannot be made.
+        InputError: it cannot be made or written, or holds results of another kind, of which some would be replaced.
     """
-    from forficula.files import clear_leftovers
+    from forficula.files import check_writable, clear_leftovers
+    from forficula.result_folders import check_own_kind
 
     try:
         there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
@@ -220,19 +225,21 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"--out: {folder}: {error.strerror}") from None
     if not there.is_dir():
         raise InputError(f"--out: need a folder, got the file {there}")
+    read_option("--out", lambda: check_writable(folder))
     clear_leftovers(folder)
+    read_option("--out", lambda: check_own_kind(folder, own))
 
 
-# by the file that tells of them: the results of one name, what names them in it, and their verdict
-_RESULTS = {
-    "run": ("summary.json", "design", "status"),
-    "landscape": ("landscape.json", "design", None),
-    "convergence study": ("convergence.json", "design", "verdict"),
-    "material": ("material.json", "material", None),
-    "bill of parts": ("bill.json", "design", None),
-    "optimisation": ("optimum.json", "goal", None),
-    "tolerance": ("tolerance.json", "design", None),
-    "identification": ("identified.json", "name", None),
+# what names the results of one name in the file that tells of them, and their verdict
+_NAMES = {
+    "run": ("design", "status"),
+    "landscape": ("design", None),
+    "convergence study": ("design", "verdict"),
+    "material": ("material", None),
+    "bill of parts": ("design", None),
+    "optimisation": ("goal", None),
+    "tolerance": ("design", None),
+    "identification": ("name", None),
 }
 
 
@@ -245,11 +252,11 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
             "identification".
         left: what stays, such as "; the rows stay".
     """
-    from forficula.quantities import as_written
+    from forficula.result_folders import RESULTS
 
-    file, name, verdict = _RESULTS[what]
+    name, verdict = _NAMES[what]
     try:
-        text = (folder / file).read_text("utf-8")
+        text = (folder / RESULTS[what]).read_text("utf-8")
     except (OSError, ValueError):
         return
     try:
@@ -259,32 +266,6 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
     except (ValueError, LookupError, TypeError, RecursionError):
         called, how = "an unknown name", ""
     remark(f"{folder}: replaces the {what} of {called}{how} there{left}")
-
-
-# what commands leave that answer goals, and what a study leaves; optimisations leave a table, too
-_ANSWERS = {
-    "optimum.json": "an optimisation",
-    "tolerance.json": "a tolerance",
-    "identified.nc": "an identification",
-    "table.nc": "a study",
-}
-
-
-def check_answer(folder: Path, own: str) -> None:
-    """Refuse a folder that holds another kind of answer, whose tables and page would be replaced in part.
-
-    Args:
-        folder: where a command will write.
-        own: the file that tells of its own results.
-
-    Raises:
-        InputError: what the folder holds.
-    """
-    if (folder / own).is_file():
-        return
-    for file, what in _ANSWERS.items():
-        if (folder / file).is_file():
-            raise InputError(f"--out: need a folder of its own, got {folder}, which holds {what} ({file})")
 
 
 def read_unit(unit: str | None) -> float | None:

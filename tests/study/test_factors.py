@@ -68,7 +68,8 @@ def test_the_decimals_of_a_range_are_those_that_a_person_would_write(first, step
         ("-1e308..1e308 m step 1", "need at most 1000000 values"),
         (
             "5..9 cm step 3 cm",
-            'need a step that divides the range, such as an end of 8 or 11 or a step of 4 or 2, got "5..9 cm step 3 cm"',
+            "need a step that divides the range, such as an end of 8 or 11 or a step of 4 or 2, got"
+            ' "5..9 cm step 3 cm"',
         ),
         ("5..9 cm step 30 cm", "need a step that divides the range, such as an end of 35 or a step of 4, got "),
         ("1..5.9 cm step 2", "need a step that divides the range, such as an end of 5 or 7 or a step of 2.45, got "),

@@ -15,7 +15,6 @@ from forficula.options import (
     Dask,
     OutIfGiven,
     Settings,
-    check_answer,
     check_apart,
     check_folder,
     read_option,
@@ -47,11 +46,10 @@ def _folder(out: Path | None, name: str, own: str) -> Path:
     Args:
         out: as it was given.
         name: of the folder within `out`, if none was given.
-        own: the file that tells of its own results.
+        own: kind of its own results.
     """
     folder = out or Path("out") / name
-    check_folder(folder)
-    check_answer(folder, own)
+    check_folder(folder, own)
     return folder
 
 
@@ -82,7 +80,7 @@ def optimise(
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     asked = load_goal(goal)
-    folder = _folder(out, asked.name, "optimum.json")
+    folder = _folder(out, asked.name, "optimisation")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if filled := filling_text(asked):
@@ -163,7 +161,7 @@ def tolerance(
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = _question(design, read_settings(settings), own or None, goal)
-    folder = _folder(out, f"{question.design.name}-tolerance", "tolerance.json")
+    folder = _folder(out, f"{question.design.name}-tolerance", "tolerance")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if dry_run:
@@ -261,7 +259,7 @@ def identify(
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     asked = load_observations(observations)
-    folder = _folder(out, asked.name, "identified.nc")
+    folder = _folder(out, asked.name, "identification")
     share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)

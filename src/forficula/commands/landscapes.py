@@ -66,7 +66,7 @@ def landscape(
     chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-landscape"
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "landscape")
     if simulated is not None and not over:
         raise InputError("--simulated: needs --over with the keys of the study")
     if not over:

@@ -70,7 +70,7 @@ def study(
     check_apart("--dry-run", dry_run, split | drawn)
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
-    check_folder(folder)
+    check_folder(folder, "study")
     check_reproduction(chosen)
     if keep is not None:
         from forficula.study.kept_runs import check_most
@@ -203,7 +203,7 @@ def converge(
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}-converge"
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "convergence study")
 
     from forficula.reproduction import shown_hinge
     from forficula.show import study_progress
