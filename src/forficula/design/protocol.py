@@ -77,8 +77,8 @@ class Protocol(Part):
     rest_speed: float = quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
     window: float = quantity(
         TIME,
-        "over which a state is averaged, as far as it rests; what rests so long short of its goal, and three times as long as those of its"
-        " tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
+        "over which a state is averaged, as far as it rests; what rests so long short of its goal, and three times as"
+        " long as those of its tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
         above=0,
     )
     least_hold: Annotated[

@@ -113,6 +113,9 @@ class Record(Displayed):
         doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
         kinetic_peak: when the kinetic energy was largest, s, and how large, J, of all steps, not only those of `time`;
             None where not every step was looked at.
+        strain_rates: highest rates at which taut tendons are strained or let go, from one step to the next and by the
+            length that a law counts strain by, 1/s, (tendon,); nan for one that is never taut. None where no law says
+            up to which rate it was measured.
     """
 
     design: Design
@@ -123,6 +126,7 @@ class Record(Displayed):
     diverged_at: float | None
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
+    strain_rates: Array | None = None
 
     def __repr__(self) -> str:
         """What ran, how long, through which stages."""
@@ -219,6 +223,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "diverged_at": nothing if record.diverged_at is None else record.diverged_at,
         "doubt": record.doubt,
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
+        **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
         **{f"version_{name}": version for name, version in versions().items()},
     }
     content = _netcdf(data)
@@ -339,6 +344,7 @@ def _read(file: Any) -> Record:
         diverged_at=None if np.isnan(diverged_at) else diverged_at,
         doubt=str(file.attrs["doubt"]),
         kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
+        strain_rates=None if (rates := file.attrs.get("strain_rates")) is None else np.atleast_1d(rates),
     )
 
 
