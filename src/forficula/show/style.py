@@ -87,7 +87,7 @@ def figure_style() -> Iterator[None]:
         yield
 
 
-def _without_matplotlibrc() -> dict[str, Any]:
+def _without_matplotlibrc() -> Any:  # of many literal names, to type checkers
     """What matplotlib's own defaults are where a file of the user, of a folder or a program has others."""
     own = (name for name in rcParamsDefault if not name.startswith(_OF_WINDOWS))
     return {name: rcParamsDefault[name] for name in own if rcParams[name] != rcParamsDefault[name]}
