@@ -156,7 +156,9 @@ def write_study_file():
     """Write a study of short runs of the reference design at a path."""
 
     def write(path, factors: str, head: str = "", tail: str = ""):
-        text = f'design = "binder2025"\n{head}\n[settings]{SHORT_PROTOCOL}\n[factors]\n{factors}\n{tail}\n'
+        # a key that varies is not set, too
+        short = "\n".join(line for line in SHORT_PROTOCOL.splitlines() if line.partition(" ")[0] not in factors)
+        text = f'design = "binder2025"\n{head}\n[settings]\n{short}\n[factors]\n{factors}\n{tail}\n'
         path.write_text(text, "utf-8")
         return path
 

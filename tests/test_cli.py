@@ -585,13 +585,21 @@ def test_a_run_says_which_run_it_replaces(in_an_empty_folder, call):
 def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an_empty_folder, call, study_file):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     study_file(TENDONS)
-    for arguments, said in (
-        (("landscape", "binder2025-joint", "--no-simulation"), "a: replaces the landscape of binder2025-joint there\n"),
-        (("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "a: replaces the convergence study of wing ("),
-        (("study", "small.toml", "--keep", "0"), "a: replaces the table, the maps and the page there; the rows stay\n"),
+    for out, arguments, said in (
+        (
+            "a",
+            ("landscape", "binder2025-joint", "--no-simulation"),
+            "a: replaces the landscape of binder2025-joint there\n",
+        ),
+        ("b", ("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "b: replaces the convergence study of wing ("),
+        (
+            "c",
+            ("study", "small.toml", "--keep", "0"),
+            "c: replaces the table, the maps and the page there; the rows stay\n",
+        ),
     ):
-        assert "replaces" not in call(*arguments, "--out", "a").err
-        assert said in call(*arguments, "--out", "a").err
+        assert "replaces" not in call(*arguments, "--out", out).err
+        assert said in call(*arguments, "--out", out).err
 
 
 @pytest.mark.usefixtures("no_figures")
@@ -713,6 +721,22 @@ def test_a_job_array_is_written_and_nothing_is_run(in_an_empty_folder, call, stu
         (["small.toml", "--shard", "one"], '--shard: need a number and a count such as 2/8, got "one"'),
         (["small.toml", "--slurm", "0"], "--slurm: need a number of jobs from 1 to 10000, got 0"),
         (["small.toml", "--out", "small.toml"], "--out: need a folder, got the file small.toml"),
+        (
+            ["small.toml", "--slurm", "2", "--collect"],
+            "--slurm: cannot be used with --collect; leave one of them out",
+        ),
+        (
+            ["small.toml", "--slurm", "2", "--shard", "1/2"],
+            "--slurm: cannot be used with --shard; leave one of them out",
+        ),
+        (
+            ["small.toml", "--collect", "--shard", "1/2"],
+            "--collect: cannot be used with --shard; leave one of them out",
+        ),
+        (
+            ["small.toml", "--dry-run", "--keep", "3", "--no-engine"],
+            "--dry-run: cannot be used with --keep and --no-engine; leave one of them out",
+        ),
     ],
 )
 def test_a_study_that_cannot_be_is_answered_in_one_line(refusal, study_file, arguments, message):
@@ -762,6 +786,18 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
         (["--over", "tendon.rest_length"], "--over: need KEY=VALUE"),
         (["--over", "tendon.rest_lenght=1..2 cm step 1"], "did you mean tendon.rest_length?"),
         (["--over", "tendon.rest_length=1..2 cm step 1", "--simulated", "nowhere"], "table.nc: no such file"),
+        (
+            ["--over", "tendon.rest_length=5..9 cm step 3", "--no-simulation"],
+            "tendon.rest_length: need a step that divides the range, such as an end of 8 or 11 or a step of 4 or 2",
+        ),
+        (
+            ["--over", "tendon.rest_length=1..2 cm step 1", "--set", "tendon.rest_length=3 cm"],
+            "--over: tendon.rest_length is under --set, too; need it in one of them",
+        ),
+        (
+            ["--no-simulation", "--ok-if", "stuck"],
+            "--no-simulation: cannot be used with --ok-if; leave one of them out",
+        ),
     ],
 )
 def test_a_wrong_map_is_told_before_anything_is_written(options, message, tmp_path, capsys):

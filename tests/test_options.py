@@ -8,7 +8,9 @@ from hypothesis import strategies as st
 
 from forficula.cli import app, main
 from forficula.errors import InputError
-from forficula.options import check_answer, read_settings, read_shard, read_size
+from forficula.files import replacing_all
+from forficula.options import read_settings, read_shard, read_size
+from forficula.result_folders import RESULTS, check_own_kind
 
 
 @pytest.fixture
@@ -105,14 +107,41 @@ def test_an_option_that_help_shows_is_accepted_and_no_other(command, tmp_path, m
         assert re.match("forficula: (--json: need run, |Command .* requires)", capsys.readouterr().err)
 
 
-@pytest.mark.parametrize("file", ["optimum.json", "tolerance.json", "identified.nc", "table.nc"])
-def test_a_folder_with_another_kind_of_answer_is_refused(tmp_path, file):
-    (tmp_path / file).write_text("{}")
-    if file == "table.nc":
-        with pytest.raises(InputError, match="--out: need a folder of its own"):
-            check_answer(tmp_path, "optimum.json")
-        return
-    check_answer(tmp_path, file)
-    for own in {"optimum.json", "tolerance.json", "identified.nc"} - {file}:
-        with pytest.raises(InputError, match=rf"--out: need a folder of its own.*{file}"):
-            check_answer(tmp_path, own)
+@pytest.mark.parametrize("kind", RESULTS)
+def test_a_folder_with_another_kind_of_results_is_refused(tmp_path, kind):
+    (tmp_path / RESULTS[kind]).write_text("{}")
+    if kind == "optimisation":  # which has a study's table, too
+        (tmp_path / RESULTS["study"]).write_text("{}")
+    check_own_kind(tmp_path, kind)
+    for own in RESULTS.keys() - {kind}:
+        with pytest.raises(
+            InputError, match=rf"need a folder of its own, got .*, which holds an? {kind} \({RESULTS[kind]}"
+        ):
+            check_own_kind(tmp_path, own)
+
+
+def test_a_folder_that_cannot_be_made_is_told_before_anything_runs(refusal, tmp_path):
+    name = "n" * 300
+    message = refusal("run", "binder2025", "--set", f"name={name}")
+    assert message.startswith("--out: out/nnn")
+    assert message.endswith("cannot be written: File name too long")
+    assert not list(tmp_path.iterdir())
+    with pytest.raises(InputError, match="cannot be written: File name too long"), replacing_all(tmp_path / "a" / name):
+        raise AssertionError("not reached")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_study_does_not_replace_the_page_of_a_run(refusal, tmp_path):
+    (tmp_path / "x").mkdir()
+    (tmp_path / "x" / "summary.json").write_text("{}")
+    assert refusal("study", "binder2025-search", "--out", "x").startswith(
+        "--out: need a folder of its own, got x, which holds a run (summary.json), whose page and figures"
+        " would be replaced"
+    )
+
+
+def test_rows_of_a_study_are_kept_apart_from_runs(tmp_path):
+    (tmp_path / "journal-1-of-2.jsonl").write_text("")
+    check_own_kind(tmp_path, "study")
+    with pytest.raises(InputError, match=r"which holds rows of a study \(journal-1-of-2\.jsonl\)"):
+        check_own_kind(tmp_path, "run")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
+import os
 import sys
 from collections.abc import Callable, Sequence
 from functools import wraps
 from inspect import Parameter as Argument
 from inspect import signature
+from pathlib import Path
 from time import monotonic
 from typing import Annotated, Any
 
@@ -95,6 +98,8 @@ app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )
 app.meta.suppress_keyboard_interrupt = False
+# what the engine, the loader of libraries and threads say where memory ends
+_OF_MEMORY = ("allocate memory", "failed to map segment", "start new thread")
 # s; of what takes longer, the time is told
 _LONG = 1.0
 
@@ -143,12 +148,24 @@ def _without_long_words(text: str) -> str:
     return " ".join(short)
 
 
+def _keep_matplotlib_plain() -> None:
+    """Let no file and no variable of the user's change figures, nor one that cannot be read end a command."""
+    if "matplotlib" in sys.modules:
+        return
+    os.environ |= {"MPLBACKEND": "agg", "MATPLOTLIBRC": os.devnull}
+    if os.path.lexists("matplotlibrc"):
+        # matplotlib looks for it in the current folder first, and only there and then
+        with contextlib.chdir(Path(__file__).parent):
+            import matplotlib  # noqa: F401
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line, and exit with what it came to.
 
     0: done, and every goal met; 1: bad input; 2: done and to be trusted, but a goal missed, or a check under --strict;
     3: a run diverged, is undecided or is not to be trusted; 130: stopped.
     """
+    _keep_matplotlib_plain()
     gc.set_threshold(20_000)  # most of what a command makes stays to its end: looking for garbage took 7 % of a run
     try:
         with plain_terminal():
@@ -168,11 +185,18 @@ def main(arguments: Sequence[str] | None = None) -> None:
         where = error.filename or "the output cannot be written"
         print(f"forficula: {where}: {error.strerror or error}", file=sys.stderr)
         sys.exit(1)
-    except MemoryError:
-        print("forficula: no memory left; take fewer units, or fewer rows by a longer sample_interval", file=sys.stderr)
-        sys.exit(1)
     except KeyboardInterrupt:
         print("forficula: stopped", file=sys.stderr)
         sys.exit(130)
+    except Exception as error:
+        if not (isinstance(error, MemoryError) or any(words in str(error) for words in _OF_MEMORY)):
+            raise
+        drop_output()
+        print(
+            "forficula: no memory left; take fewer units, fewer rows by a longer sample_interval, or a higher limit"
+            " (ulimit -v)",
+            file=sys.stderr,
+        )
+        sys.exit(1)
     if status:
         sys.exit(status)

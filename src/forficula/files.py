@@ -8,6 +8,7 @@ import re
 import secrets
 import shutil
 import stat
+import tempfile
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -106,7 +107,7 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
         InputError: the folder or a file in it cannot be written; what was there stands as it stood.
     """
     _check_name(folder)
-    missing, new = not folder.exists(), folder
+    missing, new = _missing(folder), folder
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with _writing(folder) as mark:
@@ -128,9 +129,9 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
         place = _in_place(Path(error.filename or folder), new, folder) or folder
         raise _UnwrittenError(place, str(error.strerror or error)) from None
     finally:
-        if missing:
+        for place in missing:
             with suppress(OSError):  # it holds files
-                folder.rmdir()
+                place.rmdir()
 
 
 def _check_name(path: Path) -> None:
@@ -146,7 +147,35 @@ def _check_name(path: Path) -> None:
 
 def _in_place(path: Path, new: Path, folder: Path) -> Path | None:
     """Where a file among the new ones of a folder would come to lie; None of what is none of them."""
+    if path.name == _TURN or _MARK.fullmatch(path.name):
+        return None
     return folder / path.relative_to(new) if path.is_relative_to(new) else None
+
+
+def _missing(folder: Path) -> list[Path]:
+    """The folders that are to be made, innermost first."""
+    return [place for place in (folder, *folder.parents) if not place.exists()]
+
+
+def check_writable(folder: Path) -> None:
+    """Refuse a folder to which nothing can be written, or that cannot be made; nothing stays there.
+
+    Tried beside it, under a name of our own: another process may be making the folder.
+
+    Raises:
+        InputError: it cannot, and why.
+    """
+    try:
+        there = next(place for place in (folder, *folder.parents, Path()) if place.is_dir())
+        probe = Path(tempfile.mkdtemp(prefix=".forficula-probe-", dir=there))
+        try:
+            (probe / folder.relative_to(there) / "report.html").parent.mkdir(parents=True, exist_ok=True)
+        finally:
+            shutil.rmtree(probe, ignore_errors=True)
+    except OSError as error:
+        raise _UnwrittenError(folder, str(error.strerror or error)) from None
+    except ValueError as error:  # a null byte
+        raise InputError(f"{as_written(str(folder))}: cannot be written: {error}") from None
 
 
 def clear_leftovers(folder: Path) -> None:

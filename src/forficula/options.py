@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from cyclopts import Parameter, Token
 
 from forficula.errors import InputError
-from forficula.names import one_of
+from forficula.names import listed, one_of
 from forficula.quantities import as_written
 from forficula.terminal import remark
 
@@ -192,13 +192,33 @@ def read_shard(text: str) -> tuple[int, int]:
     raise InputError(f"--shard: need a number and a count such as 2/8, got {as_written(text)}")
 
 
-def check_folder(folder: Path) -> None:
-    """Refuse a folder that cannot be made, before a run that takes a while, and restore what a killed one left of it.
+def check_apart(option: str, given: bool, others: Mapping[str, bool]) -> None:
+    """Refuse options beside one that leaves them without a meaning.
+
+    Args:
+        option: the one.
+        given: whether it is given.
+        others: the options that mean nothing beside it, and whether each of them is given.
 
     Raises:
-        InputError: it cannot be made.
+        InputError: one of them is given with it, and which.
     """
-    from forficula.files import clear_leftovers
+    if given and (beside := [other for other, there in others.items() if there]):
+        raise InputError(f"{option}: cannot be used with {listed(beside)}; leave one of them out")
+
+
+def check_folder(folder: Path, own: str) -> None:
+    """Refuse a folder for results before a run that takes a while, and restore what a killed one left of it.
+
+    Args:
+        folder: where a command will write.
+        own: kind of its results, one of `RESULTS`.
+
+    Raises:
+        InputError: it cannot be made or written, or holds results of another kind, of which some would be replaced.
+    """
+    from forficula.files import check_writable, clear_leftovers
+    from forficula.result_folders import check_own_kind
 
     try:
         there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
@@ -206,20 +226,22 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"--out: {folder}: {error.strerror}") from None
     if not there.is_dir():
         raise InputError(f"--out: need a folder, got the file {there}")
+    read_option("--out", lambda: check_writable(folder))
     clear_leftovers(folder)
+    read_option("--out", lambda: check_own_kind(folder, own))
 
 
-# by the file that tells of them: the results of one name, what names them in it, and their verdict
-_RESULTS = {
-    "run": ("summary.json", "design", "status"),
-    "landscape": ("landscape.json", "design", None),
-    "convergence study": ("convergence.json", "design", "verdict"),
-    "table of assumptions": ("assumptions.json", "design", "verdict"),
-    "material": ("material.json", "material", None),
-    "bill of parts": ("bill.json", "design", None),
-    "optimisation": ("optimum.json", "goal", None),
-    "tolerance": ("tolerance.json", "design", None),
-    "identification": ("identified.json", "name", None),
+# what names the results of one name in the file that tells of them, and their verdict
+_NAMES = {
+    "run": ("design", "status"),
+    "landscape": ("design", None),
+    "convergence study": ("design", "verdict"),
+    "table of assumptions": ("design", "verdict"),
+    "material": ("material", None),
+    "bill of parts": ("design", None),
+    "optimisation": ("goal", None),
+    "tolerance": ("design", None),
+    "identification": ("name", None),
 }
 
 
@@ -232,11 +254,11 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
             "optimisation", "tolerance" or "identification".
         left: what stays, such as "; the rows stay".
     """
-    from forficula.quantities import as_written
+    from forficula.result_folders import RESULTS
 
-    file, name, verdict = _RESULTS[what]
+    name, verdict = _NAMES[what]
     try:
-        text = (folder / file).read_text("utf-8")
+        text = (folder / RESULTS[what]).read_text("utf-8")
     except (OSError, ValueError):
         return
     try:
@@ -246,32 +268,6 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
     except (ValueError, LookupError, TypeError, RecursionError):
         called, how = "an unknown name", ""
     remark(f"{folder}: replaces the {what} of {called}{how} there{left}")
-
-
-# what commands leave that answer goals, and what a study leaves; optimisations leave a table, too
-_ANSWERS = {
-    "optimum.json": "an optimisation",
-    "tolerance.json": "a tolerance",
-    "identified.nc": "an identification",
-    "table.nc": "a study",
-}
-
-
-def check_answer(folder: Path, own: str) -> None:
-    """Refuse a folder that holds another kind of answer, whose tables and page would be replaced in part.
-
-    Args:
-        folder: where a command will write.
-        own: the file that tells of its own results.
-
-    Raises:
-        InputError: what the folder holds.
-    """
-    if (folder / own).is_file():
-        return
-    for file, what in _ANSWERS.items():
-        if (folder / file).is_file():
-            raise InputError(f"--out: need a folder of its own, got {folder}, which holds {what} ({file})")
 
 
 def read_unit(unit: str | None) -> float | None:

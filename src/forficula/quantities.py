@@ -208,6 +208,13 @@ def _first_of(texts: Iterable[str]) -> str:
     return ", ".join(joined)
 
 
+def plain_value(value: object) -> object:
+    """Turn a number of numpy, a 0-d array among them, or an array into Python's; anything else stays as it is."""
+    if getattr(value, "shape", None) == () and hasattr(value, "item"):
+        return value.item()
+    return value.tolist() if hasattr(value, "tolist") and hasattr(value, "dtype") else value
+
+
 def is_whole(value: object, least: int, most: float = math.inf) -> TypeGuard[int]:
     """Tell whether a value is a whole number between bounds; yes and no are none."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most

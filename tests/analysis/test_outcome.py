@@ -31,7 +31,8 @@ def planted(
     """A record with an angle, deg, of all ring hinges and other series that run straight between some times, s.
 
     Series are (times, values) with values of one number or one of every hinge or tendon; `proximal_work` and
-    `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said.
+    `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said, rest as
+    long before as its stage holds it.
     """
     time = np.round(np.arange(0, round(1e3 * ends[-1]) + 1) * 1e-3, 9)  # a row a millisecond
 
@@ -50,9 +51,13 @@ def planted(
         else:
             arrays[name].T[:] = line(at, values).T
     starts = (0.0, *ends[:-1])
+    reached = [
+        max(start, end - stage.hold) if stage.until == "rest" else end
+        for stage, start, end in zip(design.protocol.stages, starts, ends, strict=False)
+    ]
     stages = tuple(
         StageEnd(stage=stage, start=start, end=end, goal_time=goal, at_rest=True)
-        for stage, start, end, goal in zip(design.protocol.stages, starts, ends, goals or ends, strict=False)
+        for stage, start, end, goal in zip(design.protocol.stages, starts, ends, goals or reached, strict=False)
     )
     return Record(
         design=design,
@@ -117,6 +122,16 @@ def test_a_stage_shorter_than_the_window_is_averaged_whole():
     # flat until 0.3 s; the release of 20 ms goes straight from -150 to -170 deg
     outcome = measure(planted((0.3, 0.4, 0.42), (0, -150, -170), ends=(0.3, 0.4, 0.42)))
     assert outcome.states["folded"].readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, -160), rel=ROUNDING)
+
+
+def test_a_window_longer_than_the_rest_does_not_average_the_motion():
+    # the release goes from -150 to -170 deg in 0.1 s, and rests for 0.1 s
+    wide = with_values(REFERENCE, {"protocol.window": "0.3 s"})
+    goals = (None, 0.4, 0.5)
+    moved = planted((0.3, 0.4, 0.5), (0, -150, -170), ends=(0.3, 0.4, 0.6), goals=goals, design=wide)
+    state = measure(moved).states["folded"]
+    assert state.readings["distal_angle"].mean / DEG == pytest.approx(np.full(3, -170), rel=ROUNDING)
+    assert not state.swings
 
 
 def test_the_window_is_a_setting():

@@ -9,7 +9,7 @@ import pytest
 from forficula.analysis import Verdict, measure, summary
 from forficula.analysis.run_warnings import highest_strain_rates, run_warnings
 from forficula.design import load_design, with_values
-from forficula.dynamics import Record, energy_balance
+from forficula.dynamics import Record, energy_balance, load_record, save_record
 from forficula.structure import structure_of
 from forficula.study.runs import run
 from tests.analysis.test_outcome import ENDS, planted
@@ -102,6 +102,20 @@ def test_a_wing_of_the_papers_tpu_folds_far_faster_than_the_papers_machine_pulle
     assert 1e3 * tested < rate < speed.max() * arms / wing.tendon.rest_length
     (said,) = [each for each in summary(record, measure(record), {})["warnings"] if "was measured" in each]
     assert said in run_warnings(record)
+
+
+def test_the_rate_of_strain_does_not_depend_on_how_often_the_record_is_sampled(tmp_path):
+    joint = load_design("binder2025-joint")
+    rates = [
+        highest_strain_rates(run(joint.with_values({"protocol.sample_interval": interval})))
+        for interval in ("0.5 ms", "1e30 s")
+    ]
+    assert rates[0] == rates[1]
+    # every step is a row: the rows say the same
+    every = run(joint.with_values({"protocol.sample_interval": joint.protocol.timestep}))
+    assert highest_strain_rates(replace(every, strain_rates=None)) == pytest.approx(rates[0], rel=1e-9)
+    save_record(every, tmp_path / "record.nc")
+    assert load_record(tmp_path / "record.nc").strain_rates == rates[0]
 
 
 def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():

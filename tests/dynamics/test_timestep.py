@@ -1,4 +1,5 @@
 import math
+import re
 
 import pytest
 from hypothesis import given, settings
@@ -14,6 +15,20 @@ REFERENCE = ff.load_design("binder2025")
 
 def changed(**values):
     return with_values(REFERENCE, {key.replace("__", "."): value for key, value in values.items()})
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "shown"),
+    [
+        ("tendon.stiffness", 1e300, "1e+298 N/cm"),
+        ("tendon.damping", 1e12, "1e+12 N s/m"),
+        ("protocol.no_load_speed", math.radians(1e-9), "1e-09 deg/s"),
+        ("membrane.youngs_modulus", 1e21, "1e+15 MPa"),
+    ],
+)
+def test_where_no_timestep_is_short_enough_the_value_that_is_the_cause_is_named(reference, key, value, shown):
+    with pytest.raises(InputError, match=rf"no timestep is short enough: .*, by {re.escape(f'{key} of {shown}')}$"):
+        stable_timestep(reference.with_values({key: value}))
 
 
 def test_a_timestep_that_was_given_stays():

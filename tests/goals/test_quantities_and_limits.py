@@ -114,6 +114,10 @@ def test_steps_are_round_and_choices_in_their_order():
         ({"low": "5 N/cm", "high": "4 N/cm"}, r"need > low"),
         ({"low": "4 N", "high": "5 N/cm"}, r"low: "),
         ({"low": "4 N/cm", "high": "5 N/cm", "step": "2 N/cm"}, r"step: "),
+        (
+            {"low": "4 N/cm", "high": "9 N/cm", "step": "2 N/cm"},
+            r"step: need one that divides high - low, such as an end of 8 or 10 or a step of 2\.5 \(in N/cm\), got ",
+        ),
         (["4 N/cm", "400 N/m"], r"values that differ"),
         ("4", r"range"),
     ],

@@ -189,6 +189,22 @@ def test_what_lies_on_itself_when_flat_is_refused():
         made(yoshimura_tube(6, 1, 0.02, 0.015), margin="1 mm")
 
 
+@pytest.mark.parametrize(
+    ("name", "key", "said"),
+    [
+        (
+            "binder2025-joint",
+            "window",
+            r"make\.window: leaves nothing of the sheet of 21\.55 cm by 7\.552 cm; need less, got",
+        ),
+        ("miura-sheet", "relief_hole", r"make\.relief_hole: leaves nothing of the sheet of .*; need less, got 10 cm"),
+    ],
+)
+def test_what_leaves_nothing_of_the_sheet_is_refused_with_its_key(name, key, said):
+    with pytest.raises(InputError, match=said):
+        sheet_of(name, (key, "100 mm"))
+
+
 def test_score_lines_are_the_creases_and_lie_in_the_layers_of_their_letters():
     sheet = sheet_of("waterbomb-base")
     pattern = sheet.pattern

@@ -42,6 +42,10 @@ def test_a_strap_of_the_tendons_own_law_has_the_designs_area():
             "^make.strap_material: no strap can be made of it: resilin: .* as a range",
         ),
         ({"tendon.stiffness": "0 N/cm"}, "stiffness: need > 0"),
+        (
+            {"make.strap_thickness": "1e-30 m"},
+            "^make.strap_thickness: makes tendon.* a strap .* wide and .* long; need",
+        ),
     ],
 )
 def test_what_no_strap_can_be_made_for_is_refused(values, said):

@@ -1,11 +1,15 @@
 """Figures as files: what a journal accepts, the same bytes each time, and a text for those who do not see them."""
 
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from matplotlib import rc_context
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from PIL import Image
@@ -28,6 +32,27 @@ from tests.show.legible import colours
 
 PLACE = Path(__file__).parents[2]
 TEXT = "Energy & moment <of> a hinge. At most 2 J."
+
+
+def test_a_matplotlibrc_in_the_working_folder_changes_no_figure(tmp_path):
+    strange = {"font.size": 30, "axes.facecolor": "red", "savefig.facecolor": "blue", "path.simplify": False}
+    strange |= {"axes.grid": True, "figure.dpi": 37, "lines.linestyle": ":", "xtick.direction": "in"}
+    for name, own in (("plain", {}), ("strange", strange)):
+        with rc_context(own):
+            for ending in (".png", ".svg"):
+                save_figure(drawn(), tmp_path / f"{name}{ending}")
+    for ending in (".png", ".svg"):
+        assert (tmp_path / f"plain{ending}").read_bytes() == (tmp_path / f"strange{ending}").read_bytes()
+
+
+def test_a_matplotlibrc_or_backend_that_cannot_be_read_ends_no_command(tmp_path):
+    (tmp_path / "matplotlibrc").write_bytes(b"axes.facecolor: \xff\xfe")
+    draws = "from forficula.cli import main\ntry:\n    main(['designs', '--quiet'])\nfinally:\n    import matplotlib"
+    command = [sys.executable, "-c", draws]
+    ended = subprocess.run(
+        command, cwd=tmp_path, env=os.environ | {"MPLBACKEND": "nope"}, capture_output=True, text=True, check=False
+    )
+    assert (ended.returncode, ended.stderr) == (0, "")
 
 
 def drawn(width=COLUMN_WIDTH):

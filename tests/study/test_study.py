@@ -179,6 +179,15 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
             '"pattern.hub_radius" = "0..1 m step 1e-4"',
             "factors: need at most 1000000 points, got 100020001",
         ),
+        (
+            f'design = "binder2025"\n[settings]\n"tendon.rest_length" = "4 cm"\n[factors]\n{LISTED}',
+            "factors.tendon.rest_length: is under [settings], too; need it in one of them",
+        ),
+        (
+            'design = "letter-fold"\n[settings]\ntendon.0.stiffness = "0.4 N/cm"\n[factors]\n'
+            'tendon.left.stiffness = ["0.5 N/cm"]',
+            "factors.tendon.left.stiffness: is under [settings], too, as tendon.0.stiffness; need it in one of them",
+        ),
     ],
 )
 def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_path, monkeypatch, text, message):
@@ -274,3 +283,12 @@ def test_one_value_by_two_names_is_refused():
         ff.new_study("letter-fold", twice)
     with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice"):
         with_values(ff.load_design("letter-fold"), {key: values[0] for key, values in twice.items()})
+
+
+def test_one_value_with_dots_and_in_a_table_is_refused():
+    twice = {"tendon.stiffness": "1 N/cm", "tendon": {"stiffness": "2 N/cm"}}
+    says = r"^tendon\.stiffness: is given twice, once with dots in its name and once in a table$"
+    with pytest.raises(InputError, match=says):
+        ff.load_design("binder2025", twice)
+    beside = {"tendon.stiffness": "1 N/cm", "tendon": {"damping": "0.2 N s/m"}}
+    assert ff.load_design("binder2025", beside).as_tables()["tendon"]["damping"] == "0.2 N s/m"

@@ -439,6 +439,8 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     snapped = bool(stage_drives(end.stage)) and end.goal_time is not None
     # a stage that ends in the middle of the snap is no rest to average over
     start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
+    if end.stage.until == "rest" and end.goal_time is not None:
+        start = max(start, end.goal_time)  # before, it moved
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
     # as numbers, for a mask is searched through by every series that it is laid on

@@ -116,9 +116,10 @@ def _fast_tendons(record: Record) -> list[str]:
 
 
 def highest_strain_rates(record: Record) -> NDArray[np.float64]:
-    """The highest rates at which taut tendons are strained or let go, from one kept row to the next, 1/s, (tendon,).
+    """The highest rates at which taut tendons are strained or let go, 1/s, (tendon,).
 
-    By the length that a law counts strain by. Rows further apart than a move show less of it.
+    By the length that a law counts strain by, from one step to the next; of a record that does not say so, from one
+    kept row to the next, which shows less where rows are further apart than a move.
 
     Returns:
         nan for a tendon that is not taut over two rows, and for all of a run that diverged.
@@ -126,6 +127,8 @@ def highest_strain_rates(record: Record) -> NDArray[np.float64]:
     tendons = record.structure.tendons
     if record.diverged_at is not None:
         return np.full(len(tendons), np.nan)
+    if record.strain_rates is not None:
+        return record.strain_rates
     length = record.series["tendon_length"]
     slack = record.series.get("tendon_rest_length", np.array([tendon.law.rest_length for tendon in tendons]))
     taut = length > slack

@@ -10,6 +10,7 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import AnyPath, as_path
 from forficula.names import one_of
+from forficula.result_folders import check_own_kind
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,6 +19,15 @@ if TYPE_CHECKING:
     from forficula.make.part import PartSet
 
 _WIDEST = 100  # inch, of a figure
+# of results that are saved, by the names of their classes, which take long to be imported
+_KINDS = {
+    "Record": "run",
+    "EnergyLandscape": "landscape",
+    "Convergence": "convergence study",
+    "Characterisation": "material",
+    "PartSet": "bill of parts",
+    "Optimum": "optimisation",
+}
 
 
 def figure(of: object, kind: str | None = None, *, width: float | Literal["column", "page"] = "column") -> Figure:
@@ -147,7 +157,7 @@ def save(result: object, folder: AnyPath) -> None:
         folder: made where it is missing; what an earlier result of the kind left there is replaced.
 
     Raises:
-        InputError: nothing that a command writes, or the folder cannot be written.
+        InputError: nothing that a command writes, or the folder cannot be written or holds results of another kind.
 
     >>> ff.save(record, "there")
     >>> ff.load_record("there").design.name
@@ -178,6 +188,9 @@ def _write(result: object, folder: Path) -> None:
     from forficula.study.convergence import Convergence
     from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
+    kind = next((kind for of, kind in _KINDS.items() if type(result).__name__ == of), None)
+    if kind is not None:
+        check_own_kind(folder, kind)
     match result:
         case Record():
             write_run(result, measure(result), folder)

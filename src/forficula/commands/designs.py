@@ -18,6 +18,7 @@ from forficula.options import (
     DrawingUnit,
     OutIfGiven,
     Settings,
+    check_apart,
     read_design,
     read_option,
     read_ratio,
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _LAST_PORT = 65535
+_USUAL_KIND = "earwig-fan"
 _KINDS = "What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
 
 
@@ -46,7 +48,7 @@ def new(
     file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")],
     /,
     *,
-    kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
+    kind: Annotated[str, Parameter(help=_KINDS)] = _USUAL_KIND,
     study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
     goal: Annotated[bool, Parameter(help="Write a goal file instead, of such a design.", negative=())] = False,
     observations: Annotated[
@@ -61,6 +63,7 @@ def new(
     given = [option for option, wanted in options.items() if wanted]
     if len(given) > 1:
         raise InputError(f"new: need one of {listed(list(options))}, got {listed(given)}")
+    check_apart("--tests", tests, {"--kind": kind != _USUAL_KIND})
     if tests:
         from forficula.material.sample_tests import write_sample_tests
 
@@ -96,7 +99,7 @@ def keys(
     section: Annotated[str, Parameter(help="Only this section or key, as in tendon or protocol.stages.")] = "",
     /,
     *,
-    kind: Annotated[str, Parameter(help=_KINDS)] = "earwig-fan",
+    kind: Annotated[str, Parameter(help=_KINDS)] = _USUAL_KIND,
     study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
     goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
     observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
@@ -112,6 +115,8 @@ def keys(
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
     if study + goal + observations > 1:
         raise InputError("keys: need one of --study, --goal and --observations, got several")
+    for option, wanted in (("--study", study), ("--goal", goal), ("--observations", observations)):
+        check_apart(option, wanted, {"--kind": kind != _USUAL_KIND})
     if observations:
         from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
 

@@ -15,7 +15,7 @@ from forficula.options import (
     Dask,
     OutIfGiven,
     Settings,
-    check_answer,
+    check_apart,
     check_folder,
     read_option,
     read_settings,
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 _Shard = Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8; each of them has the result.")]
+_ALL = "1/1"  # every run is of this shard
 _ROWS_STAY = "; the rows stay"
 
 
@@ -45,11 +46,10 @@ def _folder(out: Path | None, name: str, own: str) -> Path:
     Args:
         out: as it was given.
         name: of the folder within `out`, if none was given.
-        own: the file that tells of its own results.
+        own: kind of its own results.
     """
     folder = out or Path("out") / name
-    check_folder(folder)
-    check_answer(folder, own)
+    check_folder(folder, own)
     return folder
 
 
@@ -69,7 +69,7 @@ def optimise(
         int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
     ] = 24,
     dry_run: Annotated[bool, Parameter(help="Only say how many designs are tried and how long they take.")] = False,
-    shard: _Shard = "1/1",
+    shard: _Shard = _ALL,
     dask: Dask = None,
 ) -> int:
     """Look for the design that does best what a goal asks, or go on with it where it stopped."""
@@ -78,8 +78,9 @@ def optimise(
     from forficula.goals.optimise.optimise import estimate_optimise
     from forficula.study.kept_runs import check_most
 
+    check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     asked = load_goal(goal)
-    folder = _folder(out, asked.name, "optimum.json")
+    folder = _folder(out, asked.name, "optimisation")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if filled := filling_text(asked):
@@ -150,16 +151,17 @@ def tolerance(
         int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
     ] = 12,
     dry_run: Annotated[bool, Parameter(help="Only say which runs there are and how long they take.")] = False,
-    shard: _Shard = "1/1",
+    shard: _Shard = _ALL,
     dask: Dask = None,
 ) -> int:
     """How likely does a design work as it is built, and which tolerance decides?"""
     from forficula.goals.tolerance import estimate_tolerance
     from forficula.study.kept_runs import check_most
 
+    check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
     question = _question(design, read_settings(settings), own or None, goal)
-    folder = _folder(out, f"{question.design.name}-tolerance", "tolerance.json")
+    folder = _folder(out, f"{question.design.name}-tolerance", "tolerance")
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if dry_run:
@@ -248,15 +250,16 @@ def identify(
     *,
     out: Annotated[OutIfGiven, Parameter(help="Folder of the identification; out/<its name> if not given.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
-    shard: _Shard = "1/1",
+    shard: _Shard = _ALL,
     dask: Dask = None,
 ) -> None:
     """Say which values of what is unknown agree with what was seen, and which facts exclude one another."""
     from forficula.goals.identify import load_observations
     from forficula.goals.identify.run_identify import estimate_identify
 
+    check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     asked = load_observations(observations)
-    folder = _folder(out, asked.name, "identified.nc")
+    folder = _folder(out, asked.name, "identification")
     share = read_shard(shard)
     if dry_run:
         count, runs, seconds = estimate_identify(asked)

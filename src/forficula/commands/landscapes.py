@@ -16,11 +16,13 @@ from forficula.options import (
     OutIfGiven,
     Settings,
     Tolerate,
+    check_apart,
     check_folder,
     check_verdicts,
     exit_status,
     read_design,
     read_settings,
+    setting_texts,
     tell_replaced,
 )
 from forficula.terminal import came_to
@@ -57,10 +59,14 @@ def landscape(
     ok_if: OkIf = None,
 ) -> int:
     """Survey a design's energy by statics: stable states, barriers, paths of its drives, what it withstands, snap."""
+    varied = read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"')
+    check_apart("--no-simulation", not simulation, {"--ok-if": bool(ok_if), "--tolerate": tolerate})
+    if twice := varied.keys() & setting_texts(settings).keys():
+        raise InputError(f"--over: {min(twice)} is under --set, too; need it in one of them")
     chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-landscape"
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "landscape")
     if simulated is not None and not over:
         raise InputError("--simulated: needs --over with the keys of the study")
     if not over:
@@ -71,7 +77,7 @@ def landscape(
         from forficula.structure import structure_of
         from forficula.study.static_map import map_study, static_map
 
-        study = map_study(chosen, read_settings(over, "--over", 'tendon.rest_length="0..9 cm step 1"'))
+        study = map_study(chosen, varied)
         beside = None if simulated is None else read_simulated(simulated, chosen)
         verdict = _survey(chosen, folder, simulation)
         whole = structure_of(chosen).appearance.whole

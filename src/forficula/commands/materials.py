@@ -51,7 +51,7 @@ def material(
     from forficula.material.law.law_family import family_forms
     from forficula.material.machine.specimen_files import read_specimens
 
-    check_folder(out)
+    check_folder(out, "material")
     forms = None if law is None else read_option("--law", lambda: family_forms(law))
     read = read_specimens(
         files,

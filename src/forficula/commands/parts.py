@@ -59,7 +59,7 @@ def make(
 
     chosen = read_design(design, settings, unit)
     folder = out or Path("out") / f"{chosen.name}-parts"
-    check_folder(folder)
+    check_folder(folder, "bill of parts")
     if step:
         read_option("--step", check_step)
     with steps_progress() as progress:

@@ -70,7 +70,7 @@ def run(
     chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / chosen.name
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "run")
     if cycles is not None:
         from forficula.study.cycling import check_cycles
 

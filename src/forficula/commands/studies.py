@@ -19,6 +19,7 @@ from forficula.options import (
     OutIfGiven,
     Settings,
     Tolerate,
+    check_apart,
     check_folder,
     check_verdicts,
     exit_status,
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 
     from forficula.study import Study
 
+_ALL = "1/1"  # every point is of this shard
+
 
 def study(
     study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
@@ -41,7 +44,7 @@ def study(
     *,
     out: Annotated[OutIfGiven, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
     dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
-    shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = "1/1",
+    shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
     slurm: Annotated[
         int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of so many shards instead.")
@@ -60,9 +63,14 @@ def study(
     from forficula.study import collect as collect_study
     from forficula.study import load_study, table_json
 
+    split, drawn = {"--shard": shard != _ALL, "--dask": dask is not None}, {"--keep": keep is not None}
+    drawn["--no-engine"] = no_engine
+    check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
+    check_apart("--collect", collect, {"--dry-run": dry_run} | split)
+    check_apart("--dry-run", dry_run, split | drawn)
     chosen = load_study(study)
     folder = out or Path("out") / chosen.name
-    check_folder(folder)
+    check_folder(folder, "study")
     check_reproduction(chosen)
     if keep is not None:
         from forficula.study.kept_runs import check_most
@@ -195,7 +203,7 @@ def converge(
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}-converge"
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "convergence study")
 
     from forficula.reproduction import shown_hinge
     from forficula.show import study_progress
@@ -248,7 +256,7 @@ def assumptions(
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}{FOLDER_ENDING}"
     check_verdicts(ok_if)
-    check_folder(folder)
+    check_folder(folder, "table of assumptions")
     to_change = read_option("--only", lambda: selected(only))
 
     from forficula.show import run_progress

@@ -238,7 +238,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
     _check_texts(settings)
     if any(key.partition(".")[0] == "based_on" for key in settings):
         raise InputError("based_on: cannot be set; name the design to start from instead")
-    check_once(settings, tables)
+    check_once(dotted_keys(settings), tables)
     return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
 
 

@@ -39,6 +39,8 @@ ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 class FanProtocol(Protocol):
     """What is done to the wing, and what counts as done."""
 
+    about: ClassVar[str] = "What is done to the wing, and what counts as done"
+
     fold_torque: float = quantity(TORQUE, "torque on every driven proximal turn axis while folding", at_least=0)
     unfold_torque: float = quantity(
         TORQUE, "torque on every distal and every driven proximal axis while unfolding", at_least=0

@@ -33,6 +33,8 @@ MOST_ROWS = 1000  # of the mesh: with 100 times as many the engine runs out of m
 class FanPatternSection(Part):
     """The sheet: where it folds."""
 
+    about: ClassVar[str] = "The sheet: where it folds"
+
     later: ClassVar[tuple[str, ...]] = ("ring_folds",)
 
     kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
@@ -85,6 +87,8 @@ class FanPatternSection(Part):
 class VeinSection(Part):
     """The bars."""
 
+    about: ClassVar[str] = "The bars"
+
     heading: ClassVar[str] = "Veins"
     later: ClassVar[tuple[str, ...]] = ("added_mass",)
 
@@ -100,6 +104,8 @@ Share = Annotated[float, Field(strict=True)]
 
 class MembraneSection(Part):
     """The sheet between the bars: stretch elasticity only."""
+
+    about: ClassVar[str] = "The sheet between the bars: stretch elasticity only"
 
     later: ClassVar[tuple[str, ...]] = ("density",)
     natural: ClassVar[tuple[str, ...]] = ("damping",)
@@ -139,6 +145,8 @@ class MembraneSection(Part):
 class HingeSection(Part):
     """Joints of the veins at the base and at the ring fold."""
 
+    about: ClassVar[str] = "Joints of the veins at the base and at the ring fold"
+
     heading: ClassVar[str] = "Hinges"
 
     overbend: float = quantity(
@@ -154,6 +162,8 @@ class HingeSection(Part):
 class CouplingSection(Part):
     """What ties neighbouring veins to each other at the base, so that they turn together."""
 
+    about: ClassVar[str] = "What ties neighbouring veins to each other at the base, so that they turn together"
+
     heading: ClassVar[str] = "Basal vein coupling"
 
     stiffness: float | Literal["rigid"] = quantity(
@@ -166,6 +176,8 @@ class CouplingSection(Part):
 
 class ContactSection(Part):
     """How panels and bars that touch keep apart, where protocol.contact is true."""
+
+    about: ClassVar[str] = "How panels and bars that touch keep apart, where protocol.contact is true"
 
     heading: ClassVar[str] = "Contact"
 
@@ -191,6 +203,8 @@ class ContactSection(Part):
 
 class GuardSection(Part):
     """The unstressed length limits between neighbouring tips."""
+
+    about: ClassVar[str] = "The unstressed length limits between neighbouring tips"
 
     heading: ClassVar[str] = "Guard tendons"
 

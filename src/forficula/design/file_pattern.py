@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -20,6 +20,8 @@ Whole = Annotated[int, Field(strict=True)]
 
 class FoldFile(Part):
     """The sheet: as a file has it, FOLD, SVG or DXF."""
+
+    about: ClassVar[str] = "The sheet: as a file has it, FOLD, SVG or DXF"
 
     kind: Annotated[Literal["fold-file"], Field(description="where the pattern comes from")]
     path: Annotated[

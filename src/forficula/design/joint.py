@@ -21,6 +21,8 @@ from forficula.quantities import show_quantity
 class JointProtocol(Protocol):
     """What is done to the joint, and what counts as done."""
 
+    about: ClassVar[str] = "What is done to the joint, and what counts as done"
+
     fold_torque: float = quantity(TORQUE, "torque on the hinge while folding", at_least=0)
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
     no_load_speed: float | None = quantity(

@@ -22,6 +22,8 @@ _LEAST_SECTOR = math.radians(1)
 class JointPattern(Part):
     """Two bars in the flat sheet, and the crease that their hinge lies on."""
 
+    about: ClassVar[str] = "Two bars in the flat sheet, and the crease that their hinge lies on"
+
     kind: Annotated[Literal["joint"], Field(description="the family of crease patterns")]
     proximal_length: float = quantity(LENGTH, "length of the bar that is held, up to the hinge", above=0)
     distal_length: float = quantity(LENGTH, "length of the bar beyond the hinge", above=0)
@@ -81,6 +83,8 @@ class JointPattern(Part):
 class JointHinge(Part):
     """The hinge between the two bars."""
 
+    about: ClassVar[str] = "The hinge between the two bars"
+
     heading: ClassVar[str] = "Hinge"
 
     overbend: float = quantity(
@@ -93,6 +97,8 @@ class JointHinge(Part):
 
 class JointTendon(TendonSection):
     """The elastic tendon across the hinge."""
+
+    about: ClassVar[str] = "The elastic tendon across the hinge"
 
     heading: ClassVar[str] = "Tendon"
     numbered_by: ClassVar[str] = ""

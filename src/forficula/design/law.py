@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
@@ -24,12 +24,16 @@ _CHOSEN = "modulus.linear"
 class LawBranch(Part):
     """A Maxwell branch: a spring and a damper in series."""
 
+    about: ClassVar[str] = "A Maxwell branch: a spring and a damper in series"
+
     modulus: float = quantity(law_unit("branches.0.modulus"), "modulus of its spring", above=0)
     time: float = quantity(law_unit("branches.0.time"), "relaxation time", above=0)
 
 
 class LawSoftening(Part):
     """Softening after the largest strain seen (Ogden and Roxburgh 1999)."""
+
+    about: ClassVar[str] = "Softening after the largest strain seen (Ogden and Roxburgh 1999)"
 
     r: Annotated[float, Field(strict=True, ge=1, description="the largest share that is lost is 1/r")]
     m: float = quantity(law_unit("softening.m"), "energy scale", at_least=0)
@@ -48,6 +52,8 @@ Whole = Annotated[int, Field(strict=True, ge=1)]
 
 class LawDrift(Part):
     """A change over the cycles of a test; see `Drift`."""
+
+    about: ClassVar[str] = "A change over the cycles of a test; see `Drift`"
 
     kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="its course over the cycles")]
     rate: Annotated[Number, Field(description="of the change")] = 0.0
@@ -78,6 +84,8 @@ class LawSection(Part):
     Read from values by key, from the name of a material or the path of a law file, or from values with either of these
     under `based_on`.
     """
+
+    about: ClassVar[str] = "The law of the tendon's material by unit length and area; see `MaterialLaw`"
 
     name: Annotated[str, Field(description="of the material")] = ""
     linear_modulus: float = quantity(law_unit("modulus.linear"), "stress by strain", at_least=0)

@@ -22,6 +22,10 @@ def _detail(description: str, default: float | None, **bounds: Any) -> Any:
 class MakeSection(Part):
     """What parts are made of and by; every default suits a common filament printer, and a laser for the sheet."""
 
+    about: ClassVar[str] = (
+        "What parts are made of and by; every default suits a common filament printer, and a laser for the sheet"
+    )
+
     heading: ClassVar[str] = "Parts to make"
     # of machines and hands, whatever the size of what they make
     natural: ClassVar[tuple[str, ...]] = ("nozzle", "layer", "clearance", "kerf")

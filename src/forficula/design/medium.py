@@ -16,6 +16,8 @@ _BORNE = 0.01
 class MediumSection(Part):
     """What a structure moves in; without density and viscosity it is empty space."""
 
+    about: ClassVar[str] = "What a structure moves in; without density and viscosity it is empty space"
+
     heading: ClassVar[str] = "Air or water around it"
     natural: ClassVar[tuple[str, ...]] = ("viscosity",)
 

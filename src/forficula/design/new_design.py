@@ -60,7 +60,7 @@ def _own_pattern(kind: str, reference: str) -> Iterator[str]:
     for key in ("tendon", "support", "measure"):
         yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
     section = _section_of(kind)
-    yield f"\n[pattern]  # {(section.__doc__ or '').removesuffix('.')}"
+    yield f"\n[pattern]  # {section.about}"
     for key, value in {"kind": kind, **_PATTERNS[kind]}.items():
         yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
 
@@ -83,7 +83,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         if not isinstance(part, Part):
             continue
         values = part.as_tables()
-        yield f"\n[{section}]  # {(type(part).__doc__ or '').splitlines()[0].removesuffix('.')}"
+        yield f"\n[{section}]  # {part.about}"
         for key, entry in type(part).model_fields.items():
             if entry_part(entry) is not None:
                 # a table under a header of its own ends what stands under the section's

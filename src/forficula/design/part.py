@@ -116,6 +116,8 @@ class Part(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
+    # what it is, in a line, for pages and new files: as its docstring, which Python may leave out
+    about: ClassVar[str] = ""
     # over tables of it; without one its key is
     heading: ClassVar[str] = ""
     # key by which entries of a list say their number in a file; without one they come one after another

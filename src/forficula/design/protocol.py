@@ -23,6 +23,8 @@ _LONGEST_WAIT = 1e9 * 86400
 class Stage(Part):
     """A part of the protocol: what drives the structure, and when it ends."""
 
+    about: ClassVar[str] = "A part of the protocol: what drives the structure, and when it ends"
+
     natural: ClassVar[tuple[str, ...]] = ("wait",)
 
     name: Annotated[str, Field(min_length=1, description="what figures and tables call it")]
@@ -60,6 +62,8 @@ class Stage(Part):
 class Protocol(Part):
     """What is done to a structure, and what counts as done."""
 
+    about: ClassVar[str] = "What is done to a structure, and what counts as done"
+
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
     later: ClassVar[tuple[str, ...]] = ("shortest_timestep",)
 
@@ -81,8 +85,8 @@ class Protocol(Part):
     rest_speed: float = quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
     window: float = quantity(
         TIME,
-        "over which a state is averaged; what rests so long short of its goal, and three times as long as those of its"
-        " tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
+        "over which a state is averaged, as far as it rests; what rests so long short of its goal, and three times as"
+        " long as those of its tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
         above=0,
     )
     least_hold: Annotated[

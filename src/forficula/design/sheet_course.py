@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, create_model, field_validator, model_validator
 
@@ -70,6 +70,8 @@ else:
 
 class SheetDrive(Part):
     """What a stage of the protocol switches on."""
+
+    about: ClassVar[str] = "What a stage of the protocol switches on"
 
     name: Annotated[str, Field(description="as stages call it")]
     kind: Annotated[
@@ -166,6 +168,8 @@ class SheetDrive(Part):
 class SheetMeasure(_MaybeJoined):
     """What is watched by name, for goals and tables."""
 
+    about: ClassVar[str] = "What is watched by name, for goals and tables"
+
     name: Annotated[str, Field(description="as goals and tables call it")]
     kind: Annotated[
         Literal["fold-angle", "distance"],
@@ -189,6 +193,8 @@ class SheetMeasure(_MaybeJoined):
 
 class SheetProtocol(Protocol):
     """What is done to a sheet, and what counts as done."""
+
+    about: ClassVar[str] = "What is done to a sheet, and what counts as done"
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,

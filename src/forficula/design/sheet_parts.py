@@ -23,6 +23,10 @@ _OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assi
 class Facet(Part):
     """The panels, one on every facet; without a value one is chosen by a rule, which the written design tells."""
 
+    about: ClassVar[str] = (
+        "The panels, one on every facet; without a value one is chosen by a rule, which the written design tells"
+    )
+
     natural: ClassVar[tuple[str, ...]] = ("stretch_damping",)
 
     kind: Annotated[
@@ -56,12 +60,18 @@ class Facet(Part):
 class Imperfection(Part):
     """How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state."""
 
+    about: ClassVar[str] = (
+        "How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state"
+    )
+
     size: float = quantity(SMALL_LENGTH, "standard deviation of its vertices, square to it", default=0.0, at_least=0)
     seed: Annotated[int, Field(strict=True, ge=0, description="of the random numbers: another one, another way")] = 0
 
 
 class CreaseGroup(Part):
     """Creases that differ from the others; what is left out is as in [crease]."""
+
+    about: ClassVar[str] = "Creases that differ from the others; what is left out is as in [crease]"
 
     name: Annotated[
         str | None, Field(description="by which drives, measures and other groups call it", examples=["gates"])
@@ -98,6 +108,8 @@ class CreaseGroup(Part):
 
 class Crease(Part):
     """The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat."""
+
+    about: ClassVar[str] = "The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat"
 
     stiffness: float | None = quantity(
         CREASE_STIFFNESS, "of the spring in a crease by its length; chosen if not given", default=None, at_least=0
@@ -165,6 +177,8 @@ def largest_extension(crease: Crease) -> float:
 
 class Support(Part):
     """What is held."""
+
+    about: ClassVar[str] = "What is held"
 
     of: Annotated[str, Field(description="facet 0, or where facets bend vertex 3, too", examples=["facet 0"])]
     axes: Annotated[

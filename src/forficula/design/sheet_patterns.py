@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
@@ -35,6 +35,8 @@ def _count(description: str, least: int = 1) -> Any:
 class MiuraOri(Part):
     """The sheet: parallelograms in rows, every second one mirrored, which fold all at once."""
 
+    about: ClassVar[str] = "The sheet: parallelograms in rows, every second one mirrored, which fold all at once"
+
     kind: Annotated[Literal["miura-ori"], Field(description="the family of crease patterns")]
     columns: int = _count("of parallelograms, across the straight creases")
     rows: int = _count("of parallelograms, across the zigzag creases")
@@ -53,6 +55,10 @@ class MiuraOri(Part):
 
 class Waterbomb(Part):
     """The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs."""
+
+    about: ClassVar[str] = (
+        "The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs"
+    )
 
     kind: Annotated[Literal["waterbomb"], Field(description="the family of crease patterns")]
     side: float = quantity(LENGTH, "of a square", above=0)
@@ -88,6 +94,8 @@ class Waterbomb(Part):
 class Yoshimura(Part):
     """The sheet: diamonds, flat, rolled up, or as a closed tube."""
 
+    about: ClassVar[str] = "The sheet: diamonds, flat, rolled up, or as a closed tube"
+
     kind: Annotated[Literal["yoshimura"], Field(description="the family of crease patterns")]
     columns: int = _count("of triangles on every line, around the roll")
     rows: int = _count("of triangles, along the roll")
@@ -115,6 +123,8 @@ class Yoshimura(Part):
 class Kresling(Part):
     """The sheet: a twisted tower of triangles between polygons, as it stands."""
 
+    about: ClassVar[str] = "The sheet: a twisted tower of triangles between polygons, as it stands"
+
     kind: Annotated[Literal["kresling"], Field(description="the family of crease patterns")]
     sides: int = _count("of every polygon", least=3)
     layers: int = Field(default=1, strict=True, ge=1, le=_MOST, description="one above another")
@@ -136,6 +146,8 @@ class Kresling(Part):
 
 class Vertex(Part):
     """The sheet: one vertex with triangles around it, which may add up to 360 deg or not."""
+
+    about: ClassVar[str] = "The sheet: one vertex with triangles around it, which may add up to 360 deg or not"
 
     kind: Annotated[Literal["vertex"], Field(description="the family of crease patterns")]
     sectors: tuple[float, ...] = quantity(
@@ -163,6 +175,8 @@ class Vertex(Part):
 
 class Pleats(Part):
     """The sheet: a strip of panels one after another, with a crease between every two."""
+
+    about: ClassVar[str] = "The sheet: a strip of panels one after another, with a crease between every two"
 
     kind: Annotated[Literal["pleats"], Field(description="the family of crease patterns")]
     panels: Annotated[int, Field(strict=True, ge=2, le=_MOST_PANELS, description="how many panels the strip has")]

@@ -14,6 +14,8 @@ from forficula.design.tendon import ElasticTendon
 class SheetTendon(ElasticTendon, Joined):
     """What pulls two places together and never pushes: a spring, or a law of a material."""
 
+    about: ClassVar[str] = "What pulls two places together and never pushes: a spring, or a law of a material"
+
     needed: ClassVar[tuple[str, ...]] = ("stiffness",)
 
     name: Annotated[str, Field(description="what tables and figures call it")]

@@ -9,7 +9,7 @@ from typing import Any
 
 from forficula.errors import InputError
 from forficula.names import listed, unknown_key
-from forficula.quantities import as_written
+from forficula.quantities import as_written, plain_value
 
 
 class RejectedError(InputError):
@@ -128,10 +128,10 @@ def numbered(key: str, tables: Mapping[str, Any]) -> str:
 
 
 def check_once(keys: Iterable[str], tables: Mapping[str, Any]) -> None:
-    """Refuse two keys that lead to the same value, one by the number of an entry and one by its name.
+    """Refuse two keys that lead to the same value: by the number and the name of an entry, or with dots and in a table.
 
     Args:
-        keys: dotted.
+        keys: dotted, those of values in nested tables among them.
         tables: that they lead into.
 
     Raises:
@@ -139,8 +139,10 @@ def check_once(keys: Iterable[str], tables: Mapping[str, Any]) -> None:
     """
     found: dict[str, str] = {}
     for key in keys:
-        if (other := found.setdefault(numbered(key, tables), key)) != key:
-            raise InputError(f"{key}: is given twice, the other time as {other}")
+        if (other := found.get(number := numbered(key, tables))) is not None:
+            how = "once with dots in its name and once in a table" if other == key else f"the other time as {other}"
+            raise InputError(f"{key}: is given twice, {how}")
+        found[number] = key
 
 
 def written_key(place: Sequence[str]) -> str:
@@ -157,7 +159,8 @@ def dotted_keys(tables: Mapping[str, object], prefix: str = "") -> list[str]:
 
 
 def _copied(value: object) -> object:
-    return {key: _copied(each) for key, each in value.items()} if isinstance(value, Mapping) else value
+    """A value of settings, numbers and arrays of numpy as those of a file."""
+    return {key: _copied(each) for key, each in value.items()} if isinstance(value, Mapping) else plain_value(value)
 
 
 def _first_leaf(tables: object) -> list[str]:

@@ -26,6 +26,8 @@ _ROUNDING = 1e-9
 class ElasticTendon(Part):
     """What pulls: a spring with a damper, or the law of a material."""
 
+    about: ClassVar[str] = "What pulls: a spring with a damper, or the law of a material"
+
     # keys that one without a law must have
     needed: ClassVar[tuple[str, ...]] = ("stiffness", "damping")
     natural: ClassVar[tuple[str, ...]] = ("law",)
@@ -85,6 +87,8 @@ class ElasticTendon(Part):
 
 class TendonSection(ElasticTendon):
     """The elastic patch across each distal hinge."""
+
+    about: ClassVar[str] = "The elastic patch across each distal hinge"
 
     heading: ClassVar[str] = "Tendons"
     numbered_by: ClassVar[str] = "vein"

@@ -139,6 +139,9 @@ class Record(Displayed):
         kinetic_peak: when the kinetic energy was largest, s, and how large, J, of all steps, not only those of `time`;
             None where not every step was looked at.
         checks: second runs of the same design, against which its verdict and its numbers are held.
+        strain_rates: highest rates at which taut tendons are strained or let go, from one step to the next and by the
+            length that a law counts strain by, 1/s, (tendon,); nan for one that is never taut. None where no law says
+            up to which rate it was measured.
     """
 
     design: Design
@@ -150,6 +153,7 @@ class Record(Displayed):
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
     checks: tuple[Check, ...] = ()
+    strain_rates: Array | None = None
 
     def __repr__(self) -> str:
         """What ran, how long, through which stages."""
@@ -247,6 +251,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         "doubt": record.doubt,
         **({"checks": json.dumps([asdict(check) for check in record.checks])} if record.checks else {}),
         **({} if record.kinetic_peak is None else {"kinetic_peak": np.array(record.kinetic_peak)}),
+        **({} if record.strain_rates is None else {"strain_rates": record.strain_rates}),
         **{f"version_{name}": version for name, version in versions().items()},
     }
     content = _netcdf(data)
@@ -368,6 +373,7 @@ def _read(file: Any) -> Record:
         doubt=str(file.attrs["doubt"]),
         checks=tuple(map(_check, json.loads(file.attrs.get("checks", "[]")))),
         kinetic_peak=(float(peak[0]), float(peak[1])) if (peak := file.attrs.get("kinetic_peak")) is not None else None,
+        strain_rates=None if (rates := file.attrs.get("strain_rates")) is None else np.atleast_1d(rates),
     )
 
 

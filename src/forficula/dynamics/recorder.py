@@ -68,12 +68,19 @@ class Recorder:
         self._stages: list[list[_Part]] = []
         # the most kinetic energy before any step, in the model's units, and that step's number
         self._peak = (0, -np.inf)
+        # how fast tendons change that a law was measured for up to some rate, in model units a step, (tendon,)
+        materials = [tendon.material for tendon in model.structure.tendons]
+        tested = [material is not None and material.highest_strain_rate is not None for material in materials]
+        self._fastest = None if sparse or not any(tested) else np.full(len(tested), np.nan)
+        self._last: tuple[Array, NDArray[np.bool_]] | None = None
+        self._leaps = any(stage.wait for stage in protocol.stages)
 
     def fork(self, model: Model) -> Recorder:
         """A recorder of another structure that has gone the same way so far."""
         other = Recorder(model, self._sparse)
         other._stages = [[*parts] for parts in self._stages]
-        other._peak = self._peak
+        other._peak, other._last = self._peak, self._last
+        other._fastest = None if self._fastest is None else self._fastest.copy()
         return other
 
     def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
@@ -96,6 +103,26 @@ class Recorder:
         """Take notice of a kinetic energy, in the model's units, before the step of a number."""
         if energy > self._peak[1]:
             self._peak = number, energy
+
+    def see_tendons(self, chunk: Chunk, place: int) -> None:
+        """Take notice of how fast taut tendons are strained or let go, from one step of a chunk to the next."""
+        if self._fastest is None:
+            return
+        model, steps, taken = self.model, chunk.steps, int(chunk.taken[place])
+        length = steps.derived["ten_length"][place, :taken][:, model.tendons]
+        slack = np.tile(np.asarray(model.elastic.rest_length, dtype=np.float64), (taken, 1))
+        if (yielding := model.creep >= 0).any():
+            crept = steps.states(np.full(taken, place), np.arange(taken), steps.inner["plastic"])
+            slack[:, yielding] = crept[:, model.creep[yielding]]
+        taut = length > slack
+        if self._last is not None:
+            length, taut = (
+                np.concatenate([one[None], every]) for one, every in zip(self._last, (length, taut), strict=True)
+            )
+        change = np.where(taut[1:] & taut[:-1], np.abs(np.diff(length, axis=0)), np.nan)
+        self._fastest = np.fmax(self._fastest, np.fmax.reduce(change, axis=0, initial=np.nan))
+        # a wait between two chunks leaps over time
+        self._last = None if self._leaps or not len(length) else (length[-1].copy(), taut[-1])
 
     def record(
         self,
@@ -140,7 +167,15 @@ class Recorder:
             diverged_at=diverged_at,
             doubt=self._doubt(account),
             kinetic_peak=self._kinetic_peak(),
+            strain_rates=self._strain_rates(),
         )
+
+    def _strain_rates(self) -> Array | None:
+        """The highest rates of strain of taut tendons, 1/s, (tendon,); None where they were not looked at."""
+        if self._fastest is None:
+            return None
+        gauge = [tendon.gauge_length or np.nan for tendon in self.model.structure.tendons]
+        return np.asarray(self.model.units.length * self._fastest / self._timestep / gauge)
 
     def _kinetic_peak(self) -> tuple[float, float] | None:
         """When the kinetic energy was largest, s, and how large, J; None where it was not looked at at every step."""
@@ -200,6 +235,8 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
         kinetic[~np.isfinite(kinetic)] = -np.inf  # of what blows up
         for place, most in enumerate(kinetic.argmax(axis=1).tolist()):
             recorders[place].see_kinetic(int(number[place, most]), float(kinetic[place, most]))
+    for place, recorder in enumerate(recorders):
+        recorder.see_tendons(chunk, place)
     interval = np.array([recorder.interval for recorder in recorders])
     kept = (number % interval[:, None] == 0) & (step < chunk.taken[:, None])
     # where a stage begins, even one whose first step blows up

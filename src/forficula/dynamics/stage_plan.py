@@ -113,7 +113,7 @@ class StagePlan:
     @property
     def risen(self) -> Numbers:
         """After how many steps all torques of a stage have risen, (structure, stage)."""
-        return np.asarray(np.ceil(self.rise.max(axis=2)).astype(np.int64))
+        return np.asarray(np.ceil(np.minimum(self.rise.max(axis=2), NEVER)).astype(np.int64))
 
 
 def stage_plan(models: Sequence[Model]) -> StagePlan:

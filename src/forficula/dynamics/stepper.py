@@ -280,7 +280,7 @@ class Stepper:
             means = efforts.reshape(len(rows), blocks, followed, -1).mean(axis=2)
             for block in range(blocks):
                 steps = slice(block * followed, (block + 1) * followed)
-                with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
+                with np.errstate(all="ignore"):  # of what blows up, whose later steps do not count
                     if angles is not None and creases is not None:
                         near = self._angles[rows] if block == 0 else angles[:, block - 1]
                         angles[:, block] = self._set_creases(rows, creases, state, near, means[:, block])

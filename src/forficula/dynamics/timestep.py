@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import mujoco
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from forficula.design import AnyDesign, Design, as_design, with_values
+from forficula.design import AnyDesign, Design, as_design, key_quantity, load_design, with_values
+from forficula.design.kinds import reference_of
 from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.node_modes import node_timestep
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonBranch
+from forficula.quantities import show_quantity
 from forficula.structure import Structure, structure_of, tendon_arms
 
 Array = NDArray[np.float64]
@@ -31,6 +35,9 @@ _KEPT = 0.8
 _NUDGE = 1e-6
 STEPS_TO_TIME_CONSTANT = 4
 _SHORTEST, _LONGEST = 1e-12, 1e3  # s
+# values that are looked at as the cause where no step is short enough, and by how much those without a usual one differ
+_SUSPECTS = 6
+_FACTORS = (1e-6, 1e6, 1e-12, 1e12)
 
 
 def with_timestep(design: Design) -> Design:
@@ -91,6 +98,18 @@ def stable_timestep(design: Design) -> float:
     structure = structure_of(design)
     if any(body.slides for body in structure.bodies) or any(hinge.flaps for hinge in structure.hinges):
         return _KEPT * node_timestep(structure)
+    try:
+        return _jointed_timestep(design)
+    except _NoTimestepError as error:
+        raise InputError(f"{error}{_cause(design)}") from None
+
+
+class _NoTimestepError(InputError):
+    """No timestep is short enough for a structure."""
+
+
+def _jointed_timestep(design: Design) -> float:
+    """The longest timestep of bodies on joints, s."""
     # what is linearised does not depend on the step it is compiled with
     any_step = {"protocol": design.protocol.model_copy(update={"timestep": _LONGEST})}
     model = compile_model(design.model_copy(update=any_step))
@@ -99,6 +118,38 @@ def stable_timestep(design: Design) -> float:
         return min(_FOLDING * _limit(model, built), _limit(model, _at_largest_lever(model, built)))
     except np.linalg.LinAlgError:
         raise InputError(f"{design.name}: a value is too large or too small to compute with") from None
+
+
+def _cause(design: Design) -> str:
+    """Name the value without which there is a timestep, of those furthest from the reference of their kind."""
+    name = reference_of(type(design))
+    usual = {} if name is None else _numbers(load_design(name).si_tables())
+    own = {key: value for key, value in _numbers(design.si_tables()).items() if value != usual.get(key)}
+    far = {key: abs(math.log10(value / usual[key])) if usual.get(key) else math.inf for key, value in own.items()}
+    for key in sorted(far, key=lambda key: -far[key])[:_SUSPECTS]:
+        # of what the reference lacks, less and more of it
+        others = [usual[key]] if key in usual else [own[key] * factor for factor in _FACTORS]
+        for other in others:
+            try:
+                _jointed_timestep(with_values(design, {key: other}))
+            except InputError:
+                continue
+            quantity = key_quantity(key, type(design))
+            shown = f"{own[key]:g}" if quantity is None else show_quantity(own[key], quantity.unit)
+            return f", by {key} of {shown}"
+    return ""
+
+
+def _numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
+    """The numbers > 0 in nested tables, by dotted key, but those of the pattern and of lists, and the timestep."""
+    numbers: dict[str, float] = {}
+    for key, value in tables.items():
+        if isinstance(value, Mapping):
+            numbers |= _numbers(value, f"{within}{key}.")
+        elif isinstance(value, float) and value > 0 and not within.startswith("pattern."):
+            numbers[f"{within}{key}"] = value
+    numbers.pop("protocol.timestep", None)
+    return numbers
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,7 +179,7 @@ def _limit(model: Model, linear: _Linear) -> float:
     if sign(longest) > 0:
         return _LONGEST
     if sign(shortest) < 0:
-        raise InputError(f"{model.design.name}: no timestep is short enough: a part is too stiff or too light")
+        raise _NoTimestepError(f"{model.design.name}: no timestep is short enough: a part is too stiff or too light")
     return float(10.0 ** scipy.optimize.brentq(sign, shortest, longest, xtol=1e-4))
 
 

@@ -11,7 +11,7 @@ from forficula.errors import InputError
 from forficula.goals.value_at import choice_at, written
 from forficula.names import near_name
 from forficula.quantities import as_written, parse_quantity, show_quantity
-from forficula.study.factors import Factor, read_factor
+from forficula.study.factors import Factor, read_factor, undivided
 
 _KEYS = ("low", "high", "step")
 _MOST_STEPS = 1_000_000
@@ -94,8 +94,6 @@ def read_parameter(key: str, given: object, design: Design) -> Parameter:
     factor = read_factor(key, given, type(design))
     values = [_si(factor, value) for value in factor.values]
     ordered = all(isinstance(value, float | int) and not isinstance(value, bool) for value in values)
-    if len(set(map(repr, values))) < len(values):
-        raise InputError(f"{key}: need values that differ, got {as_written(list(factor.values))}")
     if ordered:
         by_size = sorted(range(len(values)), key=lambda place: float(str(values[place])))
         factor = Factor(key=key, model=type(design), values=tuple(factor.values[place] for place in by_size))
@@ -134,6 +132,11 @@ def _between(key: str, given: Mapping[str, object], design: Design) -> Parameter
     unit = factor.unit
     # in the unit that is shown, in which steps are round
     scale = 1.0 if unit is None else parse_quantity(f"1 {unit.display}", unit)
+    if hint := undivided(low / scale, high / scale, step / scale):
+        shown = "" if unit is None else f" (in {unit.display})"
+        raise InputError(
+            f"{key}.step: need one that divides high - low, {hint}{shown}, got {as_written(given['step'])}"
+        )
     steps = [float(f"{(low + place * step) / scale:.12g}") for place in range(count)]
     texts: Sequence[object] = steps if unit is None else [f"{each:.12g} {unit.display}" for each in steps]
     stepped = Factor(key=key, model=type(design), values=tuple(texts))

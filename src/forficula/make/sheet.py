@@ -85,9 +85,12 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
     windows, pegs = sheet_windows(design, structure, pattern, laid)
     openings = [region_of([window.outline]) for window in windows]
     solid = sheet - united(openings)
+    _check_left("window", make.window, sheet, solid)
     relief = _relief_holes(laid, make, solid)
     holes: list[Round] = [(place, make.peg_diameter, "window") for _, place in pegs]
     rounds, solid, large = _round_holes(sheet, solid, [*holes, *relief])
+    widest = max([*holes, *relief], key=lambda hole: hole[1], default=(np.zeros(2), 0.0, "relief"))
+    _check_left("relief_hole" if widest[2] == "relief" else "peg_diameter", widest[1], sheet, solid)
     drawn = Drawn(laid=laid, make=make, solid=solid, rounds=rounds, membrane=membrane_region(structure))
     built = _unchecked(design.name, pattern.title, drawn, openings)
     parts = SheetParts(make=make, sheet=sheet, solid=solid, windows=windows, large_holes=large)
@@ -127,6 +130,13 @@ def _check_cuts(make: MakeSection) -> None:
                 f"make.{key}: need > make.kerf, {show_value(make.kerf, 'm')}, the width of the cutter, got"
                 f" {show_value(value, 'm')}"
             )
+
+
+def _check_left(key: str, value: float, sheet: Region, solid: Region) -> None:
+    """Refuse what leaves nothing of a sheet."""
+    if is_empty(solid):
+        size = " by ".join(show_value(each, "m") for each in np.ptp(np.concatenate(loops_of(sheet)), axis=0))
+        raise InputError(f"make.{key}: leaves nothing of the sheet of {size}; need less, got {show_value(value, 'm')}")
 
 
 def _outline(laid: Unfolding, make: MakeSection) -> Region:

@@ -9,10 +9,12 @@ from forficula.errors import InputError
 from forficula.make.stock import stock_of
 from forficula.material.law.law_file import load_law, named_laws
 from forficula.material.law.material_law import MaterialLaw, area_for, scaled
+from forficula.quantities import show_value
 from forficula.structure import Tendon
 
 # what straps are printed or cut from where a design names nothing
 USUAL_MATERIAL = "tpu-95a"
+_WIDEST = 100.0  # of a strap, in lengths of it: beyond, the thickness is in a wrong unit [chosen]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +57,8 @@ def strap_of(design: Design, tendon: Tendon) -> Strap:
         tendon: of its structure.
 
     Raises:
-        InputError: a resting length of 0, a stiffness of 0, or a material of which no tendon can be made.
+        InputError: a resting length of 0, a stiffness of 0, a material of which no tendon can be made, or a strap more
+            than a hundred times as wide as long.
 
     Example:
         >>> from forficula.design import load_design
@@ -71,8 +74,14 @@ def strap_of(design: Design, tendon: Tendon) -> Strap:
         area = area_for(law, length=tendon.gauge_length, stiffness=tendon.law.stiffness[0])
     except InputError as error:
         raise InputError(f"{tendon.key or tendon.name}: cannot be made as a strap: {error}") from None
+    width = area / (make.straps * make.strap_thickness)
+    if not width <= _WIDEST * tendon.gauge_length:
+        raise InputError(
+            f"make.strap_thickness: makes {tendon.key or tendon.name} a strap {show_value(width, 'm')} wide and"
+            f" {show_value(tendon.gauge_length, 'm')} long; need more, got {show_value(make.strap_thickness, 'm')}"
+        )
     return Strap(
-        width=area / (make.straps * make.strap_thickness),
+        width=width,
         thickness=make.strap_thickness,
         count=make.straps,
         rest_length=tendon.gauge_length,

@@ -10,7 +10,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from matplotlib import colormaps, rc_context
+from matplotlib import colormaps, rc_context, rcParams, rcParamsDefault
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -55,15 +55,19 @@ QUANTITY_COLOURS = colormaps["cividis"]
 STRAIN_COLOURS = colormaps["YlOrRd"]
 LINE_STYLES = ("-", "--", "-.", ":")
 
+# what rcParams say of windows and not of pictures
+_OF_WINDOWS = ("backend", "interactive", "timezone", "tk.", "toolbar", "webagg.")
+
 # Draws a figure at a width in inch.
 Drawing = Callable[[float], Figure]
 
 
 @contextmanager
 def figure_style() -> Iterator[None]:
-    """Draw with small sans-serif text and thin axes."""
+    """Draw with small sans-serif text and thin axes, whatever a matplotlibrc says."""
     with rc_context(
         {
+            **_without_matplotlibrc(),
             "font.family": "DejaVu Sans",
             "font.size": 8,
             "axes.labelsize": 8,
@@ -81,6 +85,12 @@ def figure_style() -> Iterator[None]:
         }
     ):
         yield
+
+
+def _without_matplotlibrc() -> Any:  # of many literal names, to type checkers
+    """What matplotlib's own defaults are where a file of the user, of a folder or a program has others."""
+    own = (name for name in rcParamsDefault if not name.startswith(_OF_WINDOWS))
+    return {name: rcParamsDefault[name] for name in own if rcParams[name] != rcParamsDefault[name]}
 
 
 def colours_of(unit: str) -> Colormap:
@@ -167,7 +177,13 @@ def save_figure(figure: Figure, path: Path) -> None:
     # because few readers have the font, and with another one words run into one another. A salt and no dates, because
     # otherwise the same figure is another file each time.
     with rc_context(
-        {"pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "forficula", "text.parse_math": False}
+        {
+            **_without_matplotlibrc(),
+            "pdf.fonttype": 42,
+            "svg.fonttype": "path",
+            "svg.hashsalt": "forficula",
+            "text.parse_math": False,
+        }
     ):
         match path.suffix:
             case ".png":

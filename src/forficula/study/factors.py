@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.design.provenance import WORDS
 from forficula.errors import InputError
-from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
 MOST_VALUES = 1_000_000
@@ -96,6 +96,8 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
     Raises:
         InputError: an unknown key, one that no run depends on, or values that are not allowed.
     """
+    given = plain_value(given)
+    given = [plain_value(value) for value in given] if isinstance(given, list) else given
     quantity = key_quantity(key, model, given)
     if key in WORDS:
         raise InputError(f"{key}: need a key on which runs depend; this one is a word about the design")
@@ -125,7 +127,7 @@ def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object,
         numbers: whether they are numbers where the range has no unit, and not texts whose unit is missing.
 
     Raises:
-        InputError: not a range, a step that leads nowhere, or more than a million values.
+        InputError: not a range, a step that does not lead from one end to the other, or more than a million values.
     """
     match = _RANGE.fullmatch(text) if len(text) <= _LONGEST_RANGE else None
     if match is None:
@@ -142,12 +144,36 @@ def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object,
     steps = (high - low) / width * (1 + 1e-12) + 1e-9
     if steps >= MOST_VALUES:
         raise InputError(f'{key}: need at most {MOST_VALUES} values, got {steps:.6g} steps in "{text}"')
+    if hint := undivided(low, high, width):
+        raise InputError(f'{key}: need a step that divides the range, {hint}, got "{text}"')
     count = math.floor(steps) + 1
     # in decimals, so that 0.1 three times is 0.3 as a person would write it
     values = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
     if numbers and not unit:
         return tuple(int(value) if value.is_integer() else value for value in values)
     return tuple(f"{value:.12g} {unit}".strip() for value in values)
+
+
+def undivided(low: float, high: float, step: float) -> str:
+    """Name the nearest ends and steps of a range whose step does not lead from one end to the other; "" where it does.
+
+    Args:
+        low: first value, in the unit in which the range is written.
+        high: last value, >= low.
+        step: between two values, > 0.
+    """
+    count = (high - low) / step
+    if math.isclose(count, round(count), rel_tol=1e-9, abs_tol=1e-9):
+        return ""
+    around = (math.floor(count), math.floor(count) + 1)
+    ends = [f"{low + steps * step:.12g}" for steps in around if steps]
+    # those that can be written in a few digits
+    shares = [f"{(high - low) / steps:.6g}" for steps in around if steps]
+    widths = [
+        text for text in shares if float(text) and abs(math.remainder(high - low, float(text))) <= 1e-9 * float(text)
+    ]
+    hint = f"such as an end of {' or '.join(ends)}"
+    return f"{hint} or a step of {' or '.join(widths)}" if widths else hint
 
 
 def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, object]]:
@@ -191,8 +217,9 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
 
 
 def _check_values(key: str, values: Sequence[object], model: type[Design]) -> None:
-    """Refuse what no coordinate of a table can be; what is out of bounds is a row of its own."""
+    """Refuse what no coordinate of a table can be, and equal values; what is out of bounds is a row of its own."""
     quantity = key_quantity(key, model)
+    known: dict[object, object] = {}
     for value in values:
         if names_law(key) and isinstance(value, str) and value != NO_LAW:
             _check_law(key, value)
@@ -201,13 +228,25 @@ def _check_values(key: str, values: Sequence[object], model: type[Design]) -> No
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
             if isinstance(value, float) and not math.isfinite(value):
                 raise InputError(f"{key}: need finite numbers, got {as_written(value)}")
-            continue
-        if value in quantity.words:
-            continue
-        try:
-            quantity.parse(value)
-        except InputError as error:
-            raise InputError(f"{key}: {error}") from None
+            same: object = _comparable(value)
+        elif value in quantity.words:
+            same = value
+        else:
+            try:
+                same = float(f"{quantity.parse(value):.12g}")  # a unit's factor rounds: 50 mm is 5 cm
+            except InputError as error:
+                raise InputError(f"{key}: {error}") from None
+        if same in known:
+            twice = as_written(value) if value == known[same] else f"{as_written(known[same])} and {as_written(value)}"
+            raise InputError(f"{key}: need values that differ, got {twice}{' twice' * (value == known[same])}")
+        known[same] = value
+
+
+def _comparable(value: object) -> object:
+    """A value without a unit such that equal ones are equal and yes is not 1."""
+    if isinstance(value, list):
+        return tuple(_comparable(each) for each in value)
+    return type(value) is bool, value
 
 
 def _check_law(key: str, name: str) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Ending, Verdict, ending_text, ending_word
-from forficula.design import TORQUE, Design, key_value
+from forficula.design import TORQUE, Design, check_keys_once, key_value
 from forficula.errors import InputError
 from forficula.statics.lines import line_energy
 from forficula.statics.net.net_of import is_net
@@ -52,6 +52,7 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
             f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide or"
             " plates in loops; a study (forficula study) runs them over any key"
         )
+    check_keys_once(over, design)
     factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
     count = math.prod(len(factor.values) for factor in factors)
     if count > _MOST_POINTS:

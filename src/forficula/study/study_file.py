@@ -6,7 +6,16 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from forficula.design import Design, check_keys_once, key_quantity, key_value, value_from_folder
+from forficula.design import (
+    NO_LAW,
+    Design,
+    check_keys_once,
+    key_quantity,
+    key_value,
+    names_law,
+    numbered_key,
+    value_from_folder,
+)
 from forficula.design.key_table import names_within
 from forficula.design.provenance import check_paper
 from forficula.errors import InputError
@@ -58,6 +67,8 @@ def _study(tables: dict[str, Any], folder: Path) -> Study:
     factors = read_factors(tables, "factors", folder, base)
     drawn = [factor for factor in factors if factor.distribution is not None]
     vary = _vary(tables, factors, drawn)
+    if vary == "grid":  # otherwise a setting says where the others vary from
+        check_not_settled(tables, "factors", factors, base)
     grid = _repeated_grid(tables, vary, factors, folder, base)
     _check_drawn(tables, base, (*factors, *grid), drawn)
     search = _search(tables, base, (*factors, *grid))
@@ -151,6 +162,27 @@ def read_factors(tables: Mapping[str, Any], name: str, folder: Path, base: Desig
         raise InputError(f"{name}.{error}") from None
 
 
+def check_not_settled(tables: Mapping[str, Any], name: str, factors: Sequence[Factor], base: Design) -> None:
+    """Refuse a factor whose key is under `settings`, too, where its value there counts for no run.
+
+    Args:
+        tables: of the file.
+        name: of the table of the factors.
+        factors: that have a value in every run.
+        base: the design that is varied.
+
+    Raises:
+        InputError: which one is.
+    """
+    settings = {numbered_key(base, key): key for key in dotted_values(tables.get("settings", {}), "settings")}
+    for factor in factors:
+        if names_law(factor.key) and NO_LAW in factor.values:
+            continue  # a tendon without a law keeps the stiffness of the one that it had
+        if (twice := settings.get(numbered_key(base, factor.key))) is not None:
+            told = "" if twice == factor.key else f", as {twice}"
+            raise InputError(f"{name}.{factor.key}: is under [settings], too{told}; need it in one of them")
+
+
 def _repeated_grid(
     tables: Mapping[str, Any], vary: str, factors: tuple[Factor, ...], folder: Path, base: Design
 ) -> tuple[Factor, ...]:
@@ -160,6 +192,7 @@ def _repeated_grid(
     if vary != "one-at-a-time":
         raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
     grid = read_factors(tables, "grid", folder, base)
+    check_not_settled(tables, "grid", grid, base)
     if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
         raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
     if drawn := [factor.key for factor in grid if factor.distribution is not None]:

@@ -44,6 +44,11 @@ def test_named_observations_are_the_papers_lost_values():
             assert prior.distribution.first <= now <= prior.distribution.second
 
 
+def test_what_is_unknown_is_not_set_too():
+    with pytest.raises(InputError, match=r"^unknown\.hinge\.overbend: is under \[settings\], too; need it in one"):
+        observations_of({**tables(**TIME), "settings": {"hinge.overbend": "3 deg"}})
+
+
 @pytest.mark.parametrize(
     ("believed", "quarter"),
     [

@@ -261,7 +261,7 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
         ("L0,60,mm\n" + NAMES + ROWS, "area: the file does not say it; give the specimen's area, such as 5 mm^2"),
         ("L0,60\n" + NAMES + ROWS, "line 1: L0: the unit is missing; need one of mm, m"),
         ("x,1\nL0,60,N\n" + NAMES + ROWS, 'line 2: L0: "N" is not its unit; need one of mm, m'),
-        ("L0,0,mm\n" + NAMES + ROWS, "line 1: L0: need > 0, got 0 mm"),
+        ("L0,0,mm\n" + NAMES + ROWS, "line 1: L0: need 0.001 mm to 1e+05 mm, got 0 mm; is its unit wrong?"),
     ],
 )
 def test_a_file_that_cannot_be_used_is_refused_in_one_line(tmp_path, text, message):
@@ -287,9 +287,21 @@ def test_a_file_larger_than_any_test_is_refused_unread(tmp_path, monkeypatch):
     assert refusal(file(tmp_path, b"x" * (2**20 + 1))) == "need a file of at most 1 MiB, got a larger one"
 
 
-@pytest.mark.parametrize("size", [{"length": 0.0, "area": AREA}, {"length": LENGTH, "area": -1.0}])
-def test_a_size_that_is_given_is_positive(tmp_path, size):
-    assert "need > 0, got" in refusal(file(tmp_path, plain_text(TEST)), **size)
+@pytest.mark.parametrize(
+    ("size", "message"),
+    [
+        ({"length": 0.0, "area": AREA}, "length: need 0.001 mm to 1e+05 mm, got 0 mm; is its unit wrong?"),
+        ({"length": 1e300, "area": AREA}, "length: need 0.001 mm to 1e+05 mm, got 1e+303 mm; is its unit wrong?"),
+        ({"length": LENGTH, "area": -1.0}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got -1e+06 mm^2; is its unit wrong?"),
+        (
+            {"length": LENGTH, "area": 1e-300},
+            "area: need 1e-09 mm^2 to 1e+06 mm^2, got 1e-294 mm^2; is its unit wrong?",
+        ),
+        ({"length": LENGTH, "area": 1e300}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got 1e+306 mm^2; is its unit wrong?"),
+    ],
+)
+def test_a_size_that_no_specimen_has_is_refused_with_the_sizes_that_one_has(tmp_path, size, message):
+    assert message in refusal(file(tmp_path, plain_text(TEST)), **size)
 
 
 def test_a_file_that_is_not_there_or_a_folder_is_refused(tmp_path):

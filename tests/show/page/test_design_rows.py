@@ -1,6 +1,7 @@
 import pytest
 
-from forficula.design import load_design, scale_design, with_values
+from forficula.design import Design, load_design, scale_design, with_values
+from forficula.design.part import Part
 from forficula.show.page.design_rows import ABSENT, base_design, design_rows, design_title, differing_rows
 from forficula.show.page.design_tables import design_tables
 
@@ -13,6 +14,21 @@ def differences(design):
 def test_a_named_design_differs_in_nothing_from_itself(reference):
     assert differences(reference) == {}
     assert "Every value is that of the named design binder2025." in "".join(design_tables(reference))
+
+
+def test_explanations_of_sections_do_not_depend_on_docstrings():
+    # which PYTHONOPTIMIZE=2 takes away
+    parts = list(_subclasses(Part))
+    assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "Facet"} <= {part.__name__ for part in parts}
+    for part in parts:
+        if part.__doc__ and part.__module__.startswith("forficula.") and not issubclass(part, Design):
+            assert part.about == (part.__doc__ or "").splitlines()[0].removesuffix("."), part
+
+
+def _subclasses(part):
+    for own in part.__subclasses__():
+        yield own
+        yield from _subclasses(own)
 
 
 def test_exactly_what_was_changed_differs_with_both_values_and_units():

@@ -19,7 +19,7 @@ from forficula.quantities import as_written
 from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor
 from forficula.study.file_keys import check_keys
 from forficula.study.named_file import base_design, load_named, named_files
-from forficula.study.study_file import read_factors
+from forficula.study.study_file import check_not_settled, read_factors
 
 _PACKAGE = "forficula.goals.identify"
 _SAMPLES, _DIRECTED = 256, 128
@@ -78,6 +78,7 @@ def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observa
 
 def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
     priors = read_factors(tables, "unknown", folder, base)
+    check_not_settled(tables, "unknown", priors, base)
     for prior in priors:
         now, quantity = key_value(base, prior.key), key_quantity(prior.key, prior.model)
         if prior.distribution is not None and quantity is None and not isinstance(now, float):

@@ -10,7 +10,8 @@ from forficula.errors import InputError
 from forficula.material.machine.machine_names import all_keys, name_key
 from forficula.material.machine.machine_units import AREA, LENGTH, Kind
 from forficula.material.machine.recording import Property, at_line
-from forficula.quantities import Unit, as_written, format_quantity, show_quantity
+from forficula.material.tensile.tensile_test import UNITS, size_rule
+from forficula.quantities import as_written, format_quantity, show_quantity
 
 # The better choice first: the length that the travel is counted from, before lengths of the whole specimen.
 _LENGTHS = (
@@ -27,10 +28,6 @@ _WIDTHS = ("b0", "Probenbreite", "Specimen width", "Width", "Breite")
 _THICKNESSES = ("a0", "Probendicke", "Specimen thickness", "Thickness", "Dicke")
 _DIAMETERS = ("d0", "Probendurchmesser", "Specimen diameter", "Diameter", "Durchmesser")
 _MOST_ROUNDING = 0.01  # a size written as "5" is not known to a tenth
-
-
-_LENGTH = Unit(display="mm", si="m", example="60 mm")
-_AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,9 +47,9 @@ def specimen_length(properties: Sequence[Property], given: float | None) -> floa
         given: by the user, m.
 
     Raises:
-        InputError: the file and the user disagree beyond rounding, neither gives it, or it is not > 0.
+        InputError: the file and the user disagree beyond rounding, neither gives it, or no specimen has such a size.
     """
-    return _agreed("length", _LENGTH, _first(properties, _LENGTHS, LENGTH, needed=given is None), given)
+    return _agreed("length", _first(properties, _LENGTHS, LENGTH, needed=given is None), given)
 
 
 def specimen_area(properties: Sequence[Property], given: float | None) -> float:
@@ -63,7 +60,7 @@ def specimen_area(properties: Sequence[Property], given: float | None) -> float:
         given: by the user, m2.
 
     Raises:
-        InputError: the file and the user disagree beyond rounding, neither gives it, or it is not > 0.
+        InputError: the file and the user disagree beyond rounding, neither gives it, or no specimen has such a size.
     """
     needed = given is None
     area = _first(properties, _AREAS, AREA, needed=needed)
@@ -75,7 +72,7 @@ def specimen_area(properties: Sequence[Property], given: float | None) -> float:
             area = _product(width, thickness, 1.0)
         elif diameter:
             area = _product(diameter, diameter, math.pi / 4)
-    return _agreed("area", _AREA, area, given)
+    return _agreed("area", area, given)
 
 
 def _first(properties: Sequence[Property], labels: Sequence[str], kind: Kind, *, needed: bool) -> _Size | None:
@@ -100,16 +97,17 @@ def _product(a: _Size, b: _Size, factor: float) -> _Size:
     return _Size(value=factor * a.value * b.value, rounding=rounding, source=source)
 
 
-def _agreed(key: str, unit: Unit, found: _Size | None, given: float | None) -> float:
+def _agreed(key: str, found: _Size | None, given: float | None) -> float:
     """The one size that file and user mean."""
+    unit = UNITS[key]
     if given is None:
         if found is None:
             raise InputError(f"{key}: the file does not say it; give the specimen's {key}, such as {unit.example}")
-        if not 0 < found.value < math.inf:
-            raise InputError(f"{found.source}: need > 0, got {show_quantity(found.value, unit)}")
+        if rule := size_rule(key, found.value):
+            raise InputError(f"{found.source}: {rule}")
         return found.value
-    if not 0 < given < math.inf:
-        raise InputError(f"{key}: need > 0, got {given:g} {unit.si}")
+    if rule := size_rule(key, given):
+        raise InputError(f"{key}: {rule}")
     if found is not None:
         allowed = min(found.rounding, _MOST_ROUNDING * abs(found.value)) + 1e-9 * abs(found.value)
         if abs(found.value - given) > allowed:

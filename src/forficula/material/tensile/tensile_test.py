@@ -8,10 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.errors import InputError
-from forficula.quantities import show_value
+from forficula.quantities import Unit, show_quantity, show_value
 
 # no rubber stretches as far; a length in the wrong unit does
 _MOST_STRAIN = 20
+# m and m2: from a fibre of 0.1 µm across to a ship's rope; beyond, a unit or a power of ten is wrong [chosen]
+SIZES = {"length": (1e-6, 100.0), "area": (1e-15, 1.0)}
+UNITS = {
+    "length": Unit(display="mm", si="m", example="60 mm"),
+    "area": Unit(display="mm^2", si="m^2", example="5 mm^2"),
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -23,12 +29,12 @@ class TensileTest:
         time: s, shape (row,), never falling.
         extension: travel of the machine from the specimen's length on, m, shape (row,).
         force: N, shape (row,), pulling positive.
-        length: of the specimen between the points whose distance the travel changes, m, > 0.
-        area: of its cross-section, m2, > 0.
+        length: of the specimen between the points whose distance the travel changes, m, 1e-6 to 100.
+        area: of its cross-section, m2, 1e-15 to 1.
 
     Raises:
         InputError: arrays of different lengths, fewer than two rows, numbers that are not finite, time that falls, or a
-            size that is not > 0.
+            size that no specimen has.
     """
 
     name: str
@@ -53,9 +59,9 @@ class TensileTest:
         if (falls := falling(self.time)) is not None:
             before, after = self.time[falls - 1 : falls + 1]
             raise InputError(f"{self.name}: time: need times that never fall, got {after:g} s after {before:g} s")
-        for key, size, unit in (("length", self.length, "m"), ("area", self.area, "m^2")):
-            if not 0 < size < np.inf:
-                raise InputError(f"{self.name}: {key}: need > 0, got {size:g} {unit}")
+        for key, size in (("length", self.length), ("area", self.area)):
+            if rule := size_rule(key, size):
+                raise InputError(f"{self.name}: {key}: {rule}")
         furthest = float(self.extension[np.argmax(np.abs(self.extension))])
         if not -self.length < furthest <= _MOST_STRAIN * self.length:
             raise InputError(
@@ -72,6 +78,20 @@ class TensileTest:
     def stress(self) -> NDArray[np.float64]:
         """Engineering stress: force over the first area, Pa, shape (row,)."""
         return self.force / self.area
+
+
+def size_rule(key: str, size: float) -> str:
+    """Say which sizes a specimen can have where one is none of them, and that one; "" otherwise.
+
+    Args:
+        key: "length" or "area".
+        size: m or m2.
+    """
+    (least, most), unit = SIZES[key], UNITS[key]
+    if least <= size <= most:
+        return ""
+    bounds = f"need {show_quantity(least, unit)} to {show_quantity(most, unit)}"
+    return f"{bounds}, got {show_quantity(size, unit)}; is its unit wrong?"
 
 
 def falling(time: NDArray[np.float64]) -> int | None:

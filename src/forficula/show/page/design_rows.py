@@ -106,7 +106,7 @@ def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
 def section_title(section: str, design: Design) -> str:
     """What a part of a design is, in words."""
     part = _section(section, design)
-    return ((type(part).__doc__ if part is not None else "") or section).splitlines()[0].removesuffix(".")
+    return (part.about if part is not None else "") or section
 
 
 def section_heading(section: str, designs: Sequence[Design]) -> str:
