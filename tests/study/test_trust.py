@@ -17,7 +17,10 @@ from tests.show.study.test_maps import legend, panels
 # softer ones than 2 MPa fold; the membrane of 20 MPa is too stiff for 0.2 ms, that of 60 MPa blows up
 FACTORS = '"membrane.youngs_modulus" = ["1 MPa", "2 MPa", "20 MPa", "60 MPa"]\n"tendon.rest_length" = ["7 cm", "9 cm"]'
 # what the short protocol allows itself
-COARSE = 'protocol.timestep = "0.4 ms"\nstops.time_constant = "2 ms"\nprotocol.least_hold = 0.0\nprotocol.residual_limit = 0.02'
+COARSE = (
+    'protocol.timestep = "0.4 ms"\nstops.time_constant = "2 ms"\n'
+    "protocol.least_hold = 0.0\nprotocol.residual_limit = 0.02"
+)
 SEARCH = '[search]\nfold_torques = ["20 N cm", "50 N cm"]\nunfold_torques = ["100 N cm"]'
 NUMBERS = ("fold_time", "unfold_time", "fold_work", "unfold_work", "flat_energy", "folded_energy", "opened_energy")
 SILENT = ["untrusted", "diverged"]
