@@ -33,4 +33,4 @@ ff.figure(record, "folding", width="page")
 
 for stiffness in ("0.4 N/cm", "0.8 N/cm", "1.6 N/cm"):
     values = {f"tendon.{side}.stiffness": stiffness for side in ("left", "right")}
-    print(stiffness, "-", ff.measure(ff.run(design.with_values(values))).status)
+    print(stiffness, "-", ff.measure(ff.run(design.with_values(values), confirm=False)).status)
