@@ -273,7 +273,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
         add_tendon(spec, tendon, structure)
     # after all motors, so that a motor and its control have the same index: branches have no control
     for tendon in structure.tendons:
-        add_pulls(spec, tendon)
+        add_pulls(spec, tendon, structure)
     for limit in structure.limits:
         add_limit(spec, limit, structure, timestep)
     for measure in distances:

@@ -16,6 +16,7 @@ from forficula.structure import LengthLimit, Spring, Structure, Tendon
 # other numbers are its defaults.
 _SOFT_SHARE = 0.001
 _PARTS = 1e6  # of the longest length: over one of them a spring of muscles sets in
+_FAR = 3.0  # spans of a structure: longer than its tendons come to be
 _HARD = 1e8  # in the model's units of force: more than any tendon pulls
 _QUADRATIC = 1e3  # resting lengths up to which a quadratic spring is one
 _CUBIC_MISS = 1e-4  # of the largest force: how far a cubic spring of muscles may be from one
@@ -52,7 +53,7 @@ def add_tendon(spec: mujoco.MjSpec, tendon: Tendon, structure: Structure) -> Non
         spring.wrap_site(structure.points[point].name)
 
 
-def add_pulls(spec: mujoco.MjSpec, tendon: Tendon) -> None:
+def add_pulls(spec: mujoco.MjSpec, tendon: Tendon, structure: Structure) -> None:
     """Add the Maxwell branches of a tendon, which start relaxed; of one that lets go its spring and damper, too.
 
     Each branch is a DC motor without input (MuJoCo manual, actuator/dcmotor): its current, the branch's force where it
@@ -64,16 +65,18 @@ def add_pulls(spec: mujoco.MjSpec, tendon: Tendon) -> None:
         _add_motor(spec, f"{name}_branch{number}", name, 1 / (branch.stiffness * branch.time), branch.time)
     if not law.lets_go:
         return
-    width = tendon.longest / _PARTS
+    # nothing bounds the length of a sheet's
+    longest = tendon.longest if math.isfinite(tendon.longest) else _FAR * structure.span
+    width = longest / _PARTS
     viscous = (law.damping or (0.0,))[0]
-    for part, (begins, reach, stiffer) in enumerate(_stiffening(law, tendon.longest, width)):
-        muscle = _add_muscle(spec, f"{name}_spring{part}", tendon, begins, reach, stiffer)
+    for part, (begins, reach, stiffer) in enumerate(_stiffening(law, longest, width)):
+        muscle = _add_muscle(spec, f"{name}_spring{part}", name, (begins, longest), reach, stiffer)
         if part == 0 and viscous:
             muscle.gaintype, muscle.gainprm[:3] = mujoco.mjtGain.mjGAIN_AFFINE, [0, 0, -viscous]
             muscle.ctrllimited, muscle.ctrlrange = mujoco.mjtLimited.mjLIMITED_TRUE, [1, 2]
     if law.stiffness[1] < 0:
-        _add_softening(spec, name, law, tendon.longest)
-    _add_silence(spec, f"{name}_silence", tendon)
+        _add_softening(spec, name, law, longest)
+    _add_silence(spec, name, law.rest_length, longest)
 
 
 def _add_motor(spec: mujoco.MjSpec, name: str, tendon: str, resistance: float, time: float) -> None:
@@ -115,24 +118,26 @@ def _stiffening(law: TendonLaw, longest: float, sets_in: float) -> Iterator[tupl
 
 
 def _add_muscle(
-    spec: mujoco.MjSpec, name: str, tendon: Tendon, begins: float, width: float, stiffness: float
+    spec: mujoco.MjSpec, name: str, tendon: str, lengths: tuple[float, float], width: float, stiffness: float
 ) -> mujoco.MjsActuator:
     """Add what a muscle does when it is passive and stretched, and nothing else of it (MuJoCo's mju_muscleBias).
 
-    None up to a length; from there on a stiffness that grows evenly over a width to the one given, which stays.
+    None up to the first of two lengths; from there on a stiffness that grows evenly over a width to the one given, which
+    stays. The other length is the longest.
     """
-    muscle = spec.add_actuator(name=name, target=tendon.name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    begins, longest = lengths
+    muscle = spec.add_actuator(name=name, target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     muscle.gaintype, muscle.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_MUSCLE
     muscle.gainprm = np.zeros(10)
     # the muscle's own length has the width for its unit, and is 1 where it begins; a range as wide for all resting
     # lengths is only shifted by them
-    own, muscle.lengthrange = [1 - tendon.longest / width, 1], [begins - tendon.longest, begins]
+    own, muscle.lengthrange = [1 - longest / width, 1], [begins - longest, begins]
     # range, force, scale, lmin, lmax, vmax, fpmax, fvmax
     muscle.biasprm = [*own, stiffness * width, 1, 0, 3, 1, 1, 1, 0]
     return muscle
 
 
-def _add_silence(spec: mujoco.MjSpec, name: str, tendon: Tendon) -> None:
+def _add_silence(spec: mujoco.MjSpec, tendon: str, rest: float, longest: float) -> None:
     """Add what silences damper and branches where the tendon is slack: a push that outweighs them.
 
     The engine clamps the sum to 0. An active muscle takes the push off where the tendon is taut. Its unit is 1000 times
@@ -140,11 +145,10 @@ def _add_silence(spec: mujoco.MjSpec, name: str, tendon: Tendon) -> None:
     the push for the one, and for the other acts as a damper of 2e-5 of the model's units (mju_muscleGainLength and
     mju_muscleGainVelocity). A file keeps no numbers that are further apart.
     """
-    push = spec.add_actuator(name=name, target=tendon.name, trntype=mujoco.mjtTrn.mjTRN_TENDON)
+    push = spec.add_actuator(name=f"{tendon}_silence", target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_MUSCLE, mujoco.mjtBias.mjBIAS_AFFINE
-    rest = tendon.law.rest_length
     # 1 at the resting length
-    push.lengthrange = [rest - tendon.longest, rest]
+    push.lengthrange = [rest - longest, rest]
     # range, force, scale, lmin, lmax, vmax, fpmax, fvmax
     push.gainprm = [0.999, 1, _HARD, 1, 1 - 1 / _PARTS, 1e6, 1e10, 1, 1, 0]
     push.biasprm = [_HARD, *np.zeros(9)]
