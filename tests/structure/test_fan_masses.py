@@ -137,13 +137,13 @@ def test_masses_that_cannot_be_are_refused(values, message):
 
 
 @pytest.mark.parametrize("timestep", ["0.02 ms", "0.01 ms"])
-def test_the_wing_with_the_masses_of_its_parts_in_air_folds_in_74_ms(timestep):
+def test_the_wing_with_the_masses_of_its_parts_in_air_folds_in_56_ms(timestep):
     built = load_design("binder2025-built", {"protocol.timestep": timestep})
     stages = [stage.model_dump() for stage in built.protocol.stages[:2]]
     record = run(with_values(built, {"protocol.stages": stages}))
     fold = record.stages[1]
-    # 73.9, 75.2 and 73.4 ms at 0.02, 0.01 and 0.005 ms: it nears 150 deg slowly
-    assert fold.goal_time - fold.start == pytest.approx(0.074, abs=1.5e-3)
+    # 55.7 and 55.5 ms at 0.02 and 0.01 ms; 74 where the damping of slack tendons pushed
+    assert fold.goal_time - fold.start == pytest.approx(0.0556, abs=5e-4)
 
 
 def test_without_armature_a_step_of_the_reference_is_too_long_and_the_advice_names_it():
