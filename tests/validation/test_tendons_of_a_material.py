@@ -296,12 +296,16 @@ def test_a_slack_strap_of_kelvin_and_voigt_does_not_push_the_hinge_back(agree, o
         return state[0] - math.radians(150)
 
     known, pushed = (
-        solve_ivp(motion, (0, 0.1), [angles[0], 0], args=(pushes,), events=arrives, rtol=1e-9, max_step=1e-4).t_events[0]
+        solve_ivp(motion, (0, 0.1), [angles[0], 0], args=(pushes,), events=arrives, rtol=1e-9, max_step=1e-4).t_events[
+            0
+        ]
         for pushes in (False, True)
     )
     assert not len(pushed) or pushed[0] > 1.1 * known[0]
     found = fold_time(angles, record)
-    agree(f"time to 150° at {viscosity:g} Pa s", 1e3 * found, 1e3 * known[0], unit="ms", by="pull-only equation", rel=2e-3)
+    agree(
+        f"time to 150° at {viscosity:g} Pa s", 1e3 * found, 1e3 * known[0], unit="ms", by="pull-only equation", rel=2e-3
+    )
     balance = ff.measure(record).energy_balance
     assert balance.letting_go is None
     assert abs(balance.missing) < 2e-3 * abs(balance.tendon)
