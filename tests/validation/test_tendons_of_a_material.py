@@ -266,8 +266,9 @@ def test_spring_damper_and_branches_together_pull_or_let_go(
     agree("moment of a tendon", found, known, unit="N m", by="sum of its parts", abs=max(1e-7, miss * largest * lever))
 
 
-def fold_time(angles, record, to=math.radians(150)):
-    """When it passes an angle, s, between two rows; nan where it does not."""
+def fold_time(angles, record):
+    """When it passes 150 deg, s, between two rows; nan where it does not."""
+    to = math.radians(150)
     time = record.data["time"].values
     beyond = np.flatnonzero(angles >= to)
     if not len(beyond):
@@ -292,7 +293,7 @@ def test_a_slack_strap_of_kelvin_and_voigt_does_not_push_the_hinge_back(agree, o
             pull = max(pull, 0) if length > LENGTH else 0.0
         return [speed, pull * lever / hinge.inertia]
 
-    def arrives(_, state, pushes):
+    def arrives(_, state, _pushes):
         return state[0] - math.radians(150)
 
     known, pushed = (

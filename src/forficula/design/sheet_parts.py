@@ -157,8 +157,8 @@ class Crease(Part):
     )
     stop_stiffness: float | None = quantity(
         CREASE_STIFFNESS,
-        "of both stops, by length of crease; without it stops are rigid in statics, and 1000 times as stiff as the crease"
-        " where it moves",
+        "of both stops, by length of crease; without it stops are rigid in statics, and in a run 1000 times as stiff as"
+        " the crease",
         default=None,
         above=0,
         examples=["1 kN m/rad/m"],

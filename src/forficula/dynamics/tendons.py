@@ -122,8 +122,8 @@ def _add_muscle(
 ) -> mujoco.MjsActuator:
     """Add what a muscle does when it is passive and stretched, and nothing else of it (MuJoCo's mju_muscleBias).
 
-    None up to the first of two lengths; from there on a stiffness that grows evenly over a width to the one given, which
-    stays. The other length is the longest.
+    None up to the first of two lengths; from there on a stiffness that grows evenly over a width to the one given,
+    which stays. The other length is the longest.
     """
     begins, longest = lengths
     muscle = spec.add_actuator(name=name, target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
