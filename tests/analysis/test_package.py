@@ -10,6 +10,8 @@ from scipy.spatial.transform import Rotation
 
 from forficula.analysis.package import open_package, package_of, packages, smallest_package
 from forficula.analysis.summary import summary
+from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate
 
 turn = st.tuples(*[st.floats(-math.pi, math.pi)] * 3)
 turns = turn.map(lambda angles: Rotation.from_euler("xyz", angles).as_matrix())
@@ -57,3 +59,40 @@ def test_the_folded_wing_takes_least_room_and_its_summary_says_so(reference_run,
     told = summary(reference_run, reference_outcome, versions={})["package"]
     assert (told["state"], told["height_m"]) == ("folded", package.height)
     assert set(told["states"]) == {"flat", "folded", "opened"}
+
+
+def wing_of(values):
+    """The wing as built, after one step."""
+    stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 2e-4}
+    design = with_values(
+        load_design("binder2025"), {"protocol.initial_overbend": 0.0, "protocol.stages": [stage]} | values
+    )
+    return simulate([compile_model(design)])[0]
+
+
+@pytest.mark.parametrize("diameter", [0.005, 0.002])
+def test_a_flat_wing_is_as_high_as_its_veins_are_thick(diameter):
+    assert open_package(wing_of({"vein.diameter": diameter})).height == pytest.approx(diameter, rel=1e-9)
+
+
+def test_two_plates_folded_by_a_right_angle_take_the_room_of_their_sides_and_thickness():
+    """3 and 4 cm long, 2 cm wide and 2 mm thick: thinnest across the width, which a margin of 1 mm adds to twice."""
+    stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 4e-5}
+    design = with_values(
+        load_design("force-clasp"),
+        {
+            "crease.start": math.pi / 2,
+            "crease.fold_limit": math.pi,
+            "protocol.stages": [stage],
+            "crease.extension": None,
+        }
+        | {"crease.extension_damping": None, "crease.rest_angle": math.pi / 2, "tendon": [], "drive": []},
+    )
+    height = open_package(simulate([compile_model(design)])[0]).height
+    assert height == pytest.approx(0.02 + 0.002, rel=1e-6)
+
+
+def test_a_wing_that_did_not_fold_takes_no_room_as_a_folded_one(reference_run):
+    assert set(packages(reference_run)) == {"flat", "folded", "opened"}
+    stuck = with_values(reference_run.design, {"protocol.fold_torque": 0.01, "protocol.stages.1.time_limit": 0.1})
+    assert "folded" not in packages(simulate([compile_model(stuck)])[0])

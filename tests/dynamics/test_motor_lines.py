@@ -168,7 +168,7 @@ def test_a_servo_turns_a_joint_by_the_closed_form():
 
 def test_a_servo_folds_a_wing_later_and_with_less_work():
     wing = load_design("binder2025")
-    held = with_values(wing, {"protocol.no_load_speed": 30.0})
+    held = with_values(wing, {"protocol.no_load_speed": 35.0})
     free, line = (measure(record) for design in (wing, held) for record in simulate([compile_model(design)]))
     assert line.status == free.status == "folded and opened"
     for name in ("fold", "unfold"):

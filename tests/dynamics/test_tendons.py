@@ -40,8 +40,9 @@ SHORT = {
 }
 
 
-def design(**law):
-    return with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": LAW | law})
+def design(*, pushes=True, **law):
+    values = {"tendon.law": LAW | law, "tendon.pushes_when_slack": pushes}
+    return with_values(ff.load_design("binder2025"), SHORT | values)
 
 
 WING = compile_model(design())
@@ -73,7 +74,7 @@ def test_the_engine_has_the_law_by_length_and_area():
 
 def test_branches_need_no_control_and_leave_the_motors_theirs():
     engine = WING.engine
-    plain = compile_model(ff.load_design("binder2025"))
+    plain = compile_model(with_values(ff.load_design("binder2025"), {"tendon.damping": 0.0}))
     assert engine.nu == plain.engine.nu
     assert engine.na == 3 * 2
     assert np.array_equal(WING.motors, plain.motors)
@@ -93,7 +94,7 @@ LETTING_GO = {"quadratic_modulus": 1e6, "cubic_modulus": 0.0, "quadratic_viscosi
 
 
 def letting_go(**law):
-    return design(**LETTING_GO | {"yield_strain": None} | law)
+    return design(pushes=False, **LETTING_GO | {"yield_strain": None} | law)
 
 
 @pytest.mark.parametrize("moduli", [(1e6, 0.0), (-2e6, 1e6)])
@@ -225,3 +226,22 @@ def test_a_wing_is_not_stuck_before_its_branches_have_relaxed():
 
 def test_wings_with_other_numbers_of_branches_go_through_their_stages_side_by_side():
     assert len(StageTracker([WING, compile_model(design(branches=LAW["branches"][:1]))]).ended) == 2
+
+
+def test_a_law_that_cannot_be_kept_from_pushing_is_refused_until_the_design_allows_it():
+    for law in ({"yield_strain": 0.2}, {"cubic_viscosity": 0.1}):
+        values = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
+        given = with_values(ff.load_design("binder2025"), SHORT | {"tendon.law": values})
+        with pytest.raises(ff.InputError, match=r"tendon\.pushes_when_slack: need true to simulate a law that has a"):
+            compile_model(given)
+        assert not compile_model(with_values(given, {"tendon.pushes_when_slack": True})).lets_go.any()
+
+
+def test_a_slack_tendon_exerts_nothing_however_fast_its_ends_move():
+    wing = compile_model(with_values(ff.load_design("binder2025"), {"tendon.damping": 10.0}))
+    data = mujoco.MjData(wing.engine)
+    for speed in (-50, 50):
+        data.qpos[RING], data.qvel[RING] = -np.radians(120) * wing.folds.senses[RING], speed
+        mujoco.mj_forward(wing.engine, data)
+        assert np.all(data.ten_length[wing.tendons] < wing.elastic.rest_length)
+        assert np.all(data.qfrc_actuator == 0)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from forficula.design import load_design
+from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.goals.deviation import default_deviations, off_values, read_deviations
 from forficula.goals.limit import read_limit
@@ -15,8 +15,9 @@ from forficula.goals.outcome_quantity import quantities_of, quantity_of
 from forficula.goals.parameter import read_parameter
 from forficula.goals.static_values import static_values
 from forficula.statics import energy_landscape
+from forficula.study.evaluate import evaluate
 
-WING, JOINT = load_design("binder2025"), load_design("binder2025-joint")
+WING, JOINT, CLASP = (load_design(name) for name in ("binder2025", "binder2025-joint", "force-clasp"))
 
 
 @pytest.mark.parametrize("name", ["binder2025", "binder2025-joint", "letter-fold", "bistable-clasp", "kresling-cell"])
@@ -191,3 +192,19 @@ def test_a_tolerance_of_all_may_spare_some():
     some = read_deviations({"all": "5 %", "tendon.stiffness": "none", "vein.diameter": "0.1 mm"}, WING)
     assert len(some) == len(every) - 1
     assert {each.key: each.relative for each in some}["vein.diameter"] is False
+
+
+def test_the_energy_of_a_state_is_all_that_is_stored_and_that_of_its_tendons_has_its_own_name():
+    clasp = with_values(CLASP, {"protocol.stages": CLASP.as_tables()["protocol"]["stages"][:1]})
+    known, row = quantities_of(clasp), next(evaluate([clasp], threads=1))
+    whole, band = (row[known[name].column] for name in ("closed_energy", "closed_tendon_energy"))
+    # by hand at 60 deg: a band of 8 N/cm, 5 cm at rest, and a hinge of 0.02 N m/rad turned by 30 deg; the film opens
+    length = math.sqrt(0.03**2 + 0.04**2 + 2 * 0.03 * 0.04 * math.cos(math.radians(60)))
+    assert band == pytest.approx(800 / 2 * (length - 0.05) ** 2, rel=0.06)
+    hinge, film = row["closed_hinge_energy_J"], row["closed_spring_energy_J"]
+    assert hinge == pytest.approx(0.01 * math.radians(30) ** 2, rel=0.25)  # and what its stop stores
+    assert whole == pytest.approx(band + hinge + film, rel=1e-12)
+    assert "all stored" in known["closed_energy"].meaning
+    # membranes are in no row of a sparse record
+    assert quantities_of(WING)["flat_energy"].source == "record"
+    assert quantities_of(WING)["flat_tendon_energy"].source == "run"

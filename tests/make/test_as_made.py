@@ -9,6 +9,7 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.as_made import as_made, changes, write_as_made
 from forficula.make.check_parts import coupling_checks
+from forficula.make.files.bill import bill_of
 from forficula.make.free_range import free_range
 from forficula.make.joint import turned
 from forficula.make.made_values import made_values
@@ -108,3 +109,10 @@ def test_a_coupling_that_no_part_is_fails_its_check_and_is_not_in_the_design_as_
     assert [change.designed for change in changes(parts, made) if change.group == "coupling"] == ["rigid"]
     assert made.coupling is None
     assert [check.ok for check in coupling_checks(parts)] == [False]
+
+
+def test_straps_weigh_in_the_bill_what_they_weigh_in_the_design_as_made(made_joint):
+    (tendon,) = made_values(made_joint).tendons
+    (row,) = [row for row in bill_of(made_joint) if row.kind == "strap"]
+    assert tendon.mass is not None
+    assert row.count * row.mass == pytest.approx(tendon.mass, rel=1e-6)

@@ -10,7 +10,9 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.cut_lines import layer_texts
+from forficula.make.files.bill import bill_of
 from forficula.make.joint_layout import joint_layouts
+from forficula.make.make_parts import make_parts
 from forficula.make.regions import area_of, distance_to, loop_area, region_of, sides_of
 from forficula.make.sheet import cut_sheet
 from forficula.make.strap_shape import bows_beside, strap_places
@@ -359,3 +361,12 @@ def test_a_strip_between_windows_is_as_wide_as_they_are_apart():
     checks = {check.name: check for check in cut_sheet(wide).checks}
     assert checks["windows"].ok
     assert checks["strips"].value == pytest.approx(checks["windows"].value, rel=2e-3)
+
+
+def test_a_sheet_with_a_thickness_and_a_density_has_a_mass_in_its_bill():
+    (row,) = bill_of(make_parts(load_design("miura-sheet")))
+    design = load_design("miura-sheet")
+    sides = design.pattern.long_side * design.pattern.short_side * math.sin(design.pattern.acute_angle)
+    by_hand = 16 * sides * 0.2e-3 * 1270
+    assert row.mass == pytest.approx(by_hand, rel=1e-9)
+    assert 1e3 * row.mass == pytest.approx(1.41, abs=0.005)

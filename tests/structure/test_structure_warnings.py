@@ -59,21 +59,6 @@ def test_a_tendon_stretched_further_than_it_was_measured_is_a_warning():
     assert warning.startswith("the flat wing stretches its tendons by 118 %, beyond the 100 % up to which tpu-82a was")
 
 
-def test_branches_that_push_are_warned_of_with_their_share():
-    def warned(**law):
-        law = {"linear_modulus": 4e6, "branches": [{"modulus": 1e6, "time": 0.002}]} | law
-        values = {"tendon.law": law, "tendon.rest_length": 0.09, "tendon.area": 12.5e-6}
-        return [each for each in warnings(with_values(load_design("binder2025"), values)) if "push" in each]
-
-    assert not warned()
-    assert not warned(quadratic_modulus=1e6, linear_viscosity=10.0)
-    assert not warned(quadratic_modulus=-1e6, cubic_modulus=1e6)
-    assert not warned(branches=[], yield_strain=0.2)
-    for law in ({"yield_strain": 0.2}, {"quadratic_viscosity": 1.0}):
-        (warning,) = warned(**law)
-        assert "25 % of the linear modulus" in warning
-
-
 def test_a_run_with_a_law_that_softens_is_said_to_be_a_first_pull():
     def warned(**values):
         law = {"linear_modulus": 4e6, "softening": {"r": 2.0, "m": 1e5}}

@@ -194,9 +194,13 @@ export function makeWing(engine, live, { model, start }) {
 
   /** Energies of the tendons' springs, J. */
   function tendonEnergies(into, lengths) {
-    const { tendon_stiffness: linear, tendon_stiffnesspoly: higher } = model;
+    const { tendon_stiffness: linear, tendon_stiffnesspoly: higher, actuator_biasprm: muscles } = model;
     for (const [tendon, number] of tendons.numbers.entries()) {
-      const law = tendons.sprung[tendon] ? [linear[number], higher[2 * number], higher[2 * number + 1]] : tendons.stiffness[tendon];
+      const spring = tendons.springs[tendon];
+      const passive = [linear[number], higher[2 * number], higher[2 * number + 1]];
+      // a tendon that lets go has its spring as a muscle
+      const muscle = spring ? [muscles[spring.at] / spring.width, 0, 0] : tendons.stiffness[tendon];
+      const law = passive.some(Boolean) ? passive : muscle;
       const longer = Math.max(0, lengths[tendon] - restLength(tendon));
       into[tendon] = units.energy * (law[0] / 2 + (law[1] / 3 + (law[2] / 4) * longer) * longer) * longer ** 2;
     }
@@ -205,7 +209,7 @@ export function makeWing(engine, live, { model, start }) {
 
   /** Below which a tendon is slack, in the model's units. */
   function restLength(tendon) {
-    return tendons.sprung[tendon] ? model.tendon_lengthspring[2 * tendons.numbers[tendon] + 1] : tendons.rest[tendon];
+    return model.tendon_lengthspring[2 * tendons.numbers[tendon] + 1];
   }
 
   /** Push a drawn point with a force, N, until the next push; none without one. */

@@ -9,7 +9,7 @@ import scipy
 from numpy.typing import NDArray
 
 from forficula.dynamics import Record
-from forficula.structure import Structure
+from forficula.structure import Structure, goal_coordinates, state_of
 
 Array = NDArray[np.float64]
 
@@ -92,7 +92,9 @@ def _thinnest(places: Array) -> Array:
 
 
 def packages(record: Record) -> dict[str, tuple[float, Package]]:
-    """When every state that the protocol names was over, s, and the package then; of what blew up, or is a line, none.
+    """When every state that the protocol names was over, s, and the package then, of those that held.
+
+    Of what blew up, or is a line, none.
 
     Balls have the radius of the thickest bar, or half the thickness of the thickest plate or facet.
     """
@@ -104,10 +106,22 @@ def packages(record: Record) -> dict[str, tuple[float, Package]]:
     for time, name in named:
         row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
         places = _places(record, row)
-        if _spread_out(places):
+        if _spread_out(places) and _holds(record, name, row):
             each = package_of(places, _radius(structure))
             found[name] = (float(record.time[row]), replace(each, area_ratio=each.area / begin))
     return found
+
+
+def _holds(record: Record, name: str, row: int) -> bool:
+    """Whether a structure is in a state in a row of a record; true of a state without bounds."""
+    state = state_of(record.structure, name)
+    if state is None:
+        return True
+    distances = record.series.get("distance")
+    values = goal_coordinates(
+        record.structure, record.series["hinge_angle"][[row]], None if distances is None else distances[[row]]
+    )[0]
+    return bool(np.all((values >= state.bounds.least) & (values <= state.bounds.most)))
 
 
 def open_package(record: Record) -> Package:

@@ -98,6 +98,9 @@ class CreaseGroup(Part):
     back_limit: float | None = quantity(
         ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi, examples=["3 deg"]
     )
+    stop_stiffness: float | None = quantity(
+        CREASE_STIFFNESS, "of their stops by length", default=None, above=0, examples=["1 kN m/rad/m"]
+    )
     start: float | None = quantity(ANGLE, "how far folded they start", default=None, examples=["-1 deg"])
 
     @field_validator("name")
@@ -163,6 +166,14 @@ class Crease(Part):
         at_least=0,
         at_most=math.pi,
         examples=["3 deg"],
+    )
+    stop_stiffness: float | None = quantity(
+        CREASE_STIFFNESS,
+        "of both stops, by length of crease; without it stops are rigid in statics, and in a run 1000 times as stiff as"
+        " the crease",
+        default=None,
+        above=0,
+        examples=["1 kN m/rad/m"],
     )
     start: float = quantity(ANGLE, "how far folded it starts; only where facets are rigid", default=0.0)
     group: Annotated[

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, model_validator
@@ -31,14 +32,25 @@ class ElasticTendon(Part):
     # keys that one without a law must have
     needed: ClassVar[tuple[str, ...]] = ("stiffness", "damping")
     natural: ClassVar[tuple[str, ...]] = ("law",)
+    later: ClassVar[tuple[str, ...]] = ("pushes_when_slack",)
 
     stiffness: float | None = quantity(
         STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0
     )
     rest_length: float = quantity(LENGTH, "length below which it does not pull", at_least=0)
     damping: float | None = quantity(
-        TENDON_DAMPING, "viscous damping, which works at any length, slack or taut", default=None, at_least=0
+        TENDON_DAMPING,
+        "viscous damping while it is taut; spring and damper together never push",
+        default=None,
+        at_least=0,
     )
+    pushes_when_slack: Annotated[
+        bool,
+        Field(
+            strict=True,
+            description="whether its damping and Maxwell branches act when it is slack, too, and push, as a strut's do",
+        ),
+    ] = False
     area: float | None = quantity(AREA, "cross-section; with a law or a density", default=None, above=0)
     law: Annotated[
         LawSection | None,
@@ -92,7 +104,10 @@ class TendonSection(ElasticTendon):
 
     heading: ClassVar[str] = "Tendons"
     numbered_by: ClassVar[str] = "vein"
-    later: ClassVar[tuple[str, ...]] = ("density", "proximal_offset", "distal_offset", "proximal_aside", "distal_aside")
+    later: ClassVar[tuple[str, ...]] = (
+        *ElasticTendon.later,
+        *("density", "proximal_offset", "distal_offset", "proximal_aside", "distal_aside"),
+    )
 
     density: float = quantity(
         DENSITY,
@@ -162,11 +177,13 @@ def tendon_law(tendon: ElasticTendon) -> TendonLaw:
         InputError: the law gives no number that can be computed with.
     """
     if tendon.law is not None and tendon.area is not None:
-        return scaled(tendon.law.material, length=tendon.rest_length, area=tendon.area)
+        law = scaled(tendon.law.material, length=tendon.rest_length, area=tendon.area)
+        return replace(law, pushes=tendon.pushes_when_slack)
     return TendonLaw(
         rest_length=tendon.rest_length,
         stiffness=(tendon.stiffness or 0.0, 0.0, 0.0),
         damping=(tendon.damping or 0.0, 0.0, 0.0),
+        pushes=tendon.pushes_when_slack,
     )
 
 

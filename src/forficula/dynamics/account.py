@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.crease_work import crease_works, displacement_force, engine_work, motor_travel
-from forficula.dynamics.energy import branch_losses, letting_go_work
+from forficula.dynamics.energy import LETTING_GO, branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.stepper import energy_of
@@ -235,10 +235,13 @@ class Account:
             lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
             lost[place] = -branch_losses(model, activations).sum(axis=(1, 2))
         if model.lets_go.any():
-            forces = {name: values[place] for name, values in steps.derived.items()}
-            damper, spared = letting_go_work(model, travel[place], forces, activations)
+            forces, late = (
+                {name: each[name][place] for name in LETTING_GO} if each else {} for each in (steps.derived, steps.late)
+            )
+            damper, spared = letting_go_work(model, travel[place], forces, late, activations)
             work["elastic_damping_work"][place] += damper
-            work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
+            if model.branches.size:
+                work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
     def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
         """Part what constraints do into the work of stops and that of contacts."""

@@ -14,36 +14,64 @@ from forficula.dynamics.model import Model
 
 Array = NDArray[np.float64]
 
+# of the engine's fields, what `letting_go_work` needs
+LETTING_GO = ("ten_length", "ten_velocity", "ten_J")
 # of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
 _NODES = 16
 
 
 def letting_go_work(
-    model: Model, travel: Array, forces: Mapping[str, Array], activations: Array
+    model: Model, travel: Array, forces: Mapping[str, Array], late: Mapping[str, Array], activations: Array
 ) -> tuple[Array, Array]:
     """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in the model's units.
+
+    Where a tendon without branches would push, its damper takes what its spring gives, and no more.
 
     Args:
         model: the model.
         travel: of the joints in each step, (step, dof), in the model's units.
         forces: ten_length, ten_velocity and ten_J before each step.
+        late: alike after each step, of steps of Runge and Kutta; empty of others.
         activations: forces of Maxwell branches before the first step and after each, (step + 1, activation).
     """
     which = np.flatnonzero(model.lets_go)
-    engine = model.tendons[which]
-    longer = np.stack(
-        [
-            np.sum(forces["ten_J"][:, entries] * travel[:, dofs], axis=1)
-            for entries, dofs in (model.levers(tendon) for tendon in engine)
-        ],
-        axis=1,
-    )
+    if late:
+        ends = [_letting_go(model, which, *each) for each in ((forces, activations[:-1]), (late, activations[1:]))]
+        powers = [
+            [part * each["ten_velocity"][:, model.tendons[which]] for part in end]
+            for end, each in zip(ends, (forces, late), strict=True)
+        ]
+        damper, spared = ((one + other) * model.timestep / 2 for one, other in zip(*powers, strict=True))
+        return -np.sum(damper, axis=1), -np.sum(spared, axis=1)
+    levers = [model.levers(tendon) for tendon in model.tendons[which]]
+    entries = np.concatenate([np.arange(each.start, each.stop) for each, _ in levers])
+    first = np.cumsum([0, *(len(dofs) for _, dofs in levers[:-1])])
+    turned = forces["ten_J"][:, entries] * travel[:, np.concatenate([dofs for _, dofs in levers])]
+    longer = np.add.reduceat(turned, first, axis=1)
+    # the engine takes the branches' forces after the step
+    damper, spared = _letting_go(model, which, forces, activations[1:])
+    return -np.sum(damper * longer, axis=1), -np.sum(spared * longer, axis=1)
+
+
+def _letting_go(
+    model: Model, which: NDArray[np.int64], forces: Mapping[str, Array], activations: Array
+) -> tuple[Array, Array]:
+    """What dampers of some tendons pull, and by how much more than its parts each tendon pulls, (step, tendon)."""
+    length = forces["ten_length"][:, model.tendons]
     laws = [model.in_units.tendons[tendon].law for tendon in which]
-    spring = model.elastic.force(forces["ten_length"][:, model.tendons])[:, which]
-    damper = np.array([(law.damping or (0.0,))[0] for law in laws]) * forces["ten_velocity"][:, engine]
-    # the engine takes the branches' forces after the step; they are > 0 where they push
-    push = branch_forces(model, activations[1:])[:, which].sum(axis=2) - spring - damper
-    return -np.sum(damper * longer, axis=1), -np.sum(np.maximum(push, 0.0) * longer, axis=1)
+    spring = model.elastic.force(length)[:, which]
+    viscous = np.array([(law.damping or (0.0,))[0] for law in laws])
+    damper = viscous * forces["ten_velocity"][:, model.tendons[which]]
+    taut = length[:, which] > np.asarray(model.elastic.rest_length)[which]
+    if not model.branches.size:
+        pull = np.where(taut, np.maximum(spring + damper, 0.0), 0.0)
+        return pull - spring, np.zeros_like(pull)
+    # they are > 0 where they push
+    push = branch_forces(model, activations)[:, which].sum(axis=2)
+    pull = np.where(taut, np.maximum(spring + damper - push, 0.0), 0.0)
+    alone = np.array([not law.branches for law in laws])
+    damper = np.where(alone, pull - spring, np.where(taut, damper, 0.0))
+    return damper, pull - spring - damper + push
 
 
 def branch_losses(model: Model, activations: Array) -> Array:
@@ -147,7 +175,8 @@ def state_series(
         energy = branch_forces(model, derived["act"]) ** 2 / (2 * stiffness)
         series["branch_energy"] = units.energy * np.sum(energy, axis=-1)
         pull = model.elastic.force(length - crept) - branch_forces(model, derived["act"]).sum(axis=-1)
-        series["tendon_pull"] = units.energy / units.length * np.where(model.lets_go, np.maximum(pull, 0.0), pull)
+        silent = model.lets_go & ((pull < 0) | (length < rest))
+        series["tendon_pull"] = units.energy / units.length * np.where(silent, 0.0, pull)
     if "xpos" not in derived:
         return series
     at_origin = model.sites < 0

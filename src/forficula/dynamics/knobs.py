@@ -28,7 +28,7 @@ Indices = NDArray[np.int64]
 _FACTORS = {
     "tendon.stiffness": (0.1, 10.0),
     "tendon.rest_length": (0.5, 1.5),
-    "tendon.damping": (0.0, 10.0),
+    "tendon.damping": (0.01, 10.0),
     "membrane.youngs_modulus": (0.2, 5.0),
     "membrane.damping": (0.0, 10.0),
     "hinge.stiffness": (0.0, 10.0),
@@ -175,7 +175,7 @@ def _allowed(design: Design, key: str, value: float, end: float) -> Design | Non
 def _numbers(model: Model) -> dict[str, Array]:
     numbers, engine = model_numbers(model), model.engine
     # what only measures has no spring, and a length that the engine makes up for one
-    sprung = np.column_stack([engine.tendon_stiffness, engine.tendon_stiffnesspoly]).any(axis=1)
+    sprung = np.isin(np.arange(engine.ntendon), [*model.tendons, *model.springs])
     if "tendon_lengthspring" in numbers:
         numbers["tendon_lengthspring"][np.repeat(~sprung, 2)] = 0.0
     gravity = np.asarray(getattr(engine.opt, _OPTIONS), dtype=np.float64)

@@ -20,7 +20,7 @@ from forficula.dynamics.drag import HELD, Drag, add_medium, drag_of
 from forficula.dynamics.folds import Folds, folds_of, slide_name
 from forficula.dynamics.membrane import Mesh, add_membranes, joined_mesh
 from forficula.dynamics.node_modes import followed_steps
-from forficula.dynamics.tendons import add_branches, add_distance, add_limit, add_spring, add_tendon
+from forficula.dynamics.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.units import ModelUnits, design_in_model_units, model_units
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
@@ -69,7 +69,7 @@ class Model:
         sites: index of the site of each point, (point,); -1 where it is the origin of its body.
         carriers: index of the body of each point, (point,).
         elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
-        lets_go: whether each tendon lets go where its branches would push, (tendon,).
+        lets_go: whether each tendon lets go where its damper or branches would push, (tendon,).
     """
 
     design: Design
@@ -173,6 +173,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         InputError: as of `compile_model`.
     """
     _check_size(design, structure)
+    _check_pushes(design, structure)
     timestep = float(design.protocol.timestep) / units.time
     mesh = joined_mesh(in_units.membranes)
     distances = [measure for measure in in_units.measures if measure.points is not None]
@@ -229,6 +230,16 @@ def _check_size(design: Design, structure: Structure) -> None:
         raise InputError(f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{reason}, got {count}")
 
 
+def _check_pushes(design: Design, structure: Structure) -> None:
+    for tendon in structure.tendons:
+        if tendon.law.must_push and not tendon.law.pushes:
+            raise InputError(
+                f"{design.name}: {tendon.key}.pushes_when_slack: need true to simulate a law that has a yield_strain or"
+                " a nonlinear viscosity beside damping or branches, because nothing keeps such a tendon from pushing"
+                " when it is slack; a law without these only pulls"
+            )
+
+
 def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
     """The site of every point, (point,), -1 where it has none."""
     sites = np.full(len(structure.points), -1, dtype=np.int64)
@@ -266,7 +277,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[
         add_tendon(spec, tendon, structure)
     # after all motors, so that a motor and its control have the same index: branches have no control
     for tendon in structure.tendons:
-        add_branches(spec, tendon)
+        add_pulls(spec, tendon, structure)
     for limit in structure.limits:
         add_limit(spec, limit, structure)
     for measure in distances:

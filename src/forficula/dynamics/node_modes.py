@@ -39,6 +39,8 @@ _NO_LENGTH = 1e-9
 _FOLLOWED = 0.2
 # of four plates that snap: what the account misses is as with 1, with 10 it is ten times as much
 _BETWEEN_PLATES = 5
+# the same of a clasp that is thrown on its stops: what the account misses is as with 1
+_AT_STOPS = 2
 # all divide the steps between two looks at goals
 _BLOCKS = (1, 2, 5, 10, 20, 50, 100)
 
@@ -60,7 +62,8 @@ def followed_steps(structure: Structure) -> int:
     timestep does; with fewer or shorter ones it falls. Between plates rows mind no strain.
     """
     if structure.plates:
-        return _BETWEEN_PLATES
+        stops = any(hinge.flaps and (hinge.upper < math.pi or hinge.lower > -math.pi) for hinge in structure.hinges)
+        return _AT_STOPS if stops else _BETWEEN_PLATES
     creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=(), motors=()))
     allowed = _FOLLOWED * creases / node_timestep(structure)
     return max(steps for steps in _BLOCKS if steps <= max(allowed, 1))
@@ -222,17 +225,18 @@ def _servos(structure: Structure) -> _Elements:
 
 
 def _creases(structure: Structure) -> _Elements:
-    """Creases, with the stiffness of their springs where they are."""
+    """Creases, with the stiffness of their springs where they are, and of their stops beside that."""
     hinges = [hinge for hinge in structure.hinges if hinge.flaps]
     flaps = crease_flaps(structure)
     corners = built_points(structure)[flaps]
     unit = np.eye(18).reshape(18, 1, 6, 3)
     turns = flap_turns(np.broadcast_to(corners, (18, *corners.shape)), np.broadcast_to(unit, (18, *corners.shape)))
     law = crease_law(structure, crease_numbers(structure))
+    stopped = np.isfinite(law.lower) | np.isfinite(law.upper)
     return _Elements(
         flaps,
         turns.T.reshape(-1, 6, 3),
-        law.slope(np.array([hinge.start for hinge in hinges])),
+        law.slope(np.array([hinge.start for hinge in hinges])) + np.where(stopped, law.stop_stiffness, 0.0),
         np.array([hinge.damping for hinge in hinges]) + _braking(structure)[crease_numbers(structure)],
     )
 

@@ -64,7 +64,11 @@ SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "closure_work": ((), "J", "work of what closes loops of bodies since the start, which should be none"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
     "drag_work": ((), "J", "work of the drag of air or water since the start"),
-    "letting_go_work": ((), "J", "work that tendons which let go are spared, where their branches would push"),
+    "letting_go_work": (
+        (),
+        "J",
+        "work that tendons which let go are spared, where their branches act on slack or would push",
+    ),
     "tendon_pull": (("tendon",), "N", "pull of the tendon's spring and Maxwell branches"),
     "waited": ((), "s", "time at rest since the start that was not stepped, beside the time"),
 }

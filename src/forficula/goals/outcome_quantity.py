@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from forficula.design import Design, key_quantity, key_value
@@ -138,7 +138,25 @@ def _of_states(structure: Structure) -> list[OutcomeQuantity]:
         quantity
         for state in dict.fromkeys(name for name in names if name)
         for quantity in (
-            _quantity(f"{state}_energy", ENERGY, f"stored energy, {state}", "run"),
+            *_energies_of(structure, state),
             *(_quantity(f"{state}_{name}", LENGTH, f"{name}, {state}", "run") for name in watched),
         )
+    ]
+
+
+def _energies_of(structure: Structure, state: str) -> list[OutcomeQuantity]:
+    """All that is stored in a state, and what the tendons store of that; that of membranes takes all rows of a run."""
+    stored = _quantity(f"{state}_energy", ENERGY, f"all stored energy, {state}", "run")
+    if not structure.tendons:
+        return [stored]
+    # rows of studies have the tendons' energy under the first of these names
+    column = f"{state}_stored_energy"
+    return [
+        replace(stored, told_as=column, source="record" if structure.membranes else "run"),
+        replace(
+            stored,
+            name=f"{state}_tendon_energy".replace(" ", "_"),
+            told_as=f"{state}_energy",
+            meaning=f"energy of the tendons, {state}",
+        ),
     ]

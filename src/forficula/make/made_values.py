@@ -100,6 +100,15 @@ def printed_width(joint: JointLayout, strap: Strap) -> float:
     return strap.width if joint.make.process == "powder" else layer * max(1, round(strap.width / layer))
 
 
+def printed_shares(parts: PartSet) -> dict[str, float]:
+    """Of every kind of strap, by its name, the printed width by that of its solid."""
+    return {
+        parts.strap_of(joint.tendon).name: printed_width(joint, joint.strap) / joint.strap.width
+        for joint in parts.joints
+        if joint.tendon in tendons_of(parts) and joint.strap is not None and joint.tendon is not None
+    }
+
+
 def outer_joints(parts: PartSet) -> tuple[JointLayout, ...]:
     """The joints whose distal half carries no other."""
     carrying = {joint.proximal.body for joint in parts.joints}

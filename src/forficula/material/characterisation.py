@@ -299,10 +299,10 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         return
     if fit.relative_misfit > _POOR_FIT:
         yield f"the law misses the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
-    if fit.form.branches and not scaled(fit.law, length=1.0, area=1.0).lets_go:
+    if scaled(fit.law, length=1.0, area=1.0).must_push:
         yield (
-            "a simulated tendon has the Maxwell branches of this law slack or taut, so one that shortens faster than"
-            " they relax pushes, which a real one does not; zener and prony without yield let go"
+            "a simulated tendon of this law pushes when it is slack, which a real one does not, and a design must allow"
+            " that by tendon.pushes_when_slack; laws without yield and with linear viscosity only pull"
         )
     refused = [each.refused for each in fit.candidates if each.refused]
     # the one that names most values says it for all

@@ -9,8 +9,9 @@ from forficula.structure.parts import Array, Indices
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 
-# of a crease's stiffness, or of the stiffest if it has none: its stops
-_STOP = 100.0
+# by a crease's stiffness, or by the stiffest if it has none: that of its stops, if it is not given [chosen]. In runs a
+# stop of 1000 times gives way by 0.06 deg where the spring of the crease is 1 rad from rest; in statics by 6e-5 deg.
+_STOP, _RIGID = 1e3, 1e6
 # coordinates, so that the first three of four are those after each, and the last three those before
 _AROUND = np.array([1, 2, 0, 1])
 
@@ -61,10 +62,20 @@ def built_creases(structure: Structure) -> Array:
     return np.asarray(senses * flap_angles(built_points(structure)[crease_flaps(structure)]))
 
 
-def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
-    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,)."""
+def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = False) -> CreaseLaw:
+    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,).
+
+    Args:
+        structure: whose creases they are.
+        creases: numbers of their hinges, (crease,).
+        rigid_stops: whether stops without a stiffness of their own are so stiff that they count as rigid, for statics.
+    """
     hinges = [structure.hinges[number] for number in creases]
     stiffness = np.array([hinge.stiffness for hinge in hinges])
+    chosen = (_RIGID if rigid_stops else _STOP) * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0))
+    stops = [
+        own if hinge.stop_stiffness is None else hinge.stop_stiffness for hinge, own in zip(hinges, chosen, strict=True)
+    ]
     return CreaseLaw(
         stiffness=stiffness,
         rest_angle=np.array([hinge.rest_angle for hinge in hinges]),
@@ -72,5 +83,5 @@ def crease_law(structure: Structure, creases: Indices) -> CreaseLaw:
         lock_above=np.array([hinge.lock_above for hinge in hinges]),
         lower=np.array([hinge.lower for hinge in hinges]),
         upper=np.array([hinge.upper for hinge in hinges]),
-        stop_stiffness=_STOP * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0)),
+        stop_stiffness=np.array(stops),
     )

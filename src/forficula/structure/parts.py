@@ -161,6 +161,7 @@ class Hinge:
         lock_below: below which its spring stiffens until it locks at -180 deg, as of panels that touch, rad; -inf for
             a spring that does not.
         lock_above: alike towards 180 deg; inf for a spring that does not.
+        stop_stiffness: of a crease's stops, N m/rad; None where it is chosen, see `crease_law`.
         damping: N m s/rad.
         armature: inertia added to it, kg m^2.
         built: of a joint, its angle in the built shape, rad.
@@ -182,6 +183,7 @@ class Hinge:
     rest_angle: float = 0.0
     lock_below: float = -math.inf
     lock_above: float = math.inf
+    stop_stiffness: float | None = None
     damping: float = 0.0
     armature: float = 0.0
     built: float = 0.0

@@ -37,6 +37,7 @@ def sheet_hinge(
         rest_angle=rest_angle(crease, folded),
         lock_below=-lock,
         lock_above=lock,
+        stop_stiffness=None if crease.stop_stiffness is None else crease.stop_stiffness * length,
         damping=(crease.damping or 0.0) * length,
         start=folded,
         assignment=pattern.edges_assignment[edge],

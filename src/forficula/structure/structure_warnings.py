@@ -43,7 +43,6 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
         *_heavy_medium(structure),
         *design.idle,
         *_told(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
-        *_told(structure, groups, [_pushing_branches(tendons[0]) for tendons, _ in groups]),
         *_told(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
         *_told(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),
     ]
@@ -132,18 +131,6 @@ def _unmeasured_strain(built: str, tendon: Tendon, strain: float) -> str:
     return (
         f"{built} stretches its tendons by {100 * strain:.3g} %, beyond the {100 * material.largest_strain:.3g} %"
         f" up to which {material.name or 'their law'} was measured: a longer tendon.rest_length stays within it"
-    )
-
-
-def _pushing_branches(tendon: Tendon) -> str:
-    law = tendon.law
-    if not law.branches or law.lets_go:
-        return ""
-    total, linear = sum(branch.stiffness for branch in law.branches), law.stiffness[0]
-    share = f", with moduli of {100 * total / linear:.3g} % of the linear modulus," if linear else ""
-    return (
-        f"Maxwell branches{share} act on slack tendons, too: after fast shortening they push, which a real tendon does"
-        " not; only a law without nonlinear viscosity and yield_strain lets go in the simulation"
     )
 
 

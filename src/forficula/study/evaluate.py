@@ -147,6 +147,8 @@ def _state(name: str, state: State | None) -> Row:
     if state is None:
         return {f"{name}_energy_J": None}
     energy = {f"{name}_energy_J": stored_energy(state)}
+    if len(state.tendon_energy):
+        energy[f"{name}_stored_energy_J"] = whole_energy(state)
     for kind in SPRUNG:
         if (stored := getattr(state, f"{kind}_energy")) is not None:
             energy[f"{name}_{kind}_energy_J"] = float(np.sum(stored))
@@ -163,10 +165,16 @@ def stored_energy(state: State) -> float | None:
 
     None of one without tendons that has membranes, whose energy sparse records do not have.
     """
-    if len(state.tendon_energy):
-        return float(np.sum(state.tendon_energy))
-    others = (*(getattr(state, f"{kind}_energy") for kind in SPRUNG), state.membrane_energy)
-    stored = sum(float(np.sum(each)) for each in others if each is not None)
+    return float(np.sum(state.tendon_energy)) if len(state.tendon_energy) else whole_energy(state)
+
+
+def whole_energy(state: State) -> float | None:
+    """Energy of tendons, of the springs of hinges, bars and couplings, and of membranes, J.
+
+    None of one that has membranes, whose energy sparse records do not have.
+    """
+    parts = (state.tendon_energy, *(getattr(state, f"{kind}_energy") for kind in SPRUNG), state.membrane_energy)
+    stored = sum(float(np.sum(each)) for each in parts if each is not None)
     return stored if np.isfinite(stored) else None
 
 

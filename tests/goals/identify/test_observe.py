@@ -213,7 +213,7 @@ def test_what_runs_tell_has_the_names_that_goals_have():
     assert asked < set(told)
     # a state by its own name, and its numbers by one without spaces
     assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)
-    row = {"shut again_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
+    row = {"shut again_stored_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
     assert told["shut_again_energy"].of(row) == 0.2
     assert told["shut_again_angle"].of(row) == pytest.approx(np.pi)
     assert told["shut again"].of(row) == 1

@@ -3,8 +3,12 @@
 import numpy as np
 import pytest
 
+from forficula.design import load_design, with_values
 from forficula.statics.net.energy import built_shape, shape_at
+from forficula.statics.net.minimum import minimum
+from forficula.statics.net.net_of import net_of, panels, start_shape
 from forficula.statics.net.passing import panels_pass
+from forficula.structure import structure_of
 from tests.statics.net.nets import sheet, truss
 
 TWO = np.array([[0, 1, 2], [3, 4, 5]])
@@ -38,3 +42,12 @@ def test_a_crease_beyond_half_a_turn_passes():
     there[3, 2] *= -1
     assert not panels_pass(net, shape_at(net, there, np.array([0.1 - np.pi])), triangles)
     assert panels_pass(net, shape_at(net, there, np.array([np.pi + 0.1])), triangles)
+
+
+def test_two_plates_that_fold_onto_one_another_up_to_their_stop_do_not_pass():
+    shut = {"crease.fold_limit": np.pi, "crease.rest_angle": 3.0, "tendon.0.rest_length": 0.005}
+    structure = structure_of(with_values(load_design("force-clasp"), shut))
+    net = net_of(structure)
+    rest = minimum(net, start_shape(structure, net)).shape
+    assert np.degrees(rest.angles[0]) == pytest.approx(179.7, abs=0.31)
+    assert not panels_pass(net, rest, panels(structure))

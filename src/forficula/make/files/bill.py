@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from forficula.csv_text import csv_text
+from forficula.design import SheetDesign
 from forficula.make.files.lying import lying_size
+from forficula.make.made_values import printed_shares
 from forficula.make.part import Part, PartSet
+from forficula.structure import Structure, mass_of
 
 _MM, _CM3, _GRAMS = 1e3, 1e6, 1e3
 _DIGITS = 6
@@ -28,6 +31,7 @@ class BillRow:
         volume: of one of it, m^3; None where that is not known.
         density: of the material, kg/m^3; None where its sources give none.
         density_source: who says so; "" where nobody does.
+        printed_share: of the volume, what whole layers of a filament make of it.
     """
 
     part: str
@@ -39,11 +43,14 @@ class BillRow:
     volume: float | None
     density: float | None
     density_source: str
+    printed_share: float = 1.0
 
     @property
     def mass(self) -> float | None:
-        """Of one of it, as solid as its volume, kg; None where that is not known."""
-        return None if self.density is None or self.volume is None else self.density * self.volume
+        """Of one of it, as solid as its volume but for the share that is printed, kg; None where it is not known."""
+        if self.density is None or self.volume is None:
+            return None
+        return self.density * self.volume * self.printed_share
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,10 +76,14 @@ class BillTotal:
 
 def bill_of(parts: PartSet) -> tuple[BillRow, ...]:
     """Every part of a design, with its sheet last."""
-    rows = [_row(part) for part in parts.parts]
+    shares = printed_shares(parts)
+    rows = [replace(_row(part), printed_share=shares.get(part.name, 1.0)) for part in parts.parts]
     if parts.sheet is None:
         return tuple(rows)
     length, width = (float(side) for side in parts.sheet.size)
+    facet = parts.design.facet if isinstance(parts.design, SheetDesign) else None
+    # windows and hinges cut out are still in it
+    known = facet is not None and bool(facet.density) and not parts.parts
     sheet = BillRow(
         part="sheet",
         kind="sheet",
@@ -80,9 +91,9 @@ def bill_of(parts: PartSet) -> tuple[BillRow, ...]:
         material=None,
         comes="cut",
         size=(length, width, None),
-        volume=None,
-        density=None,
-        density_source="",
+        volume=_mass(parts.structure) / facet.density if facet is not None and facet.density and known else None,
+        density=facet.density if facet is not None and known else None,
+        density_source="the design" if known else "",
     )
     return (*rows, sheet)
 
@@ -130,6 +141,10 @@ def bill_json(rows: Sequence[BillRow]) -> dict[str, Any]:
         for each in bill_totals(rows)
     ]
     return {"parts": [_plain(row) for row in rows], "totals": totals}
+
+
+def _mass(structure: Structure) -> float:
+    return sum(body.mass + mass_of(structure, number)[0] for number, body in enumerate(structure.bodies))
 
 
 def _row(part: Part) -> BillRow:

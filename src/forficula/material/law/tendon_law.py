@@ -120,8 +120,8 @@ def stacked_laws(laws: Sequence[ElasticLaw]) -> ElasticLaw:
 class TendonBranch:
     """A Maxwell branch of a tendon: a spring and a damper in series, beside the tendon's spring.
 
-    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867); whether the tendon
-    passes on what pushes is said by `TendonLaw.lets_go`.
+    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867). A tendon passes it
+    on as `TendonLaw` says.
 
     Attributes:
         stiffness: N/m, > 0.
@@ -145,9 +145,10 @@ class TendonBranch:
 class TendonLaw:
     """What a simulator needs of a tendon: a spring that only pulls, a damper, Maxwell branches, a yield.
 
-    With the extension x = length - rest_length and its rate v the pull is a x + b x^2 + c x^3 where x > 0, plus
-    a v + b v|v| + c v^3 and the forces of the branches at any x: the forms of MuJoCo 4's tendons. Where x would pass
-    `yield_extension`, the resting length creeps so that it does not (ideal plasticity, MuJoCo's `springyield`).
+    With the extension x = length - rest_length and its rate v the pull is the sum of a x + b x^2 + c x^3,
+    a v + b v|v| + c v^3 and the forces of the branches where x > 0 and that sum is > 0, and else nothing. A law that
+    `pushes` has damper and branches at any x and of either sign. Where x would pass `yield_extension`, the resting
+    length creeps so that it does not (ideal plasticity, MuJoCo's `springyield`).
 
     Attributes:
         rest_length: m.
@@ -155,6 +156,7 @@ class TendonLaw:
         damping: N s/m, N s^2/m^2, N s^3/m^3; None where the material does not say.
         branches: of Maxwell, any number.
         yield_extension: m, > 0; None where it never yields.
+        pushes: whether damper and branches act at any length and push, too, as a strut's do.
 
     Raises:
         InputError: what `ElasticLaw` refuses, damping < 0, or a yield extension that is not > 0.
@@ -165,6 +167,7 @@ class TendonLaw:
     damping: tuple[float, float, float] | None = None
     branches: tuple[TendonBranch, ...] = ()
     yield_extension: float | None = None
+    pushes: bool = False
 
     def __post_init__(self) -> None:
         _ = self.elastic
@@ -181,13 +184,22 @@ class TendonLaw:
         return ElasticLaw(rest_length=self.rest_length, linear=linear, quadratic=quadratic, cubic=cubic)
 
     @property
-    def lets_go(self) -> bool:
-        """Whether the simulator has the sum of spring, damper and branches pull only.
+    def may_push(self) -> bool:
+        """Whether its damper or its branches would push where nothing kept them from it."""
+        return bool(self.branches) or any(self.damping or ())
 
-        For tendons with branches, a linear damper or none, and no yield; of others the spring alone pulls only, and
-        damper and branches act at any length.
+    @property
+    def must_push(self) -> bool:
+        """Whether nothing in the simulator can keep it from pushing: that takes linear damping, and no yield."""
+        return self.may_push and (any((self.damping or ())[1:]) or self.yield_extension is not None)
+
+    @property
+    def lets_go(self) -> bool:
+        """Whether spring, damper and branches together pull or do nothing in the simulator, and nothing while slack.
+
+        A law that `pushes` does not, nor one that must push; an elastic one needs nothing for it.
         """
-        return bool(self.branches) and not any((self.damping or ())[1:]) and self.yield_extension is None
+        return self.may_push and not self.pushes and not self.must_push
 
     @property
     def yield_force(self) -> float | None:

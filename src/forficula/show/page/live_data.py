@@ -118,15 +118,25 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "tendons": {
             "numbers": model.tendons.tolist(),
             "points": [[int(model.sites[point]) for point in tendon.points] for tendon in structure.tendons],
-            "sprung": (~model.lets_go).tolist(),
+            "springs": [_spring(model, number) for number in range(len(built.tendons))],
             "stiffness": [list(tendon.law.stiffness) for tendon in built.tendons],
-            "rest": [tendon.law.rest_length for tendon in built.tendons],
         },
         "distances": model.distances.tolist(),
         "gaps": model.gaps.tolist(),
         "size": structure.span / model.units.length,
         "sums": [_reading(structure, measure)["parts"] for measure in sums_of(structure)],
     }
+
+
+def _spring(model: Model, tendon: int) -> dict[str, Any] | None:
+    """Where the engine has the stiffness of a linear tendon that lets go: a force there, by a width; None of others."""
+    law = model.in_units.tendons[tendon].law
+    if not model.lets_go[tendon] or any(law.stiffness[1:]) or not law.stiffness[0]:
+        return None
+    engine = model.engine
+    muscle = engine.actuator(f"{model.in_units.tendons[tendon].name}_spring0")
+    force = float(muscle.biasprm[2])
+    return {"at": int(muscle.id) * engine.actuator_biasprm.shape[1] + 2, "width": force / law.stiffness[0]}
 
 
 def _spoken(name: str) -> str:

@@ -97,7 +97,8 @@ def bends(structure: Structure) -> Flags:
 
 def valley_law(structure: Structure) -> CreaseLaw:
     """The law of the creases' springs by fold angles, valleys positive, where the structure has them in own senses."""
-    law, back = crease_law(structure, np.arange(len(structure.hinges))), _senses(structure) < 0
+    law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
+    back = _senses(structure) < 0
     below, above, lower, upper = (np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper))
     return replace(
         law,

@@ -27,7 +27,21 @@ def panels_pass(net: Net, shape: Shape, triangles: Indices) -> bool:
     if np.abs(shape.angles).max(initial=0.0) > np.pi + _TURNED:
         return True
     corners = (net.points @ shape.positions)[triangles]
-    return len(triangles) > 1 and bool(_pierced(corners, triangles).any())
+    return len(triangles) > 1 and bool(_pierced(corners, _joined(net)[triangles]).any())
+
+
+def _joined(net: Net) -> Indices:
+    """The points by number, (point,), where both sides of a crease between plates have the same numbers."""
+    numbers = np.arange(net.points.shape[0])
+    sides = [(flaps[end], flaps[end + 3]) for flaps in net.creases.points for end in (0, 1)]
+    # a point at several creases takes the least number of all of them
+    for _ in range(len(sides)):
+        before = numbers.copy()
+        for one, other in sides:
+            numbers[[one, other]] = min(numbers[one], numbers[other])
+        if np.array_equal(before, numbers):
+            break
+    return numbers
 
 
 def _pierced(corners: Array, triangles: Indices) -> NDArray[np.bool_]:
