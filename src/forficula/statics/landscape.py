@@ -20,6 +20,7 @@ from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
 from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
+from forficula.statics.inertial_help import InertialHelp, inertial_help
 from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.partial_folds import (
     PartialFold,
@@ -36,6 +37,7 @@ from forficula.statics.quasi_static import (
     crosses,
     least_slow_torque,
     start_state,
+    state_after,
     state_beyond,
 )
 from forficula.statics.sprung_hinge import sprung_landscape
@@ -94,6 +96,8 @@ class EnergyLandscape(Displayed):
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
             even the largest that was tried does, or where it does not rest in the state that it would start from. Those
             of a net are in its courses.
+        inertial_help: by transition, a snap after which inertia may make it with less than that torque, which is then
+            an upper bound; None where the slow path has no such snap.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
         net: stable states, saddles and paths of points that slide, and of plates in loops or free; None for a tree of
@@ -111,6 +115,7 @@ class EnergyLandscape(Displayed):
     hinge_barriers: Array
     rests: tuple[Rest, ...]
     least_torques: Mapping[str, float | None]
+    inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: tuple[str, ...]
     net: NetLandscape | None = None
@@ -174,18 +179,22 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     first = first_state(structure, [state.name for state in structure.states])
     rests, most = [_rest(structures, first, start)], {}
     slow: dict[str, SlowTransition | None] = {}
+    helps: dict[str, InertialHelp | None] = {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
     before, held = start, True
     for transition in structure.transitions:
         most[transition.name] = _largest_torque(structures, transition, peak)
-        drive, largest = transition.slow_drive, most[transition.name]
+        found, start_of_next = None, state_beyond(structures, transition)
+        rests.append(_rest(structures, transition.state, start_of_next, rests))
         # from where it does not rest nothing leads on
-        slow[transition.name] = (
-            least_slow_torque(structures, before.position, transition, largest, drive) if held else None
-        )
-        before = state_beyond(structures, transition)
+        if held:
+            largest = most[transition.name]
+            found = least_slow_torque(structures, before.position, transition, largest, recorded=True)
+            start_of_next = state_after(structures, transition, found.torque, found.position)
+        slow[transition.name] = found
+        helps[transition.name] = _help(structures, transition, found)
+        before = start_of_next
         held = bool(at_goal(structures, before.position, transition.released)[0])
-        rests.append(_rest(structures, transition.state, before, rests))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -198,6 +207,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
+        inertial_help=helps,
         tips=None if path is None else tip_stiffness(structures, start.position),
         remarks=(
             *structure.remarks,
@@ -208,7 +218,9 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(
                 remark
                 for transition in structure.transitions
-                for remark in _slow_remarks(structure, transition, most[transition.name], slow[transition.name])
+                for remark in _slow_remarks(
+                    structure, transition, most[transition.name], slow[transition.name], helps[transition.name]
+                )
             ),
         ),
     )
@@ -321,9 +333,15 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
 
 def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
     """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
-    drive = transition.slow_drive or drive_of(structures.structure, transition.drive)
+    drive = drive_of(structures.structure, transition.drive)
     own = abs(drive.strength)
     return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
+
+
+def _help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
+    if found is None or not found.torque[0] > 0:
+        return None
+    return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
 
 
 def _known(value: float) -> float | None:
@@ -409,27 +427,33 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
 
 
 def _slow_remarks(
-    structure: Structure, transition: Transition, most: float, found: SlowTransition | None
+    structure: Structure, transition: Transition, most: float, found: SlowTransition | None, help: InertialHelp | None
 ) -> tuple[str, ...]:
-    """What to say where no slowly growing torque makes a transition."""
-    verb, does, own = transition.wording.verb, transition.wording.does, transition.slow_drive is None
+    """What to say where no slowly growing torque makes a transition, or where inertia may make it with less."""
+    verb, does = transition.wording.verb, transition.wording.does
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
     if found is None:
         before = _before(structure, transition)
         return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
     if found.torque[0] == 0:
         return (f'no torque is needed to {verb}: the goal of "{transition.name}" holds where it rests before',)
+    if help is not None:
+        least, snap = (show_quantity(torque, TORQUE) for torque in (float(found.torque[0]), help.torque))
+        return (
+            f"the least slow torque to {verb}, {least}, is an upper bound, because inertia may decide: at {snap} the"
+            f" {structure.appearance.whole} snaps and releases {show_value(help.released, 'J')}, and from there the slow"
+            f" path climbs {show_value(help.barrier, 'J')}; a run computes whether less than {least} is enough",
+        )
     if not math.isnan(found.torque[0]):
         return ()
     started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
-    on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
     folding = list(folding_hinges(structure))
     stopped = (
         f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
     )
     # what a run can do beyond it
-    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells" if own else ""
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)}{on} {makes}{started}{inertia}",)
+    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells"
+    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
 
 
 def _before(structure: Structure, transition: Transition) -> str:
