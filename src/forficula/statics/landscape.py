@@ -5,17 +5,17 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import TORQUE, Design
+from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.quantities import show_quantity, show_value
+from forficula.quantities import show_value
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
@@ -25,7 +25,6 @@ from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.partial_folds import (
     PartialFold,
     fold_levels,
-    folding_hinges,
     partial_folds,
     single_hinge_barriers,
     soft_stiffness,
@@ -40,6 +39,7 @@ from forficula.statics.quasi_static import (
     state_after,
     state_beyond,
 )
+from forficula.statics.slow_remarks import slow_remarks
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, state_of
@@ -48,6 +48,8 @@ Array = NDArray[np.float64]
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0
+# by which hinges are shifted where a structure begins to snap, rad: not at all, and three times by about 0.3 deg
+_KICKS = (0.0, *[math.radians(0.3)] * 3)
 _STRAIGHT = math.radians(1)  # what counts as straight
 _SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one place, to what tables show
 
@@ -96,6 +98,8 @@ class EnergyLandscape(Displayed):
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
             even the largest that was tried does, or where it does not rest in the state that it would start from. Those
             of a net are in its courses.
+        least_torque_ranges: by transition, the least and the largest of these torques for a structure whose hinges are
+            shifted at random by about 0.3 deg where it begins to snap; the largest is inf where one is not made at all.
         inertial_help: by transition, a snap after which inertia may make it with less than that torque, which is then
             an upper bound; None where the slow path has no such snap.
         tips: resistance to a load at the tips; None where there is no one way to fold.
@@ -115,6 +119,7 @@ class EnergyLandscape(Displayed):
     hinge_barriers: Array
     rests: tuple[Rest, ...]
     least_torques: Mapping[str, float | None]
+    least_torque_ranges: Mapping[str, tuple[float, float]]
     inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: tuple[str, ...]
@@ -180,6 +185,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     rests, most = [_rest(structures, first, start)], {}
     slow: dict[str, SlowTransition | None] = {}
     helps: dict[str, InertialHelp | None] = {}
+    ranges: dict[str, tuple[float, float]] = {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
     before, held = start, True
     for transition in structure.transitions:
@@ -189,7 +195,13 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         # from where it does not rest nothing leads on
         if held:
             largest = most[transition.name]
-            found = least_slow_torque(structures, before.position, transition, largest, recorded=True)
+            several = structures.repeated(len(_KICKS))
+            begins = np.tile(before.position, (len(_KICKS), 1))
+            shifted = least_slow_torque(several, begins, transition, largest, recorded=True, kicks=_KICKS)
+            found = replace(shifted, torque=shifted.torque[:1], position=shifted.position[:1])
+            if not math.isnan(found.torque[0]):
+                torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
+                ranges[transition.name] = float(torques.min()), float(torques.max())
             start_of_next = state_after(structures, transition, found.torque, found.position)
         slow[transition.name] = found
         helps[transition.name] = _help(structures, transition, found)
@@ -207,6 +219,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
+        least_torque_ranges=ranges,
         inertial_help=helps,
         tips=None if path is None else tip_stiffness(structures, start.position),
         remarks=(
@@ -218,8 +231,13 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(
                 remark
                 for transition in structure.transitions
-                for remark in _slow_remarks(
-                    structure, transition, most[transition.name], slow[transition.name], helps[transition.name]
+                for remark in slow_remarks(
+                    structure,
+                    transition,
+                    most[transition.name],
+                    slow[transition.name],
+                    ranges.get(transition.name),
+                    helps[transition.name],
                 )
             ),
         ),
@@ -424,38 +442,3 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
         f" {math.degrees(least):.4g} deg;"
         " its flat state, and what is said of it, is that",
     )
-
-
-def _slow_remarks(
-    structure: Structure, transition: Transition, most: float, found: SlowTransition | None, help: InertialHelp | None
-) -> tuple[str, ...]:
-    """What to say where no slowly growing torque makes a transition, or where inertia may make it with less."""
-    verb, does = transition.wording.verb, transition.wording.does
-    makes = f"makes it {verb}" if " " in verb else f"{does} it"
-    if found is None:
-        before = _before(structure, transition)
-        return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
-    if found.torque[0] == 0:
-        return (f'no torque is needed to {verb}: the goal of "{transition.name}" holds where it rests before',)
-    if help is not None:
-        least, snap = (show_quantity(torque, TORQUE) for torque in (float(found.torque[0]), help.torque))
-        return (
-            f"the least slow torque to {verb}, {least}, is an upper bound, because inertia may decide: at {snap} the"
-            f" {structure.appearance.whole} snaps and releases {show_value(help.released, 'J')}, and from there the slow"
-            f" path climbs {show_value(help.barrier, 'J')}; a run computes whether less than {least} is enough",
-        )
-    if not math.isnan(found.torque[0]):
-        return ()
-    started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
-    folding = list(folding_hinges(structure))
-    stopped = (
-        f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
-    )
-    # what a run can do beyond it
-    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells"
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
-
-
-def _before(structure: Structure, transition: Transition) -> str:
-    """Name of the state from which a transition starts, after the first one."""
-    return structure.transitions[structure.transitions.index(transition) - 1].state

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +30,7 @@ _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # of a least torque
 _FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
 _SNAP_STEP = 0.05  # rad, by which hinges turn at most in a step of a snap
+_SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to step
 
 
@@ -180,6 +182,7 @@ def least_slow_torque(
     drive: Drive | None = None,
     *,
     recorded: bool = False,
+    kicks: ArrayLike = 0.0,
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
 
@@ -196,9 +199,12 @@ def least_slow_torque(
         most: size of the largest torque tried, N m, one or by case.
         drive: of the torque, whose sign it has.
         recorded: keep the paths.
+        kicks: standard deviation of random angles by which hinges are shifted where a structure begins to snap, rad,
+            one or by case. Paths that part by this show that the torque depends on small differences.
     """
     goal = goal_of(structures.structure, transition.goal)
-    record = _PathRecord(start) if recorded else None
+    record, random = _PathRecord(start) if recorded else None, np.random.default_rng(_SEED)
+    kicks = np.broadcast_to(np.asarray(kicks, dtype=np.float64), (len(start),))
     drive = drive or drive_of(structures.structure, transition.drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
     position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
@@ -213,7 +219,12 @@ def least_slow_torque(
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
-            for case, torque_there, way in _snapped(structures, left[snaps], position[left[snaps]], drive, tried[snaps]):
+            snapping = left[snaps]
+            begins = position[snapping]
+            if kicks.any():
+                shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
+                begins = np.clip(begins + shift, structures.lower, structures.upper)
+            for case, torque_there, way in _snapped(structures, snapping, begins, drive, tried[snaps]):
                 found[left == case] = way[-1]
                 if record is not None:
                     record.add_snap(case, torque_there, way)

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from forficula.design import FanDesign, JointDesign, Protocol, stage_drives
-from forficula.structure.course import Drive, Measure, RestState, Transition, Wording
+from forficula.structure.course import Measure, RestState, Transition, Wording
 from forficula.structure.goals import bounded, hinges_of
 from forficula.structure.structure import Structure
 
