@@ -117,15 +117,21 @@ def ramp(fold: float, unfold: float, rise: float = _RISE) -> dict[str, Any]:
 
 
 def let_go(record: Record, name: str, torque: float) -> float | None:
-    """Torque at which the last distal hinge snaps, N m, for a ramp up to a torque; None where it misses its goal."""
+    """Torque at which the last distal hinge folds, or at which all are open, N m; None where a ramp misses its goal.
+
+    A wing that folds is slack beyond some angle and creeps to its goal against the dampers, so the snap counts.
+    """
     end = next(each for each in record.stages if each.stage.drive == name)
     if end.goal_time is None:
         return None
+    rise = record.design.protocol.rise
+    if name == "unfold":
+        return torque * min((end.goal_time - end.start) / rise, 1.0)
     rows = np.flatnonzero((record.time >= end.start) & (record.time <= end.end))
     angles = record.series["hinge_angle"][rows][:, list(hinges_of(record.structure, "ring"))]
-    short = (angles > _LET_GO if name == "fold" else angles < _LET_GO).any(axis=1)
+    short = (angles > _LET_GO).any(axis=1)
     last = float(record.time[rows[np.flatnonzero(short)[-1]]])
-    return torque * min((last - end.start) / record.design.protocol.rise, 1.0)
+    return torque * min((last - end.start) / rise, 1.0)
 
 
 def judged(least: float | None, low: float, high: float, found: float | None) -> str:
