@@ -292,6 +292,15 @@ class Tips(TypedDict):
 
 
 @with_config(_CLOSED)
+class InertialHelp(TypedDict):
+    """A snap after which inertia may make a transition with less than the least slow torque."""
+
+    torque_N_m: float
+    released_J: float
+    barrier_J: float
+
+
+@with_config(_CLOSED)
 class Landscape(TypedDict):
     """What statics say of a design; `net` is of points that slide and of plates in loops."""
 
@@ -303,6 +312,8 @@ class Landscape(TypedDict):
     partial_folds: list[PartialFold]
     rests: list[Rest]
     least_torques_N_m: dict[str, Number]
+    least_torque_ranges_N_m: NotRequired[dict[str, list[Number]]]
+    inertial_help: NotRequired[dict[str, InertialHelp | None]]
     tips: Tips | None
     remarks: list[str]
     net: NotRequired[dict[str, Any]]

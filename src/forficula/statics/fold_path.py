@@ -14,7 +14,7 @@ from forficula.statics.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, rest
 from forficula.statics.sheet import sheet_energy
-from forficula.structure import RigidFold, Structure
+from forficula.structure import RigidFold, Structure, drive_of
 
 Array = NDArray[np.float64]
 
@@ -39,6 +39,7 @@ class FoldPath:
         sheet_energy: of membranes and length limits, J, (place,).
         moment: about the pleats, -d energy / d pleat angle, N m, (place,).
         fold_slope: d ring angle / d pleat angle, (place,).
+        unfold_rate: work that a unit torque of the drive back does, by the pleat angle that it takes back, (place,).
         quiet: moment that counts as none, N m, (place,).
         turns: how many hinges turn, by half the pleat angle each.
         driven: how many of these a motor drives; all where none is driven.
@@ -54,6 +55,7 @@ class FoldPath:
     sheet_energy: Array
     moment: Array
     fold_slope: Array
+    unfold_rate: Array
     quiet: Array
     turns: int
     driven: int
@@ -78,12 +80,12 @@ class FoldPath:
 
     @property
     def unfold_torque(self) -> float | None:
-        """Least torque on every folding hinge that takes it back, N m; None where the ring does not move on the way."""
-        moves = self.fold_slope > 0
+        """Least torque of the drive back that takes it back, N m; None where the ring does not move on the way."""
+        moves = (self.fold_slope > 0) & (self.unfold_rate > 0)
         if not moves.any():
             return None
         climbs = np.where(self.moment > self.quiet, self.moment, 0.0)
-        return float(np.max(climbs[moves] / self.fold_slope[moves])) / self.folds
+        return float(np.max(climbs[moves] / self.unfold_rate[moves]))
 
 
 def rigid_fold(structure: Structure) -> RigidFold:
@@ -133,6 +135,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         sheet_energy=sheet,
         moment=-slope,
         fold_slope=fold_slope,
+        unfold_rate=_unfold_rate(structures, fold, fold_slope),
         quiet=quiet,
         turns=len(fold.turns),
         driven=_driven(structures.structure, fold),
@@ -140,6 +143,18 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=quiet),
         remarks=fold.remarks,
     )
+
+
+def _unfold_rate(structures: Ensemble, fold: RigidFold, fold_slope: Array) -> Array:
+    """See `FoldPath.unfold_rate`; that of torques on the folding hinges where no transition leads back."""
+    built, turns, folds = structures.structure, list(fold.turns), list(fold.folds)
+    back = next((each for each in built.transitions if each.state != fold.end), None)
+    torques = np.zeros(structures.size)
+    torques[folds] = 1.0
+    if back is not None:
+        drive = drive_of(built, back.drive)
+        torques = np.array(drive.shares) @ structures.drives * (-1.0 if drive.strength < 0 else 1.0)
+    return np.asarray(torques[folds].sum() * fold_slope - torques[turns].sum() / 2)
 
 
 def _driven(structure: Structure, fold: RigidFold) -> int:

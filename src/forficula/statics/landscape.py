@@ -5,26 +5,26 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import TORQUE, Design
+from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.quantities import show_quantity, show_value
+from forficula.quantities import show_value
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
 from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
+from forficula.statics.inertial_help import InertialHelp, inertial_help
 from forficula.statics.net_landscape import NetLandscape
 from forficula.statics.partial_folds import (
     PartialFold,
     fold_levels,
-    folding_hinges,
     partial_folds,
     single_hinge_barriers,
     soft_stiffness,
@@ -36,8 +36,10 @@ from forficula.statics.quasi_static import (
     crosses,
     least_slow_torque,
     start_state,
+    state_after,
     state_beyond,
 )
+from forficula.statics.slow_remarks import slow_remarks
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, state_of
@@ -46,6 +48,8 @@ Array = NDArray[np.float64]
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0
+# by which hinges are shifted where a structure begins to snap, rad: not at all, and three times by about 0.3 deg
+_KICKS = (0.0, *[math.radians(0.3)] * 3)
 _STRAIGHT = math.radians(1)  # what counts as straight
 _SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one place, to what tables show
 
@@ -94,6 +98,10 @@ class EnergyLandscape(Displayed):
         least_torques: by transition, the size of the least slowly growing torque that makes it, N m; None where not
             even the largest that was tried does, or where it does not rest in the state that it would start from. Those
             of a net are in its courses.
+        least_torque_ranges: by transition, the least and the largest of these torques for a structure whose hinges are
+            shifted at random by about 0.3 deg where it begins to snap; the largest is inf where one is not made at all.
+        inertial_help: by transition, a snap after which inertia may make it with less than that torque, which is then
+            an upper bound; None where the slow path has no such snap.
         tips: resistance to a load at the tips; None where there is no one way to fold.
         remarks: sentences on what does not exist, and what to know of the rest.
         net: stable states, saddles and paths of points that slide, and of plates in loops or free; None for a tree of
@@ -111,6 +119,8 @@ class EnergyLandscape(Displayed):
     hinge_barriers: Array
     rests: tuple[Rest, ...]
     least_torques: Mapping[str, float | None]
+    least_torque_ranges: Mapping[str, tuple[float, float]]
+    inertial_help: Mapping[str, InertialHelp | None]
     tips: TipStiffness | None
     remarks: tuple[str, ...]
     net: NetLandscape | None = None
@@ -174,18 +184,29 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     first = first_state(structure, [state.name for state in structure.states])
     rests, most = [_rest(structures, first, start)], {}
     slow: dict[str, SlowTransition | None] = {}
+    helps: dict[str, InertialHelp | None] = {}
+    ranges: dict[str, tuple[float, float]] = {}
     peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
     before, held = start, True
     for transition in structure.transitions:
         most[transition.name] = _largest_torque(structures, transition, peak)
-        drive, largest = transition.slow_drive, most[transition.name]
+        found, start_of_next = None, state_beyond(structures, transition)
+        rests.append(_rest(structures, transition.state, start_of_next, rests))
         # from where it does not rest nothing leads on
-        slow[transition.name] = (
-            least_slow_torque(structures, before.position, transition, largest, drive) if held else None
-        )
-        before = state_beyond(structures, transition)
+        if held:
+            largest = most[transition.name]
+            several = structures.repeated(len(_KICKS))
+            begins = np.tile(before.position, (len(_KICKS), 1))
+            shifted = least_slow_torque(several, begins, transition, largest, recorded=True, kicks=_KICKS)
+            found = replace(shifted, torque=shifted.torque[:1], position=shifted.position[:1])
+            if not math.isnan(found.torque[0]):
+                torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
+                ranges[transition.name] = float(torques.min()), float(torques.max())
+            start_of_next = state_after(structures, transition, found.torque, found.position)
+        slow[transition.name] = found
+        helps[transition.name] = _help(structures, transition, found)
+        before = start_of_next
         held = bool(at_goal(structures, before.position, transition.released)[0])
-        rests.append(_rest(structures, transition.state, before, rests))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -198,6 +219,8 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         hinge_barriers=single_hinge_barriers(structures, start.position),
         rests=tuple(rests),
         least_torques={name: None if each is None else _known(each.torque[0]) for name, each in slow.items()},
+        least_torque_ranges=ranges,
+        inertial_help=helps,
         tips=None if path is None else tip_stiffness(structures, start.position),
         remarks=(
             *structure.remarks,
@@ -208,7 +231,14 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *(
                 remark
                 for transition in structure.transitions
-                for remark in _slow_remarks(structure, transition, most[transition.name], slow[transition.name])
+                for remark in slow_remarks(
+                    structure,
+                    transition,
+                    most[transition.name],
+                    slow[transition.name],
+                    ranges.get(transition.name),
+                    helps[transition.name],
+                )
             ),
         ),
     )
@@ -321,9 +351,15 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
 
 def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
     """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
-    drive = transition.slow_drive or drive_of(structures.structure, transition.drive)
+    drive = drive_of(structures.structure, transition.drive)
     own = abs(drive.strength)
     return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
+
+
+def _help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
+    if found is None or not found.torque[0] > 0:
+        return None
+    return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
 
 
 def _known(value: float) -> float | None:
@@ -406,32 +442,3 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
         f" {math.degrees(least):.4g} deg;"
         " its flat state, and what is said of it, is that",
     )
-
-
-def _slow_remarks(
-    structure: Structure, transition: Transition, most: float, found: SlowTransition | None
-) -> tuple[str, ...]:
-    """What to say where no slowly growing torque makes a transition."""
-    verb, does, own = transition.wording.verb, transition.wording.does, transition.slow_drive is None
-    makes = f"makes it {verb}" if " " in verb else f"{does} it"
-    if found is None:
-        before = _before(structure, transition)
-        return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
-    if found.torque[0] == 0:
-        return (f'no torque is needed to {verb}: the goal of "{transition.name}" holds where it rests before',)
-    if not math.isnan(found.torque[0]):
-        return ()
-    started = "" if transition is structure.transitions[0] else f" from {_before(structure, transition)}"
-    on = "" if transition.slow_drive is None else f" on the {transition.slow_drive.name} hinges"
-    folding = list(folding_hinges(structure))
-    stopped = (
-        f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
-    )
-    # what a run can do beyond it
-    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells" if own else ""
-    return (f"no slowly growing torque up to {show_quantity(most, TORQUE)}{on} {makes}{started}{inertia}",)
-
-
-def _before(structure: Structure, transition: Transition) -> str:
-    """Name of the state from which a transition starts, after the first one."""
-    return structure.transitions[structure.transitions.index(transition) - 1].state

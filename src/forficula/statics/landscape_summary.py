@@ -41,6 +41,16 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
             for state in landscape.rests
         ],
         "least_torques_N_m": dict(landscape.least_torques),
+        "least_torque_ranges_N_m": {
+            name: [low, None if math.isinf(high) else high]
+            for name, (low, high) in landscape.least_torque_ranges.items()
+        },
+        "inertial_help": {
+            name: None
+            if each is None
+            else {"torque_N_m": each.torque, "released_J": each.released, "barrier_J": each.barrier}
+            for name, each in landscape.inertial_help.items()
+        },
         "tips": None
         if tips is None
         else {

@@ -1,7 +1,8 @@
-"""How structures give way to slowly growing torques: the least ones that take them to a goal, without any inertia."""
+"""Slowly growing torques: the least ones that take structures to a goal, without help from inertia."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +29,25 @@ Array = NDArray[np.float64]
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # of a least torque
 _FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
-_NEAR = 0.3  # rad, by which hinges turn at most without a snap from step to step
+_SNAP_STEP = 0.05  # rad, by which hinges turn at most in a step of a snap
+_SEED = 30  # of random shifts
+_NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to step
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowPath:
+    """Equilibria of one structure under a slowly growing torque, and the snaps between them.
+
+    Attributes:
+        torque: size, not falling, N m, (step,).
+        position: angles, rad, (step, hinge); during a snap, which has several steps of one torque, they are no
+            equilibria.
+        snaps: numbers of the steps at which a snap begins and ends.
+    """
+
+    torque: Array
+    position: Array
+    snaps: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,10 +57,12 @@ class SlowTransition:
     Attributes:
         torque: size of the least that brings each to its goal, N m, nan where none of those tried does, (case,).
         position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
+        paths: by case, how it gets there; empty where they were not recorded.
     """
 
     torque: Array
     position: Array
+    paths: tuple[SlowPath, ...] = ()
 
 
 def start_state(structures: Ensemble) -> Equilibria:
@@ -79,6 +100,30 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     start[:, placed] = ends[placed]
     closed = rest(structures, start, fixed=placed.tolist())
     return rest(structures, closed.position)
+
+
+def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
+    """Where structures rest without torques after a slowly growing torque, which is where the next transition starts.
+
+    They are let go from where the torque led. Those that it did not bring to the goal, or that leave the state when let
+    go, are let go from the stops, see `state_beyond`. A slack tendon lets hinges rest anywhere in a range, and from its
+    ends the next torque can lead along another path.
+
+    Args:
+        structures: side by side.
+        transition: with the state.
+        torque: the least that makes it, N m, nan where none does, (case,).
+        position: angles under this torque, rad, (case, hinge).
+    """
+    led, beyond = rest(structures, position), state_beyond(structures, transition)
+    stays = np.isfinite(torque) & at_goal(structures, led.position, transition.released)
+    return Equilibria(
+        position=np.where(stays[:, None], led.position, beyond.position),
+        energy=np.where(stays, led.energy, beyond.energy),
+        slope=np.where(stays[:, None], led.slope, beyond.slope),
+        stiffness=np.where(stays, led.stiffness, beyond.stiffness),
+        rests=np.where(stays, led.rests, beyond.rests),
+    )
 
 
 def at_goal(structures: Ensemble, position: Array, goal: Goal) -> NDArray[np.bool_]:
@@ -130,13 +175,22 @@ def crosses(structures: Ensemble, drive: Drive) -> bool:
 
 
 def least_slow_torque(
-    structures: Ensemble, start: Array, transition: Transition, most: ArrayLike, drive: Drive | None = None
+    structures: Ensemble,
+    start: Array,
+    transition: Transition,
+    most: ArrayLike,
+    drive: Drive | None = None,
+    *,
+    recorded: bool = False,
+    kicks: ArrayLike = 0.0,
 ) -> SlowTransition:
     """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
 
-    A step of the torque under which it would leave its surroundings, or get to its goal, is halved. Where it leaves
-    after a step of 1 % of the torque, too, it snaps: it is let go to where it rests, and the torque grows on from
-    there. The first step is 1e-4 of the largest torque, and no shorter ones are tried.
+    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of
+    the torque under which a structure would leave its surroundings, or get to its goal, is halved. Where it leaves
+    after a step of 1 % of the torque, too, the equilibrium has become unstable and the structure snaps: it follows the
+    steepest descent of the energy, as a motion with equal dampers and without inertia does, to the next equilibrium,
+    from which the torque grows on. The first step is 1e-4 of the largest torque, and no shorter ones are tried.
 
     Args:
         structures: side by side.
@@ -144,8 +198,13 @@ def least_slow_torque(
         transition: whose goal, and whose drive where none is given.
         most: size of the largest torque tried, N m, one or by case.
         drive: of the torque, whose sign it has.
+        recorded: keep the paths.
+        kicks: standard deviation of random angles by which hinges are shifted where a structure begins to snap, rad,
+            one or by case. Paths that part by this show that the torque depends on small differences.
     """
     goal = goal_of(structures.structure, transition.goal)
+    record, random = _PathRecord(start) if recorded else None, np.random.default_rng(_SEED)
+    kicks = np.broadcast_to(np.asarray(kicks, dtype=np.float64), (len(start),))
     drive = drive or drive_of(structures.structure, transition.drive)
     most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
     position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
@@ -153,20 +212,77 @@ def least_slow_torque(
     while True:
         left = np.flatnonzero(np.isnan(least) & (torque < most))
         if not len(left):
-            return SlowTransition(torque=least, position=position)
+            return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
         tried = np.minimum(torque[left] + step[left], most[left])
         found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
         leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
         fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
         snaps = leaves & fine
         if snaps.any():
-            found[snaps] = _pushed(structures, left[snaps], found[snaps], drive, tried[snaps])
+            snapping = left[snaps]
+            begins = position[snapping]
+            if kicks.any():
+                shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
+                begins = np.clip(begins + shift, structures.lower, structures.upper)
+            for case, torque_there, way in _snapped(structures, snapping, begins, drive, tried[snaps]):
+                found[left == case] = way[-1]
+                if record is not None:
+                    record.add_snap(case, torque_there, way)
         there = at_goal(structures, found, goal)
         kept = snaps | ~(leaves | there & ~fine)
         torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
+        if record is not None:
+            for row in np.flatnonzero(kept & ~snaps).tolist():
+                record.add(int(left[row]), tried[row], found[row])
         arrived = kept & there
         least[left[arrived]] = tried[arrived]
         step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
+
+
+class _PathRecord:
+    """Paths of structures while they are followed."""
+
+    def __init__(self, start: Array) -> None:
+        self._steps: list[list[tuple[float, Array]]] = [[(0.0, each.copy())] for each in start]
+        self._snaps: list[list[tuple[int, int]]] = [[] for _ in start]
+
+    def add(self, case: int, torque: float, position: Array) -> None:
+        self._steps[case].append((float(torque), position.copy()))
+
+    def add_snap(self, case: int, torque: float, positions: Sequence[Array]) -> None:
+        before = len(self._steps[case]) - 1
+        for position in positions:
+            self.add(case, torque, position)
+        self._snaps[case].append((before, len(self._steps[case]) - 1))
+
+    def paths(self) -> tuple[SlowPath, ...]:
+        return tuple(
+            SlowPath(
+                torque=np.array([torque for torque, _ in steps]),
+                position=np.array([position for _, position in steps]),
+                snaps=tuple(snaps),
+            )
+            for steps, snaps in zip(self._steps, self._snaps, strict=True)
+        )
+
+
+def _snapped(
+    structures: Ensemble, cases: NDArray[np.int64], start: Array, drive: Drive, torque: Array
+) -> list[tuple[int, float, list[Array]]]:
+    """Some structures that snap under a torque: number, torque, and angles on the way to rest, rad, (hinge,) each.
+
+    The steps are so short that the way is that of the steepest descent: with longer ones it can end elsewhere.
+    """
+    ways: list[list[Array]] = [[] for _ in cases]
+    position, moving = start.copy(), np.arange(len(cases))
+    while len(moving):
+        found = _pushed(structures, cases[moving], position[moving], drive, torque[moving], within=_SNAP_STEP)
+        goes_on = np.abs(found - position[moving]).max(axis=1) > 0.99 * _SNAP_STEP
+        for row, angles in zip(moving.tolist(), found, strict=True):
+            ways[row].append(angles)
+        position[moving] = found
+        moving = moving[goes_on]
+    return [(int(case), float(size), way) for case, size, way in zip(cases, torque, ways, strict=True)]
 
 
 def _pushed(

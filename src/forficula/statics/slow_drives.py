@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from forficula.statics.net.net_of import is_net
 from forficula.statics.net_landscape import slow_courses
 from forficula.statics.potential import ensemble
-from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_beyond
+from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.structure import Structure, drive_of
 
 # up to how many times its own strength a drive is tried
@@ -48,10 +48,12 @@ def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
     for transition in structure.transitions:
         least = math.nan
         if held:
-            drive = transition.slow_drive or drive_of(structure, transition.drive)
             most = _MORE * abs(drive_of(structure, transition.drive).strength) or 1.0
-            least = float(least_slow_torque(structures, before.position, transition, most, drive).torque[0])
+            slow = least_slow_torque(structures, before.position, transition, most)
+            least = float(slow.torque[0])
+            before = state_after(structures, transition, slow.torque, slow.position)
+        else:
+            before = state_beyond(structures, transition)
         found[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
-        before = state_beyond(structures, transition)
         held = bool(at_goal(structures, before.position, transition.released)[0])
     return found

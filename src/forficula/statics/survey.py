@@ -45,6 +45,8 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
         hinge_barriers=np.zeros(0),
         rests=_rests(structure, found),
         least_torques={},
+        least_torque_ranges={},
+        inertial_help={},
         tips=None,
         remarks=found.remarks,
         net=found,

@@ -184,7 +184,6 @@ class Transition:
             state must keep its own.
         measure: name of the measure that tells how far it got.
         kind: of that measure.
-        slow_drive: what statics lets grow in the drive's place, where that moves more than it must; None for the drive.
         furthest: which of the measure's readings is furthest from the goal.
         begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
         wording: for sentences.
@@ -201,7 +200,6 @@ class Transition:
     begun: float | None
     wording: Wording
     kind: Literal["angle", "distance"] = "angle"
-    slow_drive: Drive | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -64,16 +64,7 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
             ),
         ),
     )
-    # the distal hinges alone are what has to give
-    distal = Drive(
-        name="distal",
-        shares=(0.0, 1.0),
-        rise=protocol.rise,
-        key="protocol.unfold_torque",
-        strength=protocol.unfold_torque,
-        part="distal hinge",
-    )
-    return with_course(structure, design, slow_unfold=distal)
+    return with_course(structure, design)
 
 
 def _on_proximal(design: FanDesign, every: str, others: str = "") -> str:

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from forficula.design import FanDesign, JointDesign, Protocol, stage_drives
-from forficula.structure.course import Drive, Measure, RestState, Transition, Wording
+from forficula.structure.course import Measure, RestState, Transition, Wording
 from forficula.structure.goals import bounded, hinges_of
 from forficula.structure.structure import Structure
 
@@ -46,13 +46,12 @@ _UNFOLD = Wording(
 )
 
 
-def with_course(structure: Structure, design: FanDesign | JointDesign, *, slow_unfold: Drive | None) -> Structure:
+def with_course(structure: Structure, design: FanDesign | JointDesign) -> Structure:
     """A structure with the goals, states and transitions of a design's protocol, whose drives are "fold" and "unfold".
 
     Args:
         structure: with its motors and drives; its measure "distal_angle" is all that is watched.
         design: with the protocol.
-        slow_unfold: what statics lets grow in place of the drive "unfold"; None for that itself.
     """
     protocol, measure = design.protocol, structure.measures[0]
     flat = bounded(structure, measure, "flat", least=-LEFT_STRAIGHT)
@@ -89,7 +88,6 @@ def with_course(structure: Structure, design: FanDesign | JointDesign, *, slow_u
                 state="opened",
                 released=opened,
                 measure="distal_angle",
-                slow_drive=slow_unfold,
                 furthest="largest",
                 begun=None,
                 wording=_in_terms_of(design, _UNFOLD),

@@ -95,7 +95,7 @@ def with_protocol(structure: Structure, design: JointDesign) -> Structure:
         ),
         drives=drives,
     )
-    return with_course(structure, design, slow_unfold=None)
+    return with_course(structure, design)
 
 
 def drive_keys(design: JointDesign) -> tuple[str, ...]:  # noqa: ARG001

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.design import Design
 from forficula.statics.potential import Ensemble, ensemble_of
-from forficula.statics.quasi_static import least_slow_torque, start_state, state_beyond
+from forficula.statics.quasi_static import SlowTransition, least_slow_torque, start_state, state_after, state_beyond
 from forficula.structure import Transition, drive_of
 
 Array = NDArray[np.float64]
@@ -33,25 +33,34 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
         it is not asked for, (design,).
     """
     structures = ensemble_of(designs)
+    transitions = structures.structure.transitions
     start = start_state(structures).position
+    wanted = [each.stage is not None and (names is None or each.name in names) for each in transitions]
     found = []
-    for transition in structures.structure.transitions:
-        tried = transition.stage is not None and (names is None or transition.name in names)
-        found.append(_least(structures, start, transition) if tried else np.full(len(designs), np.nan))
-        if transition is not structures.structure.transitions[-1]:
+    for number, transition in enumerate(transitions):
+        # where a transition starts depends on those before it
+        tried = transition.stage is not None and any(wanted[number:])
+        least = np.full(len(designs), np.nan)
+        if tried:
+            slow = _slow(structures, start, transition)
+            least = slow.torque if wanted[number] else least
+            start = state_after(structures, transition, slow.torque, slow.position).position
+        elif any(wanted[number:]):
             start = state_beyond(structures, transition).position
+        found.append(least)
     return tuple(found)
 
 
-def _least(structures: Ensemble, start: Array, transition: Transition) -> Array:
+def _slow(structures: Ensemble, start: Array, transition: Transition) -> SlowTransition:
     own = abs(drive_of(structures.structure, transition.drive).strength)
-    least = np.full(len(start), np.nan)
+    least, position = np.full(len(start), np.nan), start.copy()
     # what the protocol's torque moves is found more finely without the larger ones
     for most in (own, MORE * own) if own > 0 else ():
         left = np.flatnonzero(np.isnan(least))
         if len(left):
-            least[left] = least_slow_torque(structures.only(left), start[left], transition, most).torque
-    return least
+            slow = least_slow_torque(structures.only(left), start[left], transition, most)
+            least[left], position[left] = slow.torque, slow.position
+    return SlowTransition(torque=least, position=position)
 
 
 def margin(torque: float, least: float) -> float | None:

@@ -15,7 +15,7 @@ from forficula.errors import InputError
 from forficula.statics.lines import line_energy
 from forficula.statics.net.net_of import is_net
 from forficula.statics.potential import Ensemble, ensemble_of
-from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_beyond
+from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_after
 from forficula.structure import Structure, Transition, static_keys, structure_of
 from forficula.study.factors import grid_points, read_factor
 from forficula.study.outcome_kinds import transitions_text
@@ -168,9 +168,10 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
     ways: list[tuple[Transition, NDArray[np.bool_], NDArray[np.bool_]]] = []
     for step in search.steps:
         transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
-        slow = slow_transition(structures, position, transition, torques).torque
+        found = slow_transition(structures, position, transition, torques)
+        slow = found.torque
         columns[step.least_name] = np.where(rests, slow, np.nan)
-        position = state_beyond(structures, transition).position
+        position = state_after(structures, transition, slow, found.position).position
         rests = at_goal(structures, position, transition.released)
         if step is search.first:
             columns[f"{after}_energy"] = np.where(rests, _tendon_energies(structures, position), np.nan)

@@ -19,6 +19,7 @@ from forficula.show.landscape.landscape_marks import (
     show_angle,
     springy_parts,
     state_handles,
+    torque_words,
     write_note,
 )
 from forficula.show.style import (
@@ -201,13 +202,14 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
     path = fold_path_of(landscape)
     there, back = _ways(landscape.structure)
     driven = "" if path.driven == path.turns else "driven "
-    turning = f"{driven}{landscape.structure.appearance.bar}"
+    turning = f"on every {driven}{landscape.structure.appearance.bar}"
     places = [(int(np.argmin(path.moment)), there, path.fold_torque, turning, -9)]
     if path.unfold_torque is not None:
-        moves = path.fold_slope > 0
-        by_ring = np.where(moves, path.moment, 0.0) / np.where(moves, path.fold_slope, 1.0)
-        place = int(np.argmax(by_ring))
-        places.append((place, back, path.unfold_torque, folding_hinge(landscape.structure), 5))
+        moves = (path.fold_slope > 0) & (path.unfold_rate > 0)
+        torque_back = np.where(moves, path.moment, 0.0) / np.where(moves, path.unfold_rate, 1.0)
+        opening = next(each for each in landscape.structure.transitions if each.wording.doing == back)
+        where_back = torque_words(landscape.structure, opening)
+        places.append((int(np.argmax(torque_back)), back, path.unfold_torque, where_back, 5))
     middle = (path.pleat_angle[0] + path.pleat_angle[-1]) / 2
     for place, name, torque, where, up in places:
         angle = path.pleat_angle[place]
@@ -220,7 +222,7 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         unit, reads = reading_unit("N m", torque)
         at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
-        words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}on every {where}"
+        words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
 
 

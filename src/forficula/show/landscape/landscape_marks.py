@@ -51,7 +51,7 @@ def hinge_measure(structure: Structure, hinge: int) -> Measure:
 
 def torque_words(structure: Structure, transition: Transition) -> str:
     """Where the torque of a transition acts, as tables say it, such as "on every distal hinge"."""
-    drive = transition.slow_drive or drive_of(structure, transition.drive)
+    drive = drive_of(structure, transition.drive)
     if drive.part:
         return f"on every {drive.part}"
     motors = [motor.name for motor, share in zip(structure.motors, drive.shares, strict=True) if share]

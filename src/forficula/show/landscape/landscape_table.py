@@ -146,9 +146,11 @@ def _torques(landscape: EnergyLandscape) -> Table:
     path, fold, rounding = landscape.fold_path, landscape.structure.rigid_fold, rounding_torque(landscape)
     whole = landscape.structure.appearance.whole
     columns = [whole] if path is None else ["rigid panels", f"compliant {whole}"]
-    table = _table("Least slow torques, without help by inertia", "", *columns)
+    table = _table("Least slow torques, without help from inertia", "", *columns)
     for transition in landscape.structure.transitions:
         slow = _least(landscape.least_torques[transition.name], rounding)
+        if landscape.inertial_help[transition.name] is not None:
+            slow = f"≤ {slow}"
         along = [] if path is None or fold is None else [_least(_along(path, fold, transition), rounding)]
         where = torque_words(landscape.structure, transition)
         verb = transition.wording.verb

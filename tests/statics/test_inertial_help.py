@@ -1,0 +1,70 @@
+"""Snaps on a slow path that release more energy than the rest of the path has to climb."""
+
+import math
+
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.statics import quasi_static
+from forficula.statics.inertial_help import inertial_help
+from forficula.statics.potential import ensemble_of, potential
+from forficula.statics.quasi_static import SlowPath, least_slow_torque, start_state
+from forficula.structure import Drive, drive_of, hinges_of
+
+WINGS = ensemble_of([load_design("binder2025")])
+RINGS = list(hinges_of(WINGS.structure, "ring"))
+PUSH = Drive(name="push", shares=(0.0, 1.0), rise=0.0, key="", strength=1.0)
+
+
+def path(angles, torques, snap):
+    """One ring hinge at these angles, deg, all others at 0; one tendon of the wing stores energy that changes."""
+    position = np.zeros((len(angles), WINGS.size))
+    position[:, RINGS[1]] = np.radians(angles)
+    return SlowPath(torque=np.array(torques) / 100, position=position, snaps=(snap, (len(angles) - 2, len(angles) - 1)))
+
+
+def test_a_snap_helps_where_it_releases_more_than_the_rest_of_the_path_climbs(monkeypatch):
+    """An energy of 1, 3, 0, 1.5, 0 J at the five steps: the snap from 3 to 0 J releases more than 1.5 J."""
+    levels = np.array([1.0, 3.0, 0.0, 1.5, 0.0])
+    monkeypatch.setattr("forficula.statics.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
+    helped = inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 5, 5, 9, 9], (1, 2)), PUSH)
+    assert helped is not None
+    assert (helped.torque, helped.released, helped.barrier) == pytest.approx((0.05, 3.0, 1.5))
+    levels[1] = 1.4
+    assert inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 5, 5, 9, 9], (1, 2)), PUSH) is None
+
+
+def test_a_snap_at_nearly_the_least_torque_is_no_help(monkeypatch):
+    levels = np.array([1.0, 3.0, 0.0, 1.5, 0.0])
+    monkeypatch.setattr("forficula.statics.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
+    assert inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 8.8, 8.8, 9, 9], (1, 2)), PUSH) is None
+
+
+@pytest.fixture(scope="module")
+def folding():
+    """The reference while a slowly growing torque folds it, with its path."""
+    start = start_state(WINGS).position
+    return start, least_slow_torque(WINGS, start, WINGS.structure.transitions[0], 0.2, recorded=True)
+
+
+def test_a_recorded_path_goes_from_the_start_to_the_goal_in_short_steps(folding):
+    start, slow = folding
+    (found,) = slow.paths
+    assert found.position[0] == pytest.approx(start[0])
+    assert found.position[-1] == pytest.approx(slow.position[0])
+    assert found.torque[-1] == slow.torque[0]
+    assert (np.diff(found.torque) >= 0).all()
+    assert np.abs(np.diff(found.position, axis=0)).max() <= quasi_static._NEAR + 1e-12
+    first, last = found.snaps[-1]
+    assert np.abs(found.position[last] - found.position[first]).max() > math.radians(90)
+    assert np.abs(np.diff(found.position[first : last + 1], axis=0)).max() <= quasi_static._SNAP_STEP + 1e-12
+
+
+def test_the_energy_less_the_torques_work_falls_all_along_a_snap(folding):
+    (found,) = folding[1].paths
+    unit = np.array(drive_of(WINGS.structure, "fold").shares)
+    for first, last in found.snaps:
+        on = found.position[first : last + 1]
+        energy = potential(WINGS.repeated(len(on)), on, found.torque[last] * unit)[0]
+        assert (np.diff(energy) <= 1e-12).all()
