@@ -122,10 +122,13 @@ class TransitionOutcome:
 
     Attributes:
         strength: of its drive, in the SI unit of `drive_unit`.
-        succeeded: whether the goal was reached, and the state held after the release.
+        succeeded: whether the goal was reached, and the state held after the release if a release ends in it.
         time: from the start of the stage until the goal was reached, s; None where it failed.
         work: of the motors over the stage, J: the integral of torque over angle.
         largest_force: over the stage, on all points of a displacement together and along it, N; None of other drives.
+        held: whether the state held after the release; None where no release ends in the state: nothing is claimed.
+        sprung_back: where no release ends in the state but one follows: what the transition's measure reads furthest
+            from the goal at the end of the driven stage and at the end of the release, rad or m; else None.
     """
 
     strength: float
@@ -133,6 +136,8 @@ class TransitionOutcome:
     time: float | None
     work: float
     largest_force: float | None
+    held: bool | None = None
+    sprung_back: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -442,13 +447,26 @@ def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> 
         return None
     succeeded = bool(holds[transition.state])
     drive = drive_of(record.structure, transition.drive)
+    released = way.state is not None and way.state.time > end.end
     return TransitionOutcome(
         strength=drive.strength,
         succeeded=succeeded,
         time=end.goal_time - end.start if succeeded and end.goal_time is not None else None,
         work=_work(record, end),
         largest_force=_largest_force(record, drive, end),
+        held=holds[transition.state] if released else None,
+        sprung_back=None if released else _sprung_back(record, transition),
     )
+
+
+def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] | None:
+    """What a transition's measure reads furthest from its goal before and after a release that ends in no state."""
+    names, number = record.structure.stage_states, transition.stage
+    after = (number or 0) + 1
+    if number is None or not _sound(record, after) or names[after] or stage_drives(record.stages[after].stage):
+        return None
+    before, later = (_state(record, record.stages[each], transition.state).furthest for each in (number, after))
+    return None if before is None or later is None else (before, later)
 
 
 def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:
