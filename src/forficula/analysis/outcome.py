@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
+from forficula.analysis.advice import NOTHING, Advice, run_advice
+from forficula.analysis.verdict import Ending, Verdict, ending_text
 from forficula.design import stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import EnergyBalance, Record, StageEnd, as_record, energy_balance
@@ -170,7 +172,6 @@ class Outcome(Displayed):
     Attributes:
         ending: what it came to.
         status: that in a few words.
-        advice: what to try, in a sentence; empty where there is nothing to mend.
         holds: by name of the state that a transition leads to, whether it was reached and held when released; None
             where the run diverged or is not to be trusted.
         states: by name, all of the structure; None where the protocol did not get there.
@@ -180,11 +181,11 @@ class Outcome(Displayed):
         energy_balance: over the whole run.
         name: of the design.
         structure: that ran.
+        advise: finds what to try.
     """
 
     ending: Ending
     status: str
-    advice: str
     holds: Mapping[str, bool | None]
     states: Mapping[str, State | None]
     state_names: Mapping[str, str]
@@ -193,11 +194,22 @@ class Outcome(Displayed):
     energy_balance: EnergyBalance
     name: str
     structure: Structure
+    advise: Callable[[], Advice] = field(default=lambda: NOTHING, repr=False, compare=False)
 
     def __repr__(self) -> str:
         """What became of it, and the states."""
         states = [repr(state) for state in self.states.values() if state is not None]
         return "\n  ".join([f"<Outcome of {self.name}: {self.status}>", *states])
+
+    @cached_property
+    def advised(self) -> Advice:
+        """What to try, with the values to replace; found when it is wanted, for statics may be asked."""
+        return self.advise()
+
+    @property
+    def advice(self) -> str:
+        """What to try, in a sentence; empty where there is nothing to mend, or nothing is known to help."""
+        return self.advised.text
 
     @property
     def verdict(self) -> Verdict:
@@ -256,7 +268,6 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
     return Outcome(
         ending=ending,
         status=ending_text(ending),
-        advice=ending_advice(ending, record.design, structure),
         holds=holds,
         states=states,
         state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},
@@ -265,6 +276,7 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
         energy_balance=balance,
         name=record.design.name,
         structure=structure,
+        advise=partial(run_advice, record, ending),
     )
 
 

@@ -147,9 +147,6 @@ class Wording:
         time: what its time is called, such as "fold time".
         noun: what it is called itself, such as "folding" in "work of folding".
         did: what it came to in a story of several, such as "opened again"; what it came to if empty.
-        if_stuck: advice where it never began, in a sentence.
-        if_under_way: advice where it stuck on the way.
-        if_lost: advice where it was lost when released.
     """
 
     done: str
@@ -159,9 +156,6 @@ class Wording:
     time: str
     noun: str
     did: str = ""
-    if_stuck: str = ""
-    if_under_way: str = ""
-    if_lost: str = ""
 
     @property
     def does(self) -> str:
