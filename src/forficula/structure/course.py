@@ -51,7 +51,6 @@ class Drive:
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
         strength: that value, in the SI unit of `drive_unit`.
         tries: what a search for the least value tries where it is not told, as text.
-        large: alike, what it takes to see whether the next transition works, as text.
         where: what it acts on, as sentences say it, such as "on every proximal joint".
         part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
     """
@@ -62,7 +61,6 @@ class Drive:
     key: str
     strength: float
     tries: str = ""
-    large: str = ""
     where: str = ""
     part: str = ""
 
