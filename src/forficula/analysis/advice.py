@@ -15,11 +15,19 @@ import numpy as np
 from forficula.analysis.verdict import UNSETTLED, Ending, Verdict
 from forficula.design import Design, FanDesign, JointDesign, SheetDesign, stage_drives, with_values
 from forficula.dynamics import Record
-from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.statics.net.net_of import is_net
 from forficula.statics.slow_margin import MORE, least_slow_torques
-from forficula.structure import Structure, Transition, drive_of, drive_unit, structure_of
+from forficula.structure import (
+    Structure,
+    Transition,
+    drive_of,
+    drive_unit,
+    goal_coordinates,
+    goal_of,
+    short_of,
+    structure_of,
+)
 
 # [chosen] how many times the allowed residual tells nothing of the timestep that would do
 _FAR_OFF = 20
@@ -110,16 +118,14 @@ def _approaches(record: Record, transition: Transition) -> bool:
     end = record.stages[transition.stage]
     start = max(end.start, end.end - record.design.protocol.window)
     half = float(record.design.protocol.timestep) / 2
-    rows = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))
-    try:
-        values = record.measured(transition.measure)[rows]
-    except InputError:  # of a goal that no measure reads
-        return False
-    largest = transition.furthest == "largest"
-    furthest = values.max(axis=1) if largest else values.min(axis=1)
+    rows = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))[[0, -1]]
+    distances, goal = record.series.get("distance"), goal_of(record.structure, transition.goal)
+    before, after = goal_coordinates(
+        record.structure, record.series["hinge_angle"][rows], None if distances is None else distances[rows]
+    )
     resting = record.design.protocol.rest_speed * (end.end - start)
     least = resting if transition.kind == "angle" else _MOVED_SHARE * record.structure.span
-    return bool((furthest[0] - furthest[-1]) * (1 if largest else -1) > least)
+    return short_of(before, goal) - short_of(after, goal) > least
 
 
 def _longer_hold(record: Record, transition: Transition) -> Advice:

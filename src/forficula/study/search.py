@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from forficula.analysis import SPRUNG, Verdict
-from forficula.design import Design, Stage, put, stage_drives, with_values
+from forficula.design import TORQUE, Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.evaluate import row_key
@@ -137,6 +137,8 @@ def _used(
 ) -> tuple[str, str]:
     """The values that the ending of a search is of: of the first transition, and of both; empty where not tried."""
     first, second = search.first, search.second
+    if first.unit is not TORQUE:  # the value of another key is in the row itself
+        return "", ""
     value = least_first if least_first is not None else next(reversed(tried), None)
     one = "" if value is None else f"{first.transition} with {show_quantity(value, first.unit)}"
     if second is None or not later:
@@ -164,10 +166,10 @@ def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) ->
     if told is done:
         if next_done:
             ending["status"] += f"; with {large}: {next_done['status']}"
-        elif used[0]:
+        elif used[0] and Verdict(told["verdict"]).tells:
             ending["status"] += f" ({used[0]})"
     elif next_done[state]:
-        ending["status"] += f" ({used[1]})"
+        ending["status"] += f" ({used[1]})" if used[1] else ""
     else:
         ending["status"] = f"with {large}: {next_done['status']}"
         if Verdict(next_done["verdict"]).tells:

@@ -35,7 +35,7 @@ STUDY_KEYS = (
         "search.DRIVE_with",
         "N cm",
         "the design's",
-        "torque with which the first drive goes on to the second, as in a run",
+        "torque of the first drive before the second, as in a run",
     ),
     file_key("search.key", "a key", "needed", "of which the least value is asked, of least-value"),
     file_key("search.values", _VALUES, "needed", "that are tried, of least-value"),

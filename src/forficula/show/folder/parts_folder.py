@@ -124,7 +124,8 @@ def _marked(figure: Figure, checks: Sequence[Check]) -> Figure:
         return figure
     names = [f"{name} ({count})" if count > 1 else name for name, count in failed.most_common(_NAMED)]
     names += ["others"] * (len(failed) > _NAMED)
-    told = f"{failed.total()} of {sum(check.ok is not None for check in checks)} checks fail: {', '.join(names)}"
+    made, fail = sum(check.ok is not None for check in checks), "fails" if failed.total() == 1 else "fail"
+    told = f"{failed.total()} of {made} checks {fail}: {', '.join(names)}"
     letters = int(_LETTERS * figure.get_figwidth())
     with figure_style():
         if figure.get_layout_engine() is not None:
