@@ -178,7 +178,7 @@ def _stronger(record: Record, transition: Transition) -> Advice:
 def _softer(design: Design) -> list[dict[str, float]]:
     """Values of softer tendons, where all have one stiffness that follows no law; else none."""
     tendons = design.tendons if isinstance(design, FanDesign | JointDesign) else ()
-    values = {tendon.stiffness for tendon in tendons if tendon is not None and tendon.law is None}
+    values = {tendon.stiffness for tendon in tendons if tendon is not None and tendon.stiffness is not None}
     if len(values) != 1 or any(tendon is None or tendon.law is not None for tendon in tendons):
         return []
     (own,) = values
@@ -203,7 +203,7 @@ def _turned_slowly(structure: Structure, transition: Transition) -> bool:
 def _least_torques(designs: Sequence[Design], transition: Transition) -> list[float]:
     """The least slowly growing torques of designs that differ in their tendons only, N m; nan where none does."""
     names = [each.name for each in structure_of(designs[0]).transitions]
-    return least_slow_torques(designs, [transition.name])[names.index(transition.name)].tolist()
+    return [float(each) for each in least_slow_torques(designs, [transition.name])[names.index(transition.name)]]
 
 
 def _shorter_step(ending: Ending, design: Design) -> Advice:

@@ -139,11 +139,11 @@ def _used(
     first, second = search.first, search.second
     if first.unit is not TORQUE:  # the value of another key is in the row itself
         return "", ""
-    value = least_first if least_first is not None else next(reversed(tried), None)
-    one = "" if value is None else f"{first.transition} with {show_quantity(value, first.unit)}"
+    last = least_first if least_first is not None else next(reversed(list(tried)), None)
+    one = "" if last is None else f"{first.transition} with {show_quantity(last, first.unit)}"
     if second is None or not later:
         return one, ""
-    value = least_second if least_second is not None else next(reversed(later))
+    value = least_second if least_second is not None else list(later)[-1]
     large = show_quantity(search.reference, first.unit)
     return one, f"{first.transition} with {large}, {second.transition} with {show_quantity(value, second.unit)}"
 
