@@ -273,3 +273,9 @@ def test_where_nothing_works_nothing_is_bisected():
 def test_a_point_replaces_values_of_the_design():
     design = point_design(DESIGN, {"tendon.stiffness": "33 N/cm", "pattern.units": 2})
     assert (design.tendon.stiffness, design.pattern.units) == (3300.0, 2)
+
+
+def test_a_search_that_names_no_torque_before_the_second_drive_takes_that_of_a_run():
+    own = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
+    assert read_search("least-torques", {}, own).reference == pytest.approx(0.4)
+    assert read_search("least-torques", {"fold_with": "500 N cm"}, own).reference == pytest.approx(5.0)
