@@ -83,7 +83,7 @@ def parts_page(
             section("Design", _every_value(parts), name="design"),
         )
     )
-    sentence = paragraph(_sentence(parts), "outcome") + _checked(checks)
+    sentence = f'<p class="outcome">{escaped(_sentence(parts))} {_checked(checks)}</p>'
     body = (
         f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n"
         f'<main><div class="assembly">{player}{beside}</div>{below}</main>'
@@ -103,14 +103,14 @@ def _sentence(parts: PartSet) -> str:
 def _checked(checks: Sequence[Check]) -> str:
     """How many checks fail, in red, as HTML."""
     if not checks:
-        return paragraph("They are not checked yet: ff.check_parts does that.", "outcome")
+        return "They are not checked yet: ff.check_parts does that."
     failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
     left = sum(check.ok is None for check in checks)
     rest = f" {left} could not be carried out." * (left > 0)
     if not failed:
-        return paragraph(f"All {held} checks pass.{rest}", "outcome")
+        return f"All {held} checks pass.{rest}"
     several = f"{failed} of {failed + held} checks fail{'s' * (failed == 1)}; see below."
-    return f'<p class="outcome">{red(several)}{rest}</p>'
+    return f"{red(several)}{rest}"
 
 
 def _moving_note(parts: PartSet, record: Record | None) -> str:
