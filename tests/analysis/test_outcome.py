@@ -178,8 +178,6 @@ def test_a_wing_whose_hinges_stay_straight_did_not_fold():
     # all but one hinge fold; one stays within 5 deg of straight
     outcome = measure(planted((0.3, 0.4), ([0, 0, 0], [-170, -170, -4.9]), ends=ENDS[:2], goals=(None, None)))
     assert outcome.status == "did not fold"
-    assert "protocol.fold_torque" in outcome.advice
-    assert "tendon.stiffness" in outcome.advice
     assert not outcome.holds["folded"]
     assert not outcome.transitions["fold"].succeeded
     assert outcome.transitions["fold"].time is None
@@ -195,22 +193,20 @@ def test_a_wing_that_stops_on_the_way_is_stuck_where_its_least_folded_hinge_is(a
     reached = outcome.status.split()[2]
     assert float(reached) == pytest.approx(-angle, abs=0.0501)  # deg; shown with one digit
     assert outcome.status == f"stuck at {reached} deg"
-    assert outcome.advice.startswith("Raise protocol.fold_torque")
     assert not outcome.holds["folded"]
 
 
 def test_a_wing_that_folds_under_torque_only_did_not_stay_folded():
     outcome = measure(planted((0.3, 0.4, 0.5), (0, -170, 3), ends=ENDS[:3]))
     assert outcome.status == "did not stay folded"
-    assert "when released" in outcome.advice
+    assert outcome.advice.startswith("Hold it longer before the release: protocol.stages.fold.hold = 1 s")
     assert not outcome.holds["folded"]
     assert outcome.transitions["fold"].time is None
 
 
-def test_a_wing_that_never_opens_is_told_to_try_more_torque():
+def test_a_wing_that_never_opens_did_not_open():
     outcome = measure(planted((0.3, 0.4), (0, -170), ends=ENDS[:4], goals=(None, 0.4, 0.7, None)))
     assert outcome.status == "did not open"
-    assert outcome.advice.startswith("Raise protocol.unfold_torque")
     assert outcome.holds["folded"]
     assert outcome.transitions["fold"].time == pytest.approx(0.1, rel=ROUNDING)
     assert not outcome.holds["opened"]
@@ -221,7 +217,6 @@ def test_a_wing_that_opens_under_torque_only_is_told_to_hold_it_longer():
     outcome = measure(planted((0.3, 0.4, 0.7, 0.8, 0.9, 1.0), (0, -170, -170, 3, 3, -170)))
     assert outcome.status == "did not stay open"
     assert "hold" in outcome.advice
-    assert "hinge.overbend" in outcome.advice
     assert not outcome.holds["opened"]
     assert outcome.transitions["unfold"].time is None
 

@@ -9,7 +9,7 @@ import pytest
 
 import forficula as ff
 from forficula.analysis import Ending, Verdict, ending_text, ending_word, measure, summary
-from forficula.analysis.verdict import ending_advice
+from forficula.analysis.advice import NOTHING, run_advice
 from forficula.design import with_values
 from forficula.show import print_outcome
 from forficula.show.folder.run_folder import run_drawings
@@ -56,7 +56,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "fold",
             "still moving at -34.0 deg when its time to fold was over",
             "still folding",
-            'It is still on its way: raise the time_limit, 1 s, of the stage "fold".',
+            'In the last 100 ms of the stage "fold" it came no nearer to its goal than what rests does.',
         ),
         (
             moving(SHUT),
@@ -64,17 +64,17 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "unfold",
             "still moving when its time to open was over",
             "still opening",
-            'It is still on its way: raise the time_limit, 1 s, of the stage "unfold".',
+            'In the last 100 ms of the stage "unfold" it came no nearer to its goal than what rests does.',
         ),
-        (STUCK, "stuck", "fold", "stuck at -34.0 deg", "stuck on the way", "Raise protocol.fold_torque"),
-        (SHUT, "stuck", "unfold", "did not open", "did not open", "Raise protocol.unfold_torque"),
+        (STUCK, "stuck", "fold", "stuck at -34.0 deg", "stuck on the way", ""),
+        (SHUT, "stuck", "unfold", "did not open", "did not open", ""),
         (
             planted((0.3, 0.4), (0, -4), ends=ENDS[:2], goals=(None, None)),
             "stuck",
             "fold",
             "did not fold",
             "did not fold",
-            "Raise protocol.fold_torque, or lower the barrier",
+            "",
         ),
         (
             planted((0.3, 0.4, 0.5), (0, -170, 3), ends=ENDS[:3]),
@@ -82,7 +82,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "fold",
             "did not stay folded",
             "did not stay folded",
-            "It folded under torque and opened again when released",
+            "Hold it longer before the release: protocol.stages.fold.hold = 1 s instead of 0 s",
         ),
         (
             planted((0.3, 0.4, 0.7, 0.8, 0.9, 1.0), (0, -170, -170, 3, 3, -170)),
@@ -90,7 +90,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "unfold",
             "did not stay open",
             "did not stay open",
-            "It opened under torque and folded again when released",
+            "Hold it longer before the release: protocol.stages.unfold.hold = ",
         ),
         (
             planted(**FOLDS_AND_OPENS, diverged_at=1.2),
@@ -122,7 +122,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "unfold",
             "not to be trusted: its outcome still changes with the timestep",
             "not to be trusted",
-            "It stands on an edge",
+            "The design is at a boundary",
         ),
     ],
 )
@@ -133,7 +133,7 @@ def test_what_a_run_came_to_its_sentence_its_word_and_the_advice(record, verdict
     assert "unfold" in (ending.goal, goal) or ending.goal == goal
     assert (outcome.status, ending_word(ending)) == (text, word)
     assert outcome.advice.startswith(advice)
-    assert bool(outcome.advice) == bool(advice) == (verdict != "reached")
+    assert bool(outcome.advice) == bool(advice)
     assert outcome.verdict.tells == (outcome.holds["folded"] is not None) == (outcome.holds["opened"] is not None)
     plain = json.loads(json.dumps(summary(record, outcome, {}), allow_nan=False))
     assert (plain["verdict"], plain["status"]) == (verdict, text)
@@ -144,7 +144,7 @@ def test_what_a_run_came_to_its_sentence_its_word_and_the_advice(record, verdict
 def test_a_wing_that_cannot_be_built_says_why_and_has_no_advice():
     ending = Ending(verdict=Verdict.NOT_BUILT, why="vein.diameter: need < 3 mm")
     assert ending_text(ending) == "cannot be built: vein.diameter: need < 3 mm"
-    assert (ending_word(ending), ending_advice(ending, REFERENCE)) == ("cannot be built", "")
+    assert (ending_word(ending), run_advice(WORKED, ending)) == ("cannot be built", NOTHING)
 
 
 def test_the_limit_of_what_may_be_missing_is_a_setting_and_holds_to_the_number():
@@ -172,7 +172,8 @@ def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
     outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms"), confirm=False))
     assert outcome.verdict is Verdict.MOVING
     assert outcome.status.startswith("still moving at -")
-    assert outcome.advice == 'It is still on its way: raise the time_limit, 0.03 s, of the stage "fold".'
+    assert outcome.advice == "It is on its way to its goal: raise protocol.stages.fold.time_limit from 30 ms to 120 ms."
+    assert outcome.advised.values == {"protocol.stages.fold.time_limit": 0.12}
     assert outcome.holds["folded"] is False
     longer = measure(ff.run(short(), confirm=False))
     assert (longer.verdict, longer.transitions["fold"].time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))

@@ -1,11 +1,17 @@
 """`forficula make`, as a user calls it."""
 
+import io
 import json
+import re
 
 import pytest
+from matplotlib.colors import to_hex
+from rich.console import Console
 
 import forficula as ff
 from forficula.cli import main
+from forficula.show.folder.parts_folder import parts_drawings, read_checks
+from forficula.show.make.parts_table import parts_table
 
 pytestmark = pytest.mark.usefixtures("no_column_figures")
 # bridges that burn away
@@ -40,12 +46,34 @@ def test_a_folder_and_a_table_are_written(call, tmp_path):
     assert ff.load_design(folder / "design.toml").hash == ff.load_design("letter-fold").hash
 
 
-def test_a_check_that_fails_is_told_and_ends_with_2_where_that_is_wanted(call):
-    told = call(*NARROW)
+def test_a_check_that_fails_is_told_and_ends_with_2_unless_that_is_not_wanted(call):
+    told = call(*NARROW, expected=2)
     assert "fails" in told.out
     assert "they burn away" in " ".join(told.out.split())
+    assert call(*NARROW, "--no-strict").out == told.out
     assert call(*NARROW, "--strict", expected=2).out == told.out
-    call("--strict")
+
+
+def test_what_fails_is_red_on_the_terminal_in_the_figure_and_on_the_page(call, tmp_path):
+    call(*NARROW, expected=2)
+    folder = tmp_path / "out" / "letter-fold-parts"
+    page = (folder / "parts.html").read_text("utf-8")
+    assert re.search(r'<strong style="color:#d55e00">1 of \d checks fails; see below.</strong>', page)
+    assert '<strong style="color:#d55e00">failed</strong>' in page
+    parts, checks = ff.make_parts(ff.load_design(folder / "design.toml")), read_checks(folder)
+    title = parts_drawings(parts, checks)["sheet"](7.1)._suptitle
+    assert "checks fails: bridges" in title.get_text()
+    assert to_hex(title.get_color()) == "#d55e00"
+    console = Console(file=io.StringIO(), force_terminal=True, color_system="standard", width=110)
+    console.print(parts_table(parts, checks))
+    assert "\x1b[1;31mfails" in console.file.getvalue()
+
+
+def test_windows_that_meet_and_pieces_that_come_off_are_marked_on_the_sheet():
+    sheet = ff.make_parts("binder2025", "sheet").sheet
+    assert sum(check.ok is False for check in sheet.checks) == 2
+    assert len(sheet.faults) >= 4
+    assert ff.make_parts("letter-fold", "sheet").sheet.faults == ()
 
 
 def test_what_came_of_it_is_data(call):

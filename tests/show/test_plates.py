@@ -190,7 +190,7 @@ def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
 def test_what_has_no_membrane_is_not_told_to_take_a_softer_one(plates_runs):
     record, _ = plates_runs["whole"]
     advice = measure(replace(record, diverged_at=0.5)).advice
-    assert advice == 'Take a shorter timestep (protocol.timestep = "auto" chooses one).'
+    assert advice == 'Take a shorter timestep: protocol.timestep = "auto" chooses one.'
 
 
 def test_names_that_differ_in_their_numbers_share_their_word():

@@ -113,7 +113,10 @@ def test_the_least_torques_are_the_first_steps_that_work():
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.2, 0.3)
     assert (result["fold_time"], result["fold_work"], result["folded_energy"]) == (0.5, 0.2, 0.5)
     assert (result["unfold_time"], result["unfold_work"], result["opened_energy"]) == (0.1 / 0.3, 0.6, 2.9)
-    assert (result["flat_energy"], result["status"]) == (3.0, "folded and opened")
+    assert (result["flat_energy"], result["status"]) == (
+        3.0,
+        "folded and opened (fold with 500 N cm, unfold with 30 N cm)",
+    )
     assert len(run) == 4 + 3 + 1
 
 
@@ -198,14 +201,17 @@ def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_th
     assert result["least_fold_torque"] is None
     assert "fold_work" not in result
     # opening is searched only for tendons that fold
-    assert (result["status"], result["reference_outcome"]) == ("stuck at -40.0 deg", "")
+    assert (result["status"], result["reference_outcome"]) == ("stuck at -40.0 deg (fold with 30 N cm)", "")
     assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
 
 
 def test_a_tendon_that_no_torque_opens_says_so():
     result, _ = found(GRID, any_torque)
     assert result["least_fold_torque"] == 0.0
-    assert (result["least_unfold_torque"], result["status"]) == (None, "did not open")
+    assert (result["least_unfold_torque"], result["status"]) == (
+        None,
+        "did not open (fold with 500 N cm, unfold with 30 N cm)",
+    )
     assert "unfold_work" not in result
 
 
@@ -267,3 +273,9 @@ def test_where_nothing_works_nothing_is_bisected():
 def test_a_point_replaces_values_of_the_design():
     design = point_design(DESIGN, {"tendon.stiffness": "33 N/cm", "pattern.units": 2})
     assert (design.tendon.stiffness, design.pattern.units) == (3300.0, 2)
+
+
+def test_a_search_that_names_no_torque_before_the_second_drive_takes_that_of_a_run():
+    own = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
+    assert read_search("least-torques", {}, own).reference == pytest.approx(0.4)
+    assert read_search("least-torques", {"fold_with": "500 N cm"}, own).reference == pytest.approx(5.0)

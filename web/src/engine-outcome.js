@@ -23,7 +23,7 @@ export function outcomeOf(live, ends, divergedAt, widest) {
     verdict,
     status: endingText(live, ending),
     word: endingWord(ending),
-    advice: adviceOf(live, ending),
+    advice: adviceOf(ending),
     transitions: ways.map((each) => transitionOf(protocol, each)),
     states: course.states.map((state) => stateOf(course, ends, ways, state)),
   };
@@ -152,12 +152,7 @@ function endingWord(ending) {
   return `did not stay ${words.stays}`;
 }
 
-function adviceOf(live, ending) {
-  const { verdict, transition, why } = ending;
-  if (verdict === "diverged") return "Take a shorter timestep, or a softer membrane.";
-  if (verdict === "untrusted") return "Take a shorter timestep.";
-  if (transition === null || verdict === "reached" || (verdict === "not held" && why)) return "";
-  if (verdict === "stuck") return underWay(ending) ? transition.advice.underWay : transition.advice.stuck;
-  if (verdict === "not held") return transition.advice.lost;
-  return "It is still on its way when its time is over.";
+/** What is known to help without statics, which the page has not: less than what a run says. */
+function adviceOf({ verdict }) {
+  return verdict === "diverged" || verdict === "untrusted" ? "Take a shorter timestep." : "";
 }

@@ -15,9 +15,9 @@ export function leastValues(search, runUntil) {
   const later =
     least !== null && second
       ? decided(second, (value) => runUntil({ ...withReference, [second.key]: second.sign * value }, second.until))
-      : { least: null, outcome: null };
+      : { least: null, outcome: null, last: null };
   return {
-    ...ending(first, done, later.outcome, referenceText),
+    ...ending(search, { ...found, outcome: done }, later),
     least: { [first.name]: least, ...(second ? { [second.name]: later.least } : {}) },
     transitions: [...(least === null ? [] : numbers(done, first)), ...(later.least === null ? [] : numbers(later.outcome, second))],
   };
@@ -26,12 +26,14 @@ export function leastValues(search, runUntil) {
 /** The first of the values that reaches the state, with what came of it; or none, with what came of the last one. */
 function decided(step, run) {
   let outcome = null;
-  for (const value of step.values) {
+  let last = null;
+  for (const [place, value] of step.values.entries()) {
     outcome = run(value);
-    if (!tells(outcome.verdict)) return { least: null, outcome };
-    if (reaches(outcome, step.transition)) return { least: value, outcome };
+    last = place;
+    if (!tells(outcome.verdict)) return { least: null, outcome, last };
+    if (reaches(outcome, step.transition)) return { least: value, outcome, last };
   }
-  return { least: null, outcome };
+  return { least: null, outcome, last };
 }
 
 const reaches = (outcome, transition) => Boolean(outcome.transitions.find(({ name }) => name === transition)?.took?.succeeded);
@@ -39,11 +41,13 @@ const reaches = (outcome, transition) => Boolean(outcome.transitions.find(({ nam
 const numbers = (outcome, { transition }) => outcome.transitions.filter(({ name }) => name === transition);
 
 /** What a point is said to have come to: where some value does the first transition, what became of the second. */
-function ending(first, done, next, referenceText) {
+function ending({ first, second, referenceText }, { outcome: done, last }, { outcome: next, last: lastNext }) {
   const { status, word, verdict, advice } = done;
-  if (!next) return { status, word, verdict, advice };
+  const torque = first.texts && tells(verdict) ? ` (${first.transition} with ${first.texts[last]})` : "";
+  if (!next) return { status: `${status}${torque}`, word, verdict, advice };
   if (!reaches(done, first.transition)) return { status: `${status}; with ${referenceText}: ${next.status}`, word, verdict, advice };
-  if (reaches(next, first.transition)) return { status: next.status, word: next.word, verdict: next.verdict, advice: next.advice };
+  const torques = first.texts ? ` (${first.transition} with ${referenceText}, ${second.transition} with ${second.texts[lastNext]})` : "";
+  if (reaches(next, first.transition)) return { status: `${next.status}${torques}`, word: next.word, verdict: next.verdict, advice: next.advice };
   const said = { status: `with ${referenceText}: ${next.status}`, verdict: next.verdict, advice: next.advice };
   return { ...said, word: tells(next.verdict) ? `${next.word} with ${referenceText}` : next.word };
 }

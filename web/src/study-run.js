@@ -28,7 +28,7 @@ export function makeRunPanel(model) {
   // what a reader has turned and zoomed stays from cell to cell
   const look = firstLook();
 
-  /** Show a point, and of its kept runs that of a transition, by its number, or the first, or why there is none. */
+  /** Show a point, and of its kept runs that of a transition, by its number, or the one that failed, or the first, or why there is none. */
   function open(point, { play = false, transition = null } = {}) {
     panel.point = point;
     const runs = model.runsOf(point);
@@ -36,7 +36,8 @@ export function makeRunPanel(model) {
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
     numbers.replaceChildren(make("caption", {}, "In the table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
-    if (runs.length) show((transition === null ? null : runs.find((run) => run.transition === transition)) ?? runs[0], { play });
+    const wanted = transition === null ? null : runs.find((run) => run.transition === transition);
+    if (runs.length) show(wanted ?? runs.find((run) => run.failed) ?? runs[0], { play });
     else {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
-from forficula.structure import Goal, Transition, goal_coordinates, goal_of
+from forficula.structure import Goal, Transition, goal_coordinates, goal_of, short_of
 
 Array = NDArray[np.float64]
 
@@ -72,16 +72,9 @@ def _share_short(record: Record, transition: Transition, state: State, goal: Goa
         record.series["hinge_angle"][row : row + 1],
         None if distances is None else distances[row : row + 1],
     )[0]
-    way, left = _short_of(start, goal), _short_of(state.coordinates, goal)
+    way, left = short_of(start, goal), short_of(state.coordinates, goal)
     share = left / way if way > 0 else 1.0
     return float(np.clip(share, _LEAST_SHORT, 1.0))
-
-
-def _short_of(coordinates: Array, goal: Goal) -> float:
-    """How far the furthest of what a goal bounds is from its bound, >= 0."""
-    above, below = np.isfinite(goal.most), np.isfinite(goal.least)
-    short = [*(coordinates - goal.most)[above], *(goal.least - coordinates)[below]]
-    return max([0.0, *map(float, short)])
 
 
 def margin_column(name: str) -> str:

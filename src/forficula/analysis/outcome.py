@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.analysis.advice import NOTHING, Advice, edge_advice, run_advice
 from forficula.analysis.confirmation import Confirmation, Values, confirm, undecided, undecided_text
 from forficula.analysis.resolution import unresolved_stops
-from forficula.analysis.verdict import Ending, Verdict, ending_advice, ending_text
+from forficula.analysis.verdict import Ending, Verdict, ending_text
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
@@ -124,10 +126,13 @@ class TransitionOutcome:
 
     Attributes:
         strength: of its drive, in the SI unit of `drive_unit`.
-        succeeded: whether the goal was reached, and the state held after the release.
+        succeeded: whether the goal was reached, and the state held after the release if a release ends in it.
         time: from the start of the stage until the goal was reached, s; None where it failed.
         work: of the motors over the stage, J: the integral of torque over angle.
         largest_force: over the stage, on all points of a displacement together and along it, N; None of other drives.
+        held: whether the state held after the release; None where no release ends in the state: nothing is claimed.
+        sprung_back: where no release ends in the state but one follows: what the transition's measure reads furthest
+            from the goal at the end of the driven stage and at the end of the release, rad or m; else None.
     """
 
     strength: float
@@ -135,6 +140,8 @@ class TransitionOutcome:
     time: float | None
     work: float
     largest_force: float | None
+    held: bool | None = None
+    sprung_back: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -167,7 +174,6 @@ class Outcome(Displayed):
     Attributes:
         ending: what it came to.
         status: that in a few words.
-        advice: what to try, in a sentence; empty where there is nothing to mend.
         holds: by name of the state that a transition leads to, whether it was reached and held when released; None
             where the run diverged or is not to be trusted.
         states: by name, all of the structure; None where the protocol did not get there.
@@ -178,11 +184,11 @@ class Outcome(Displayed):
         name: of the design.
         structure: that ran.
         confirmation: comparison with second runs of the same design; None where there were none.
+        advise: finds what to try.
     """
 
     ending: Ending
     status: str
-    advice: str
     holds: Mapping[str, bool | None]
     states: Mapping[str, State | None]
     state_names: Mapping[str, str]
@@ -192,11 +198,22 @@ class Outcome(Displayed):
     name: str
     structure: Structure
     confirmation: Confirmation | None = None
+    advise: Callable[[], Advice] = field(default=lambda: NOTHING, repr=False, compare=False)
 
     def __repr__(self) -> str:
         """What became of it, and the states."""
         states = [repr(state) for state in self.states.values() if state is not None]
         return "\n  ".join([f"<Outcome of {self.name}: {self.status}>", *states])
+
+    @cached_property
+    def advised(self) -> Advice:
+        """What to try, with the values to replace; found when it is wanted, for statics may be asked."""
+        return self.advise()
+
+    @property
+    def advice(self) -> str:
+        """What to try, in a sentence; empty where there is nothing to mend, or nothing is known to help."""
+        return self.advised.text
 
     @property
     def verdict(self) -> Verdict:
@@ -270,7 +287,7 @@ def held_against(outcome: Outcome, checks: Sequence[Check], design: Design) -> O
         outcome,
         ending=ending,
         status=ending_text(ending),
-        advice=ending_advice(ending, design, outcome.structure),
+        advise=edge_advice,
         holds=holds,
         state_names={
             state.name: _called(state, outcome.states[state.name], holds) for state in outcome.structure.states
@@ -315,7 +332,6 @@ def _outcome(record: Record) -> Outcome:
     return Outcome(
         ending=ending,
         status=ending_text(ending),
-        advice=ending_advice(ending, record.design, structure),
         holds=holds,
         states=states,
         state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},
@@ -324,6 +340,7 @@ def _outcome(record: Record) -> Outcome:
         energy_balance=balance,
         name=record.design.name,
         structure=structure,
+        advise=partial(run_advice, record, ending),
     )
 
 
@@ -508,13 +525,26 @@ def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> 
         return None
     succeeded = bool(holds[transition.state])
     drive = drive_of(record.structure, transition.drive)
+    released = way.state is not None and way.state.time > end.end
     return TransitionOutcome(
         strength=drive.strength,
         succeeded=succeeded,
         time=end.goal_time - end.start if succeeded and end.goal_time is not None else None,
         work=_work(record, end),
         largest_force=_largest_force(record, drive, end),
+        held=holds[transition.state] if released else None,
+        sprung_back=None if released else _sprung_back(record, transition),
     )
+
+
+def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] | None:
+    """What a transition's measure reads furthest from its goal before and after a release that ends in no state."""
+    names, number = record.structure.stage_states, transition.stage
+    after = (number or 0) + 1
+    if number is None or not _sound(record, after) or names[after] or stage_drives(record.stages[after].stage):
+        return None
+    before, later = (_state(record, record.stages[each], transition.state).furthest for each in (number, after))
+    return None if before is None or later is None else (before, later)
 
 
 def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:

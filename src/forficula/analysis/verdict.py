@@ -6,9 +6,8 @@ import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-from forficula.design import Design, Stage
 from forficula.quantities import show_value
-from forficula.structure import Structure, Transition, Wording
+from forficula.structure import Transition, Wording
 
 
 class Verdict(StrEnum):
@@ -29,12 +28,9 @@ class Verdict(StrEnum):
         return self in (Verdict.REACHED, Verdict.MOVING, Verdict.STUCK, Verdict.NOT_HELD)
 
 
-# how many times the allowed residual tells nothing of the timestep that would do
-_FAR_OFF = 20
 SETTLED = "settled"
 # why a run at the shortest timestep that was tried is not to be trusted though its energy balances
 UNSETTLED = "its outcome still changes with the timestep"
-_AUTO = 'protocol.timestep = "auto" chooses one'
 _SILENT = {
     Verdict.DIVERGED: "diverged",
     Verdict.UNDECIDED: "undecided",
@@ -128,52 +124,10 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
             return f"did not stay {wording.stays}"
 
 
-def ending_advice(ending: Ending, design: Design, structure: Structure | None = None) -> str:
-    """What to try with a design and what was built of it, in a sentence; empty where there is nothing to mend."""
-    words = ending.transition.wording if ending.transition is not None else None
-    match ending.verdict:
-        case Verdict.DIVERGED:
-            softer = " or a softer membrane" * bool(structure is not None and structure.membranes)
-            other = "" if structure is None or not structure.appearance.steadier else structure.appearance.steadier
-            return f"Take a shorter timestep ({_AUTO}){softer}{other and f', or {other}'}."
-        case Verdict.UNDECIDED:
-            return (
-                "The design is at the edge between two outcomes: change a value to move away from the edge, or take a"
-                " shorter timestep."
-            )
-        case Verdict.UNTRUSTED if ending.why == UNSETTLED:
-            return "It stands on an edge, where the least change decides: move a value of it away from here."
-        case Verdict.UNTRUSTED if ending.why:
-            return f"Take a shorter timestep ({_AUTO})."
-        case Verdict.UNTRUSTED:
-            return _shorter_step(ending, design)
-        case Verdict.MOVING if ending.transition is not None:
-            stage = _stage_of(ending.transition, design)
-            return (
-                f'It is still on its way: raise the time_limit, {stage.time_limit:.4g} s, of the stage "{stage.name}".'
-            )
-        case Verdict.NOT_HELD if ending.why:
-            return "Take a goal that only its drive brings about."
-        case Verdict.NOT_HELD if words is not None:
-            return words.if_lost
-        case Verdict.STUCK if words is not None:
-            return words.if_under_way if _on_the_way(ending) else words.if_stuck
-        case _:
-            return ""
-
-
 def _reading_text(transition: Transition | None, reading: float) -> str:
     if transition is not None and transition.kind == "distance":
         return show_value(reading, "m")
     return f"{math.degrees(reading):.1f} deg"
-
-
-def _stage_of(transition: Transition, design: Design) -> Stage:
-    """The stage that drives a transition, or that waits for its goal."""
-    stages = design.protocol.stages
-    if transition.stage is not None:
-        return stages[transition.stage]
-    return next(stage for stage in stages if stage.until == transition.goal)
 
 
 def _on_the_way(ending: Ending) -> bool:
@@ -181,16 +135,3 @@ def _on_the_way(ending: Ending) -> bool:
     if transition is None or transition.begun is None or reading is None:
         return False
     return reading < transition.begun if transition.furthest == "largest" else reading > transition.begun
-
-
-def _shorter_step(ending: Ending, design: Design) -> str:
-    """The timestep that would do: what is missing falls with it at least in proportion."""
-    limit, timestep = design.protocol.residual_limit, design.protocol.timestep
-    allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"
-    if ending.residual is None or not ending.residual <= _FAR_OFF * limit or not isinstance(timestep, float):
-        return f"Take a shorter timestep: {allowed}; {_AUTO}."
-    needed = timestep * limit / ending.residual
-    digit = 10.0 ** math.floor(math.log10(needed))
-    needed = math.floor(needed / digit * (1 + 1e-9)) * digit
-    instead = f"{show_value(needed, 's')} instead of {show_value(timestep, 's')}"
-    return f"Take a timestep of about {instead}: {allowed}; {_AUTO}."

@@ -110,6 +110,7 @@ def tolerance(
     limits: Mapping[str, object] | None = None,
     goal: AnyPath | None = None,
     minutes: float = 5.0,
+    runs: int | None = None,
     seed: int = 0,
     threads: int = 0,
     progress: Callable[[int, int, dict[str, Any]], None] | None = None,
@@ -125,6 +126,7 @@ def tolerance(
         goal: or its name or path, whose tolerances and limits count where none are given, and whose settings hold for
             the design but for what it varies.
         minutes: how long it may take; more time gives narrower intervals.
+        runs: the largest number of runs, instead of a time: the result then is the same on every machine.
         seed: of the points within the tolerances.
         threads: 0 for one a core.
         progress: called after every run with the runs done, the most that there are, and the row.
@@ -147,5 +149,7 @@ def tolerance(
     named = None if goal is None else as_path(goal, "a named goal, or the path of a goal file")
     question = question_of(as_design(design), tolerances, limits, named)
     folder = as_path(out, "a folder")
-    found = assess_tolerance(question, folder, minutes=minutes, seed=seed, threads=threads, progress=progress)
+    found = assess_tolerance(
+        question, folder, minutes=minutes, runs=runs, seed=seed, threads=threads, progress=progress
+    )
     return tolerance_table(found)

@@ -146,6 +146,9 @@ def tolerance(
         OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-tolerance if not given.")
     ] = None,
     minutes: Annotated[float, Parameter(help="How long it may take; more time gives narrower intervals.")] = 5.0,
+    runs: Annotated[
+        int | None, WHOLE_NUMBER, Parameter(help="The largest number of runs, instead of a time: the same everywhere.")
+    ] = None,
     seed: Annotated[int, WHOLE_NUMBER, Parameter(help="Of the points within the tolerances.")] = 0,
     keep: Annotated[
         int, WHOLE_NUMBER, Parameter(help="Keep so many runs at most, to be played in its page; 0 for none.")
@@ -165,16 +168,22 @@ def tolerance(
     read_option("--keep", lambda: check_most(keep))
     share = read_shard(shard)
     if dry_run:
-        _tell_plan(question, *estimate_tolerance(question, folder, minutes, seed))
+        _tell_plan(question, *estimate_tolerance(question, folder, minutes, seed, runs))
         return 0
     tell_replaced(folder, "tolerance", _ROWS_STAY)
-    found = _assessed(question, folder, minutes, seed, share, dask)
+    found = _assessed(question, folder, minutes, runs, seed, share, dask)
     _tell_tolerance(found, folder, keep)
     return 0 if found.nominal_works and found.meets else 2
 
 
 def _assessed(
-    question: Question, folder: Path, minutes: float, seed: int, shard: tuple[int, int], dask: str | None
+    question: Question,
+    folder: Path,
+    minutes: float,
+    runs: int | None,
+    seed: int,
+    shard: tuple[int, int],
+    dask: str | None,
 ) -> Tolerance:
     """Assess a tolerance here or on a Dask cluster."""
     from forficula.goals.tolerance import assess_tolerance
@@ -182,7 +191,7 @@ def _assessed(
 
     with _cluster(dask) as cluster, study_progress() as progress:
         return assess_tolerance(
-            question, folder, minutes=minutes, seed=seed, shard=shard, cluster=cluster, progress=progress
+            question, folder, minutes=minutes, runs=runs, seed=seed, shard=shard, cluster=cluster, progress=progress
         )
 
 

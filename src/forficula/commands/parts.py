@@ -47,7 +47,9 @@ def make(
     simulate: Annotated[
         bool, Parameter(help="Run the design and what the parts make of it; say what did it.", negative=())
     ] = False,
-    strict: Annotated[bool, Parameter(help="End with status 2 where a check fails.", negative=())] = False,
+    strict: Annotated[
+        bool, Parameter(help="End with status 2 where a check fails; --no-strict ends with 0 all the same.")
+    ] = True,
 ) -> int:
     """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
     from forficula.make.check_parts import check_parts, run_of

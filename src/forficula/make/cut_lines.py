@@ -89,6 +89,7 @@ class CutSheet:
         labels: on it.
         notes: sentences for who makes it.
         checks: of it.
+        faults: outlines of what fails them: windows that meet others, pieces that come off, m, (corner, 2) each.
     """
 
     name: str
@@ -103,6 +104,7 @@ class CutSheet:
     labels: tuple[CutLabel, ...]
     notes: tuple[str, ...]
     checks: tuple[Check, ...] = ()
+    faults: tuple[Array, ...] = ()
 
     @property
     def corners(self) -> Array:

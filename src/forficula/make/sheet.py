@@ -24,7 +24,7 @@ from forficula.make.regions import (
     region_of,
     united,
 )
-from forficula.make.sheet_checks import SheetParts, sheet_checks
+from forficula.make.sheet_checks import SheetParts, sheet_checks, sheet_faults
 from forficula.make.sheet_lines import (
     CREASE_LAYERS,
     Drawn,
@@ -94,7 +94,7 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
     drawn = Drawn(laid=laid, make=make, solid=solid, rounds=rounds, membrane=membrane_region(structure))
     built = _unchecked(design.name, pattern.title, drawn, openings)
     parts = SheetParts(make=make, sheet=sheet, solid=solid, windows=windows, large_holes=large)
-    return replace(built, checks=sheet_checks(built, parts))
+    return replace(built, checks=sheet_checks(built, parts), faults=sheet_faults(built, parts))
 
 
 def _unchecked(name: str, title: str, drawn: Drawn, openings: Sequence[Region]) -> CutSheet:

@@ -237,14 +237,28 @@ def _kept_holes(sheet: CutSheet, parts: SheetParts) -> Check:
     return count_check("holes and the cutter", _PART, found=drawn, wanted=nominal, held=text, missed=missed)
 
 
-def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
-    """In how many pieces the sheet comes off the cutter, slits and cuts and all."""
+def sheet_faults(sheet: CutSheet, parts: SheetParts) -> tuple[Array, ...]:
+    """Outlines of what makes a sheet fail: windows that meet others, and all pieces but the largest."""
+    regions = [region_of([window.outline]) for window in parts.windows]
+    meet = [any(other is not one and not is_empty(one ^ other) for other in regions) for one in regions]
+    windows = [window.outline for window, fails in zip(parts.windows, meet, strict=True) if fails]
+    pieces = sorted(_pieces(sheet, parts), key=area_of)[:-1]
+    return (*windows, *(loop for piece in pieces for loop in loops_of(piece) if loop_area(loop) > 0))
+
+
+def _pieces(sheet: CutSheet, parts: SheetParts) -> list[Region]:
+    """What comes off the cutter, slits and cuts and all."""
     wide = max(sheet.kerf, _THINNEST)
     slots = [_slot(line, wide) for line in sheet.lines if line.kind in ("slit", "cut")]
     rounds = [disc(hole.place, hole.nominal) for hole in sheet.holes]
     # all at once: one after another takes as long as there are slits, squared
     gone = region_of([*slots, *rounds]) if slots or rounds else united([])
-    count = len(pieces_of(parts.solid - gone))
+    return pieces_of(parts.solid - gone)
+
+
+def _one_piece(sheet: CutSheet, parts: SheetParts) -> Check:
+    """In how many pieces the sheet comes off the cutter."""
+    count = len(_pieces(sheet, parts))
     held, missed = (
         "the sheet stays in one piece",
         f"the sheet falls into {count} pieces; see its cuts, windows and slits",

@@ -18,7 +18,6 @@ class Appearance:
         crease: what they call a crease that no bar lies on.
         overbend: what they call a hinge's way past straight that its fold is not on.
         bodies: what the number of its bodies follows from, such as "two for every vein"; empty where nothing is to say.
-        steadier: what a longer timestep needs beside, such as "give its hinges inertia"; empty where nothing is to say.
         text: what it is, with its sizes, as the start of a sentence; empty where its parts are to be counted instead.
         sizes: lengths that it is known by, m, by name.
         titles: headings of plots of angles, by name of the measure or role of the hinges; else they are told by that.
@@ -31,7 +30,6 @@ class Appearance:
     crease: str = "crease"
     overbend: str = "back bend"
     bodies: str = ""
-    steadier: str = ""
     text: str = ""
     sizes: Mapping[str, float] = field(default_factory=dict)
     titles: Mapping[str, str] = field(default_factory=dict)

@@ -51,7 +51,6 @@ class Drive:
         key: of the design's value that makes it stronger, such as "protocol.fold_torque".
         strength: that value, in the SI unit of `drive_unit`.
         tries: what a search for the least value tries where it is not told, as text.
-        large: alike, what it takes to see whether the next transition works, as text.
         where: what it acts on, as sentences say it, such as "on every proximal joint".
         part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
     """
@@ -62,7 +61,6 @@ class Drive:
     key: str
     strength: float
     tries: str = ""
-    large: str = ""
     where: str = ""
     part: str = ""
 
@@ -147,9 +145,6 @@ class Wording:
         time: what its time is called, such as "fold time".
         noun: what it is called itself, such as "folding" in "work of folding".
         did: what it came to in a story of several, such as "opened again"; what it came to if empty.
-        if_stuck: advice where it never began, in a sentence.
-        if_under_way: advice where it stuck on the way.
-        if_lost: advice where it was lost when released.
     """
 
     done: str
@@ -159,9 +154,6 @@ class Wording:
     time: str
     noun: str
     did: str = ""
-    if_stuck: str = ""
-    if_under_way: str = ""
-    if_lost: str = ""
 
     @property
     def does(self) -> str:

@@ -49,7 +49,6 @@ def with_protocol(structure: Structure, design: FanDesign) -> Structure:
                 key="protocol.fold_torque",
                 strength=protocol.fold_torque,
                 tries="0..50 N cm step 10",
-                large="500 N cm",
                 where=_on_proximal(design, "on every proximal joint"),
                 part="proximal turn axis" if len(driven) == len(turns) else "driven proximal turn axis",
             ),

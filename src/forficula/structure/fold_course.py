@@ -20,15 +20,6 @@ _FOLD = Wording(
     time="fold time",
     noun="folding",
     did="folded",
-    if_stuck=(
-        "Raise protocol.fold_torque, or lower the barrier: softer or longer tendons (tendon.stiffness,"
-        " tendon.rest_length), less hinge.overbend."
-    ),
-    if_under_way="Raise protocol.fold_torque, or take stiffer or shorter tendons, which pull further into the fold.",
-    if_lost=(
-        "It folded under torque and opened again when released: raise tendon.stiffness, shorten tendon.rest_length, or"
-        " raise hinge.damping."
-    ),
 )
 _UNFOLD = Wording(
     done="folded and opened",
@@ -38,11 +29,6 @@ _UNFOLD = Wording(
     time="opening time",
     noun="unfolding",
     did="opened again",
-    if_stuck="Raise protocol.unfold_torque, or take softer or longer tendons (tendon.stiffness, tendon.rest_length).",
-    if_lost=(
-        "It opened under torque and folded again when released: hold it longer (hold of the unfolding stage), or raise"
-        " hinge.overbend or tendon.stiffness so that the open state locks."
-    ),
 )
 
 
@@ -78,7 +64,7 @@ def with_course(structure: Structure, design: FanDesign | JointDesign) -> Struct
                 measure="distal_angle",
                 furthest="largest",
                 begun=-LEFT_STRAIGHT,
-                wording=_in_terms_of(design, _FOLD),
+                wording=_FOLD,
             ),
             Transition(
                 name="unfold",
@@ -90,7 +76,7 @@ def with_course(structure: Structure, design: FanDesign | JointDesign) -> Struct
                 measure="distal_angle",
                 furthest="largest",
                 begun=None,
-                wording=_in_terms_of(design, _UNFOLD),
+                wording=_UNFOLD,
             ),
         ),
     )
@@ -127,11 +113,3 @@ def _stage_states(protocol: Protocol) -> tuple[str, ...]:
             released = driven + 1 < len(stages) and not stage_drives(stages[driven + 1])
             states[driven + released] = state
     return tuple(states)
-
-
-def _in_terms_of(design: FanDesign | JointDesign, wording: Wording) -> Wording:
-    """Advice that names what the design has: of a law the stiffness follows."""
-    if any(tendon is not None and tendon.law is None for tendon in design.tendons):
-        return wording
-    advice = {name: getattr(wording, name) for name in ("if_stuck", "if_under_way", "if_lost")}
-    return replace(wording, **{key: text.replace("tendon.stiffness", "tendon.area") for key, text in advice.items()})

@@ -200,3 +200,15 @@ def hinge_bounds(structure: Structure, goal: Goal) -> tuple[Array, Array]:
 
 def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[Goal]) -> list[str]:
     return [part.name for part in parts]
+
+
+def short_of(coordinates: Array, goal: Goal) -> float:
+    """How far the furthest of what a goal bounds is from its bound, rad or m, >= 0.
+
+    Args:
+        coordinates: as of `goal_coordinates`, (coordinate,).
+        goal: with its bounds.
+    """
+    above, below = np.isfinite(goal.most), np.isfinite(goal.least)
+    short = [*(coordinates - goal.most)[above], *(goal.least - coordinates)[below]]
+    return max([0.0, *map(float, short)])

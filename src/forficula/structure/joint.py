@@ -80,12 +80,11 @@ def with_protocol(structure: Structure, design: JointDesign) -> Structure:
             key=f"protocol.{name}_torque",
             strength=strength,
             tries=tries,
-            large=large,
             where="on the hinge",
         )
-        for name, share, strength, tries, large in (
-            ("fold", -1.0, protocol.fold_torque, "0..20 N cm step 2", "50 N cm"),
-            ("unfold", 1.0, protocol.unfold_torque, "10..100 N cm step 10", ""),
+        for name, share, strength, tries in (
+            ("fold", -1.0, protocol.fold_torque, "0..20 N cm step 2"),
+            ("unfold", 1.0, protocol.unfold_torque, "10..100 N cm step 10"),
         )
     )
     structure = replace(

@@ -77,7 +77,7 @@ def _transitions(
                 kind=kinds.get(name, "angle"),
                 furthest="smallest" if written is None or written.relation == ">" else "largest",
                 begun=None,
-                wording=_wording(state, done, drive.key),
+                wording=_wording(state, done),
             )
         )
     return tuple(drives), tuple(transitions)
@@ -290,8 +290,8 @@ def _state_after(stages: Sequence[Stage], number: int) -> str | None:
     return stages[number + 1].state
 
 
-def _wording(state: str, done: str, key: str) -> Wording:
-    """How sentences speak of the way to a state, by the key of what drives it there."""
+def _wording(state: str, done: str) -> Wording:
+    """How sentences speak of the way to a state."""
     return Wording(
         done=done,
         verb=f"get {state}",
@@ -300,14 +300,6 @@ def _wording(state: str, done: str, key: str) -> Wording:
         time=f"time to get {state}",
         noun=f"getting {state}",
         did=f"got {state}",
-        if_stuck=(
-            f"Take a stronger drive ({key}), or lower what holds it back: facet.bend_stiffness, crease.stiffness, or"
-            " the tendons; `forficula pattern` tells whether the sheet can fold at all."
-        ),
-        if_lost=(
-            f"It got {state} under torque and did not stay so when released: tendons that pull it there or springs that"
-            " rest there (crease.rest_angle) hold it."
-        ),
     )
 
 

@@ -36,8 +36,6 @@ _NOT_RIGID = (
     "with two ring folds, whose vertices are off Kawasaki, rigid panels do not fold, so there is no energy along that;"
     " every tendon lies across both folds, so there are no landscapes of single hinges"
 )
-# a vein alone has next to no inertia about its own axis
-_STEADIER = "give the turning hinges the inertia of what drives them, hinge.armature"
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
 
@@ -115,7 +113,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
         limits=_guards(design, veins, [number for number, point in enumerate(bare.points) if point.role == "tip"]),
         membranes=_panels(design, veins),
         contact=fan_contact(design),
-        appearance=_APPEARANCE if design.hinge.armature else replace(_APPEARANCE, steadier=_STEADIER),
+        appearance=_APPEARANCE,
     )
     return with_protocol(immersed(built, design.medium, fan_panels(design, veins)), design)
 

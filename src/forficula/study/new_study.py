@@ -5,7 +5,10 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from forficula.design import TORQUE
 from forficula.files import write_text
+from forficula.quantities import show_quantity
+from forficula.structure import structure_of
 from forficula.study.start import start_of
 
 _TEMPLATE = """\
@@ -37,7 +40,7 @@ ask = "run"
 # With ask = "least-torques": what is tried, rising. fold and unfold are names of the design's transitions.
 # [search]
 # fold_torques = "0..50 N cm step 10"
-# fold_with = "50 N cm"  # goes on to the second with it
+# fold_with = "{fold_with}"  # folds before unfold_torques are tried; the design's own if left out, as in a run
 # unfold_torques = "10..100 N cm step 10"
 # refinements = 3  # how often the last step is halved
 
@@ -62,8 +65,11 @@ def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> N
     start = start_of(path := Path(path), kind)
     states = [stage.state for stage in start.design.protocol.stages if stage.state is not None]
     texts = start.texts
+    drive = next(iter(structure_of(start.design).drives), None)
+    torque = 0.5 if drive is None else abs(drive.strength)
     text = _TEMPLATE.format(
         **texts,
+        fold_with=show_quantity(torque, TORQUE),
         low_range=f"{texts['low'].split()[0]}..{texts['high']}",
         step=texts["low"],
         state=states[-1] if states else "folded",

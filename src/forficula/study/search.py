@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from forficula.analysis import SPRUNG, Verdict
-from forficula.design import Design, Stage, put, stage_drives, with_values
+from forficula.design import TORQUE, Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.evaluate import row_key
@@ -82,7 +82,7 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
         "residual": max(residuals, default=None),
         "times_tried": {value: row.get(f"{first.transition}_time_s") for value, row in tried.items()},
         "outcomes_tried": {value: row["outcome"] for value, row in tried.items()},
-        **_ending(search, done, next_done),
+        **_ending(search, done, next_done, _used(search, tried, least_first, later, least_second)),
     }
     if search.start_state:
         result |= _energies(search.start_state, done)
@@ -128,10 +128,36 @@ def _reference(search: Search, row: Row) -> str:
     return search.first.done if row[search.first.state] else str(row["outcome"])
 
 
-def _ending(search: Search, done: Row, next_done: Row) -> dict[str, Any]:
+def _used(
+    search: Search,
+    tried: Mapping[float, Row],
+    least_first: float | None,
+    later: Mapping[float, Row],
+    least_second: float | None,
+) -> tuple[str, str]:
+    """The values that the ending of a search is of: of the first transition, and of both; empty where not tried."""
+    first, second = search.first, search.second
+    if first.unit is not TORQUE:  # the value of another key is in the row itself
+        return "", ""
+    last = least_first if least_first is not None else next(reversed(list(tried)), None)
+    one = "" if last is None else f"{first.transition} with {show_quantity(last, first.unit)}"
+    if second is None or not later:
+        return one, ""
+    value = least_second if least_second is not None else list(later)[-1]
+    large = show_quantity(search.reference, first.unit)
+    return one, f"{first.transition} with {large}, {second.transition} with {show_quantity(value, second.unit)}"
+
+
+def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) -> dict[str, Any]:
     """How the second transition went where some value does the first, or what failed before.
 
-    That is the release of the first one, or the first one with the reference value.
+    That is the release of the first one, or the first one with the reference value. The status names the values.
+
+    Args:
+        search: what was looked for.
+        done: row of the first transition.
+        next_done: of the second; empty where that was not tried.
+        used: the values of the first transition, and of both, in words.
     """
     state = search.first.state
     told = done if not (done.get(state) and next_done) else next_done
@@ -140,7 +166,11 @@ def _ending(search: Search, done: Row, next_done: Row) -> dict[str, Any]:
     if told is done:
         if next_done:
             ending["status"] += f"; with {large}: {next_done['status']}"
-    elif not next_done[state]:
+        elif used[0] and Verdict(told["verdict"]).tells:
+            ending["status"] += f" ({used[0]})"
+    elif next_done[state]:
+        ending["status"] += f" ({used[1]})" if used[1] else ""
+    else:
         ending["status"] = f"with {large}: {next_done['status']}"
         if Verdict(next_done["verdict"]).tells:
             ending["outcome"] = f"{told['outcome']} with {large}"

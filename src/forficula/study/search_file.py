@@ -47,7 +47,9 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
             f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
             f' {first.name} and {others[0].name}; ask "least-value" of one'
         )
-    large = given.get(f"{first.name}_with", drive_of(structure, first.drive).large or _shown(steps[0].values[-1]))
+    # with its own torque of the first transition a point is what a run of the same values is
+    own = abs(drive_of(structure, first.drive).strength)
+    large = given.get(f"{first.name}_with", _shown(own or steps[0].values[-1]))
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),

@@ -31,7 +31,12 @@ STUDY_KEYS = (
     file_key(
         "search.DRIVE_torques", _VALUES, "the drive's", "torques that are tried, rising, until one reaches the state"
     ),
-    file_key("search.DRIVE_with", "N cm", "the drive's", "torque with which the first drive goes on to the second"),
+    file_key(
+        "search.DRIVE_with",
+        "N cm",
+        "the design's",
+        "torque of the first drive before the second, as in a run",
+    ),
     file_key("search.key", "a key", "needed", "of which the least value is asked, of least-value"),
     file_key("search.values", _VALUES, "needed", "that are tried, of least-value"),
     file_key("search.state", "text", "the first", "that is to be reached, of least-value"),

@@ -156,7 +156,7 @@ def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_
     assert found["verdict"] == "untrusted"
     # it stands on no edge, from which one could move away
     assert found["advice"] == "Take a shorter timestep."
-    assert measure(record).advice.startswith("Take a shorter timestep (")
+    assert measure(record).advice.startswith("Take a shorter timestep: ")
     check_as_recorded(found, record)
 
 

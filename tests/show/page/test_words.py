@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from forficula.analysis import measure
+from forficula.analysis.advice import Advice
+from forficula.design import with_values
 from forficula.show.page.playback import make_clip
 from forficula.show.page.words import (
     angle_range,
@@ -15,6 +17,8 @@ from forficula.show.page.words import (
     reading_text,
     structure_text,
 )
+from forficula.show.run.release import release_sentences
+from tests.analysis.test_outcome import ENDS, REFERENCE, planted
 
 
 @pytest.fixture
@@ -46,9 +50,39 @@ def test_what_failed_is_told_with_its_torque(told):
     assert told("settled", transitions={"fold": None, "unfold": None}) == "wing: settled."
 
 
+def sprung_back(angle):
+    """A wing folded to -170 deg whose release, which ends in no state, leaves it at an angle, deg."""
+    named = with_values(REFERENCE, {"protocol.stages.1.state": "folded"})
+    return measure(planted((0.3, 0.4, 0.6), (0, -170, angle), ends=ENDS[:3], design=named))
+
+
+@pytest.mark.parametrize("angle", [3.0, -178.0])
+def test_a_stage_without_a_state_makes_no_claim_and_the_angles_when_released_are_told(angle):
+    outcome = sprung_back(angle)
+    sentence = outcome_sentence("wing", outcome)
+    went = f"went from -170.0 deg to {angle:.1f} deg when released (largest of distal angle)"
+    assert "stayed" not in sentence
+    assert sentence.endswith(f" of work) and {went}.")
+    assert release_sentences(outcome)[0].startswith(f"The wing {went}.")
+
+
+def test_a_release_that_ends_in_the_state_is_claimed_and_needs_no_further_sentence(short_outcome):
+    assert release_sentences(short_outcome) == []
+    assert [each.held for each in short_outcome.transitions.values()] == [True, True]
+
+
+def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_folding():
+    """As of binder2025-joint, which is pushed to -20 deg and then snaps."""
+    pushed = with_values(REFERENCE, {"protocol.stages.1.until": "distal_angle < -20 deg"})
+    outcome = measure(planted((0.3, 0.4, 0.6), (0, -21, -170), ends=ENDS[:3], design=pushed))
+    sentence = outcome_sentence("wing", outcome)
+    assert sentence.startswith("wing folded (distal_angle < -20 deg in 100 ms with 50 N cm on every proximal joint, ")
+    assert "folded in" not in sentence
+
+
 def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
     states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
-    odd = replace(short_outcome, status="did not open", advice="Raise it.", states=states)
+    odd = replace(short_outcome, status="did not open", advise=lambda: Advice(text="Raise it."), states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
     assert any(remark.startswith("Where the folded state is taken, the wing still moves") for remark in remarks)

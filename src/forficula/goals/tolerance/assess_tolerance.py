@@ -45,6 +45,7 @@ def assess_tolerance(
     out: str | Path,
     *,
     minutes: float = MINUTES,
+    runs: int | None = None,
     seed: int = 0,
     shard: tuple[int, int] = (1, 1),
     threads: int = 0,
@@ -60,6 +61,7 @@ def assess_tolerance(
         question: which design, how far off, and when it works.
         out: folder with the rows and the plan; goes on there.
         minutes: how long it may take.
+        runs: how many there may be, whatever time they take; by the time if not given.
         seed: of the points.
         shard: number, from 1 on, and count of the processes that share every batch.
         threads: 0 for one a core.
@@ -71,18 +73,21 @@ def assess_tolerance(
     """
     if not question.deviations:
         raise InputError(f"tolerances: need at least one, {question.design.name} has none")
-    _check(minutes, seed)
+    _check(minutes, seed, runs)
     trials = _Trials(question=question, progress=progress)
     with open_assessor(
         out, question.design, shard=shard, threads=threads, cluster=cluster, progress=trials.tell
     ) as trials.assessor:
-        plan = _plan(trials, Path(out), minutes, seed)
+        if runs is None:
+            plan = _plan(trials, Path(out), minutes, seed)
+        else:
+            plan = plan_within(len(question.deviations), 1.0, runs)
         trials.most = plan.most_runs(len(question.deviations))
         return _assessed(trials, plan, seed)
 
 
 def estimate_tolerance(
-    question: Question, out: str | Path, minutes: float = MINUTES, seed: int = 0
+    question: Question, out: str | Path, minutes: float = MINUTES, seed: int = 0, runs: int | None = None
 ) -> tuple[Plan, int, float]:
     """Say which plan a tolerance takes, how many runs that is at most, and how long these take, s.
 
@@ -93,23 +98,29 @@ def estimate_tolerance(
         out: folder with the rows, if there are any.
         minutes: how long it may take.
         seed: of the points.
+        runs: as of `assess_tolerance`.
 
     Raises:
         InputError: a number is not allowed.
     """
-    _check(minutes, seed)
+    _check(minutes, seed, runs)
     factors = len(question.deviations)
     few = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
     designs = [built_design(question.design, off_values(question.design, question.deviations, each)) for each in few]
     start = time.monotonic()
     count = sum(1 for _ in evaluate([design for design in designs if isinstance(design, Design)]))
     seconds = (time.monotonic() - start) / max(count, 1)
-    plan = kept_plan(Path(out), question, minutes, seed) or plan_within(factors, seconds, 60 * minutes)
+    if runs is not None:
+        plan = plan_within(factors, 1.0, runs)
+    else:
+        plan = kept_plan(Path(out), question, minutes, seed) or plan_within(factors, seconds, 60 * minutes)
     most = plan.most_runs(factors)
     return plan, most, most * seconds
 
 
-def _check(minutes: object, seed: object) -> None:
+def _check(minutes: object, seed: object, runs: object) -> None:
+    if runs is not None and not is_whole(runs, 1):
+        raise InputError(f"runs: need a whole number >= 1, got {as_written(runs)}")
     if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:
         raise InputError(f"minutes: need a number > 0, got {as_written(minutes)}")
     check_whole("seed", seed, 0)

@@ -27,7 +27,7 @@ from forficula.show.folder.identify_folder import IDENTIFIED
 from forficula.show.folder.landscape_folder import landscape_drawings
 from forficula.show.folder.material_folder import material_drawings
 from forficula.show.folder.optimum_folder import OPTIMUM_FILE, optimum_drawings
-from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_parts
+from forficula.show.folder.parts_folder import BILL_FILE, parts_drawings, read_checks, read_parts
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import SIMULATED, static_map_drawings
 from forficula.show.folder.study_folder import study_drawings
@@ -168,7 +168,7 @@ def _static_map(folder: Path) -> dict[str, Drawing]:
 
 
 def _parts(folder: Path) -> dict[str, Drawing]:
-    return parts_drawings(read_parts(folder))
+    return parts_drawings(read_parts(folder), read_checks(folder))
 
 
 def _convergence(folder: Path) -> dict[str, Drawing]:

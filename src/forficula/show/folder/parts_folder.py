@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import json
+import textwrap
+from collections import Counter
 from collections.abc import Callable, Sequence
 from importlib import metadata
+from math import nan
 from pathlib import Path, PurePosixPath
 from typing import Any, get_args
+
+from matplotlib.figure import Figure
 
 from forficula.design import load_design, save_design
 from forficula.dynamics import Record
@@ -28,11 +33,14 @@ from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.parts_page import write_parts_page
 from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
-from forficula.show.style import Drawing, figure_files, save_figures
+from forficula.show.style import VERMILION, Drawing, figure_files, figure_style, save_figures
 from forficula.study.made_comparison import MadeComparison, comparison_or_why
 
 BILL_FILE = "bill.json"
 AS_MADE_FILE = "as-made.json"
+_CHECKS_FILE = "checks.json"
+# of what stands above figures: letters in an inch, height of a line, inch, and kinds of checks that are named
+_LETTERS, _LINE, _NAMED = 14, 0.16, 4
 # in which a bill may list files of parts, which go when other parts are made there
 _FOLDERS = ("stl", "step")
 _FIGURES = [file for name in ("parts", "sheet", "made") for file in figure_files(name)]
@@ -76,7 +84,7 @@ def write_parts(
             write_sheet_svg(parts.sheet, unfinished / "sheet.svg")
         save_design(parts.design, unfinished / "design.toml")
         progress("drawing")
-        save_figures(parts_drawings(parts, compared), unfinished)
+        save_figures(parts_drawings(parts, checks, compared), unfinished)
         if compared is not None:
             save_design(compared.made, unfinished / AS_MADE)
             told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
@@ -87,23 +95,53 @@ def write_parts(
         write_parts_page(parts, checks, unfinished / "parts.html", record, files=files)
 
 
-def parts_drawings(parts: PartSet, compared: MadeComparison | None = None) -> dict[str, Drawing]:
+def parts_drawings(
+    parts: PartSet, checks: Sequence[Check] = (), compared: MadeComparison | None = None
+) -> dict[str, Drawing]:
     """What draws every figure of parts, by kind: taken apart, the sheet, and a hinge as designed and as made.
 
     Args:
         parts: to make.
+        checks: of them; figures say in red how many fail.
         compared: the design and what the parts make of it; worked out where it is not given.
     """
     sheet, drawings = parts.sheet, dict[str, Drawing]()
     if sheet is not None:
-        drawings["sheet"] = lambda width: draw_cut_sheet(sheet, width)
+        drawings["sheet"] = lambda width: _marked(draw_cut_sheet(sheet, width), sheet.checks)
     if not parts.joints:
         return drawings
-    drawings["parts"] = lambda width: draw_parts(parts, width)
+    drawings["parts"] = lambda width: _marked(draw_parts(parts, width), checks)
     made = compared or comparison_or_why(parts)
     if isinstance(made, MadeComparison) and made.hinges:
-        drawings["made"] = lambda width: draw_made(made, width)
+        drawings["made"] = lambda width: _marked(draw_made(made, width), checks)
     return drawings
+
+
+def _marked(figure: Figure, checks: Sequence[Check]) -> Figure:
+    """Say above a figure how many checks fail, and which."""
+    failed = Counter(check.name for check in checks if check.ok is False)
+    if not failed:
+        return figure
+    names = [f"{name} ({count})" if count > 1 else name for name, count in failed.most_common(_NAMED)]
+    names += ["others"] * (len(failed) > _NAMED)
+    made, fail = sum(check.ok is not None for check in checks), "fails" if failed.total() == 1 else "fail"
+    told = f"{failed.total()} of {made} checks {fail}: {', '.join(names)}"
+    letters = int(_LETTERS * figure.get_figwidth())
+    with figure_style():
+        if figure.get_layout_engine() is not None:
+            title = figure.get_suptitle()
+            words = textwrap.fill(f"{title}. {told}" if title else told, letters)
+            figure.suptitle(words, color=VERMILION, fontsize=8)
+            return figure
+        # axes that have their places: the figure grows by what stands above them
+        words, height = textwrap.fill(told, letters), figure.get_figheight()
+        whole = height + _LINE * (words.count("\n") + 1.5)
+        figure.set_figheight(whole)
+        for axes in figure.axes:
+            box = axes.get_position(original=True)
+            axes.set_position((box.x0, box.y0 * height / whole, box.width, box.height * height / whole))
+        figure.text(0.5, 1 - _LINE / 3 / whole, words, ha="center", va="top", color=VERMILION, fontsize=8)
+    return figure
 
 
 def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
@@ -133,6 +171,18 @@ def read_parts(folder: Path) -> PartSet:
     raise InputError(f"{folder}: its bill is not of its design: make it again, forficula make …")
 
 
+def read_checks(folder: Path) -> list[Check]:
+    """What was checked of the parts in a folder, without numbers; nothing where that was not written."""
+    try:
+        rows = json.loads((folder / _CHECKS_FILE).read_text("utf-8"))
+        return [
+            Check(name=row["name"], part=row["part"], ok=row["ok"], value=nan, limit=nan, unit="", text=row["text"])
+            for row in rows
+        ]
+    except (OSError, LookupError, ValueError, TypeError):
+        return []
+
+
 def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -> None:
     """Write all solids as STEP, printed or not."""
     (folder / "step").mkdir()
@@ -146,7 +196,7 @@ def _write_lists(parts: PartSet, checks: Sequence[Check], folder: Path) -> None:
     plain = parts_json(parts, checks)
     # what does not exist is null; not every reader of JSON knows NaN
     told = json.dumps(plain.pop("checks"), indent=2, ensure_ascii=False, allow_nan=False)
-    write_text(folder / "checks.json", told + "\n")
+    write_text(folder / _CHECKS_FILE, told + "\n")
     write_text(folder / "bill.csv", bill_csv(bill_of(parts)))
     plain["files"] = sorted([*_files(folder), "parts.html"])
     plain["versions"] = {name: metadata.version(name) for name in ("forficula", "manifold3d")}

@@ -58,7 +58,8 @@ def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     """What draws a run, by the stem of its file; the room that it takes where a state takes less."""
     smallest = smallest_package(record)
-    needed = cache(lambda: needed_torque(record))
+    stuck = outcome.verdict is Verdict.STUCK  # of which the advice has asked statics
+    needed = cache(lambda: outcome.advised.least_torque if stuck else needed_torque(record))
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}
     strain: Drawing = lambda width: _marked(draw_folding(record, outcome, width, strain=True), outcome)  # noqa: E731

@@ -59,7 +59,7 @@ def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
         axes.set_xticks(places, names, rotation=30 if len(names) > 4 or is_narrow(width) else 0, ha="right")
         axes.tick_params(axis="x", length=0)
         handles = [
-            Line2D([], [], color=VERMILION, lw=1.6, label="best, verified"),
+            Line2D([], [], color=VERMILION, lw=1.6, label=f"best{_verified(found)}"),
             Line2D([], [], color=BLUE, lw=0.7, label="meets the goal"),
             Line2D([], [], color=_GREY, lw=0.7, label="the others"),
         ]
@@ -90,7 +90,15 @@ def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
         axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="the others")
         axes.plot(one[feasible & ~best], other[feasible & ~best], "o", color=BLUE, ms=3, label="meets the goal")
         order = np.argsort(one[best], kind="stable")
-        axes.plot(one[best][order], other[best][order], "-o", color=VERMILION, ms=4.5, lw=0.8, label="front, verified")
+        axes.plot(
+            one[best][order],
+            other[best][order],
+            "-o",
+            color=VERMILION,
+            ms=4.5,
+            lw=0.8,
+            label=f"front{_verified(found)}",
+        )
         axes.set_xlabel(first)
         axes.set_ylabel(second)
         fit_legend(figure, axes.get_legend_handles_labels()[0], 3, loc="outside upper center")
@@ -99,6 +107,11 @@ def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
             f"{first} against {second} of all designs that were tried for {found.goal.name}; {int(best.sum())} of them"
             " are the front, on which neither can be better without the other being worse.",
         )
+
+
+def _verified(found: Optimum) -> str:
+    """Whether anything was run or asked anew of the best designs, which statics alone does not."""
+    return ", verified" if any(each.finer is not None or each.fresh is not None for each in found.best) else ""
 
 
 def _axes_of(found: Optimum) -> list[tuple[str, str, Array]]:

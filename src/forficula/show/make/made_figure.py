@@ -63,7 +63,7 @@ def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | 
             figure,
             [*handles, Patch(color=_STOP, label="beyond the stops as made")],
             columns,
-            loc="outside upper center",
+            loc="outside lower center",
         )
         return describe(figure, _told(compared, pair))
 

@@ -14,6 +14,7 @@ from forficula.make.part import PartSet
 from forficula.names import listed
 
 _NONE = "not known"
+_FAILED = "bold red"
 
 
 def print_parts(parts: PartSet, checks: Sequence[Check]) -> None:
@@ -75,8 +76,9 @@ def _checks(checks: Sequence[Check]) -> list[RenderableType]:
     for check in (*failed, *missing):
         alike.setdefault((check.ok, check.name, check.text), []).append(check.part)
     for (ok, name, text), of in alike.items():
-        table.add_row("fails" if ok is False else "not made", "\n".join(of), f"{name}: {text}")
-    return [Text(counts, style="bold"), *([table] if table.row_count else [])]
+        result = Text("fails", style=_FAILED) if ok is False else Text("not made")
+        table.add_row(result, "\n".join(of), f"{name}: {text}")
+    return [Text(counts, style=_FAILED if failed else "bold"), *([table] if table.row_count else [])]
 
 
 def _grams(mass: float | None) -> str:

@@ -125,7 +125,7 @@ def _ends(results: Dataset, objective: Objective) -> list[float]:
 def verifications_table(optimum: Optimum) -> str:
     """How the best do where the search did not look: at a finer timestep, and of fresh neighbours."""
     numbers = {each.point: str(number + 1) for number, each in enumerate(optimum.candidates)}
-    checked = [*optimum.best, *optimum.discarded]
+    checked = [each for each in (*optimum.best, *optimum.discarded) if each.finer is not None or each.fresh is not None]
     rows = [
         [numbers.get(each.candidate.point, ""), *_finer(each), _fresh(each.fresh), "yes" if each.holds else "no"]
         for each in checked

@@ -15,11 +15,13 @@ class Cell:
         text: what stands in it.
         note: what stands under it, smaller.
         marked: whether it should catch the eye.
+        failed: whether it says that something fails, and is red.
     """
 
     text: str
     note: str = ""
     marked: bool = False
+    failed: bool = False
 
 
 def escaped(text: str) -> str:
@@ -93,7 +95,14 @@ def _row(cells: Sequence[str | Cell]) -> str:
     return f'<tr{marked}><th scope="row">{_inside(first)}</th>{values}</tr>'
 
 
+def red(html: str) -> str:
+    """HTML in the colour of what fails."""
+    return f'<strong style="color:#d55e00">{html}</strong>'
+
+
 def _inside(cell: Cell) -> str:
     note = f"<small>{escaped(cell.note)}</small>" if cell.note else ""
     text = escaped(cell.text)
+    if cell.failed:
+        text = red(text)
     return f"{f'<mark>{text}</mark>' if cell.marked else text}{note}"

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from forficula.analysis import Verdict
 from forficula.show.page.outcome_tables import outcome_tables
 from forficula.show.page.playback import BUDGET, make_clip
 from forficula.show.page.run_page import playback_data
@@ -60,6 +61,7 @@ def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
         "title": ", ".join(driven) or outcome.status,
         "text": outcome_sentence(f"This {structure.appearance.whole}", outcome),
         "advice": outcome.advice,
+        "failed": outcome.verdict is not Verdict.REACHED,
         "folder": run.folder,
         "numbers": "".join(outcome_tables(outcome)),
         "play": playback_data(make_clip(run.record, outcome, budget=budget)),

@@ -218,7 +218,6 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
         "kind": transition.kind,
         "begun": None if begun is None else begun / (length if transition.kind == "distance" else 1),
         "words": {name: getattr(words, name) for name in ("verb", "done", "doing", "stays", "did")},
-        "advice": {"stuck": words.if_stuck, "underWay": words.if_under_way, "lost": words.if_lost},
     }
 
 

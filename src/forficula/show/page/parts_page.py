@@ -22,7 +22,7 @@ from forficula.show.make.part_facts import (
 )
 from forficula.show.page.design_rows import design_title
 from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import Cell, escaped, paragraph, remarks, section, table
+from forficula.show.page.html import Cell, escaped, paragraph, red, remarks, section, table
 from forficula.show.page.page import page_html
 from forficula.show.page.parts_data import parts_data, parts_text
 
@@ -83,7 +83,7 @@ def parts_page(
             section("Design", _every_value(parts), name="design"),
         )
     )
-    sentence = paragraph(_sentence(parts, checks), "outcome")
+    sentence = f'<p class="outcome">{escaped(_sentence(parts))} {_checked(checks)}</p>'
     body = (
         f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n"
         f'<main><div class="assembly">{player}{beside}</div>{below}</main>'
@@ -91,21 +91,26 @@ def parts_page(
     return page_html(title, body, parts_data(parts, record) if solid else None)
 
 
-def _sentence(parts: PartSet, checks: Sequence[Check]) -> str:
-    """What is to be made, how heavy it is, and how many checks fail."""
+def _sentence(parts: PartSet) -> str:
+    """What is to be made, and how heavy it is."""
     told = [parts_text(parts)] if parts.parts else ["A sheet to cut."]
     if parts.parts:
         mass = total_mass(parts.parts)
         told.append(f"Together {mass_text(mass)}." if mass is not None else "Of a material the density is not known.")
-    failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
-    if checks:
-        several = f"{failed} of {failed + held} checks fail{'s' * (failed == 1)}"
-        told.append(f"{several}; see below." if failed else f"All {held} checks pass.")
-        left = sum(check.ok is None for check in checks)
-        told += [f"{left} could not be carried out."] * (left > 0)
-    else:
-        told.append("They are not checked yet: ff.check_parts does that.")
     return " ".join(told)
+
+
+def _checked(checks: Sequence[Check]) -> str:
+    """How many checks fail, in red, as HTML."""
+    if not checks:
+        return "They are not checked yet: ff.check_parts does that."
+    failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
+    left = sum(check.ok is None for check in checks)
+    rest = f" {left} could not be carried out." * (left > 0)
+    if not failed:
+        return f"All {held} checks pass.{rest}"
+    several = f"{failed} of {failed + held} checks fail{'s' * (failed == 1)}; see below."
+    return f"{red(several)}{rest}"
 
 
 def _moving_note(parts: PartSet, record: Record | None) -> str:
@@ -162,7 +167,7 @@ def _check_table(checks: Sequence[Check]) -> str:
     rows: list[list[str | Cell]] = [
         [
             Cell(text=f"{check.name}, {check.part}" if check.part else check.name, note=check.text),
-            Cell(text=_WORDS[check.ok], marked=check.ok is False),
+            Cell(text=_WORDS[check.ok], marked=check.ok is False, failed=check.ok is False),
             value_text(check.value, check.unit),
             value_text(check.limit, check.unit),
         ]

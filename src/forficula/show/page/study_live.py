@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from forficula.design import Stage, key_quantity, stage_drives
+from forficula.design import TORQUE, Stage, key_quantity, stage_drives
 from forficula.dynamics import compile_model, why_not_portable
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
@@ -86,6 +86,8 @@ def _step(step: SearchStep, until: int) -> dict[str, Any]:
         "name": step.least_name,
         "title": step.least_name.replace("_", " "),
         "values": list(step.values),
+        # of torques, which a status names
+        "texts": [show_quantity(value, step.unit) for value in step.values] if step.unit is TORQUE else None,
         "sign": step.sign,
         "until": until,
     }

@@ -7,14 +7,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import Outcome
+from forficula.analysis import Outcome, TransitionOutcome
 from forficula.analysis.confirmation import confirmation_text
 from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.page.playback import Clip, Readings, blown_up
+from forficula.show.run.release import release_text
 from forficula.show.structure.labels import counted, measure_labels
-from forficula.structure import Structure, drive_of, drive_unit, hinge_groups
+from forficula.structure import Structure, Transition, drive_of, drive_unit, hinge_groups
 
 Array = NDArray[np.float64]
 
@@ -36,14 +37,26 @@ def outcome_sentence(name: str, outcome: Outcome) -> str:
                 return f"{name}: {outcome.status}, with {torque}."
             return f"{name} {', '.join(clauses)}, and {outcome.status} with {torque}."
         words = transition.wording
-        clauses.append(
-            f"{words.did or words.done} in {readable(found.time, 's')} with {torque}"
-            f" ({readable(found.work, 'J')} of work)"
-        )
-        clauses.append(f"stayed {words.stays}{' when released' * (len(clauses) == 1)}")
+        time, work, did = readable(found.time, "s"), readable(found.work, "J"), words.did or words.done
+        until = outcome.stages[transition.stage].goal if transition.stage is not None else transition.goal
+        if until == transition.goal:
+            clauses.append(f"{did} in {time} with {torque} ({work} of work)")
+        else:  # the stage ends on the way, so its time is not that of the whole transition
+            clauses.append(f"{did} ({until} in {time} with {torque}, {work} of work)")
+        clauses += _after(structure, transition, found, first=len(clauses) == 1)
+    if len(clauses) == 1:
+        return f"{name} {clauses[0]}."
     *most, last = clauses
     comma = "," * (len(most) > 1)
     return f"{name} {', '.join(most)}{comma} and {last}."
+
+
+def _after(structure: Structure, transition: Transition, found: TransitionOutcome, *, first: bool) -> list[str]:
+    """What the release after a transition left: a claim only where a release ends in the state."""
+    if found.held is not None:
+        return [f"stayed {transition.wording.stays}{' when released' * first}"]
+    text = release_text(structure, transition, found)
+    return [text] if text else []
 
 
 def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:

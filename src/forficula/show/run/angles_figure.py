@@ -52,8 +52,8 @@ from forficula.show.style import (
     describe,
     figure_style,
 )
+from forficula.statics.slow_margin import MORE
 from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
-from forficula.study.slow_margin import MORE
 
 Array = NDArray[np.float64]
 

@@ -24,6 +24,7 @@ from forficula.show.run.outcome_rows import (
     transition_rows,
 )
 from forficula.show.run.package_figure import package_text
+from forficula.show.run.release import release_sentences
 from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
@@ -44,7 +45,7 @@ def outcome_table(name: str, outcome: Outcome) -> RenderableType:
     if structure.states:
         parts += [Text(), *_states(outcome, structure)]
     if structure.transitions:
-        parts += [Text(), _transitions(outcome, structure)]
+        parts += [Text(), _transitions(outcome, structure), *map(Text, release_sentences(outcome))]
     parts += [Text(), _balance(outcome, structure)]
     return Group(*parts)
 

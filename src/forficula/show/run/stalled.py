@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from forficula.analysis.advice import least_torque
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
-from forficula.statics.net.net_of import is_net
-from forficula.structure import Transition, drive_of, drive_unit
-from forficula.study.slow_margin import least_slow_torques
+from forficula.structure import Transition
 
 _NEARLY_ALL = 0.95
 
@@ -46,8 +43,5 @@ def needed_torque(record: Record) -> float | None:
     Returns:
         nan where none does; None where nothing was missed, or it is not torques on a tree of hinges that were to do it.
     """
-    missed, structure = stalled_transition(record), record.structure
-    if missed is None or is_net(structure) or drive_unit(structure, drive_of(structure, missed.drive)) != "N m":
-        return None
-    by_transition = zip(structure.transitions, least_slow_torques([record.design], [missed.name]), strict=True)
-    return next((float(least[0]) for each, least in by_transition if each is missed), math.nan)
+    missed = stalled_transition(record)
+    return None if missed is None else least_torque(record.design, record.structure, missed)

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Patch, PathPatch
+from matplotlib.patches import Circle, Patch, PathPatch, Polygon
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
@@ -27,6 +27,7 @@ _STYLES: dict[Layer, tuple[str, str]] = {
     "mark": ("0.4", "-"),
 }
 _PAPER = "#efe9dc"
+_FAULT = "////"
 _TALLEST = 1.2  # height of the sheet by the width of the figure
 _ROOM = 1.15  # inch over and under the sheet
 _BESIDE = 0.6  # inch left of it
@@ -48,6 +49,7 @@ def draw_cut_sheet(sheet: CutSheet, width: float = PAGE_WIDTH) -> Figure:
         _draw_lines(axes, sheet)
         _draw_sizes(axes, sheet)
         axes.autoscale_view()
+        _draw_faults(axes, sheet)
         figure.suptitle(f"{sheet.name}: sheet to cut", fontsize=8)
         fit_legend(figure, _handles(sheet), 5, loc="outside lower center")
         return describe(figure, _tell(sheet))
@@ -78,6 +80,12 @@ def _draw_lines(axes: Axes, sheet: CutSheet) -> None:
     for label in sheet.labels:
         place = _MILLIMETRES * label.place
         axes.text(place[0], place[1], label.text, color=_STYLES["mark"][0], fontsize=6, ha="center", va="center")
+
+
+def _draw_faults(axes: Axes, sheet: CutSheet) -> None:
+    """What makes checks fail, hatched over all else."""
+    for outline in sheet.faults:
+        axes.add_patch(Polygon(_MILLIMETRES * outline, fc="none", ec=VERMILION, hatch=_FAULT, lw=1.2, zorder=5))
 
 
 def _draw_sizes(axes: Axes, sheet: CutSheet) -> None:
@@ -121,6 +129,8 @@ def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
         label = "scored" if layer == "score" else names[layer] + (f", {does}" if folds else "")
         dashes = style if sheet.style == "score" or layer == "score" else "-"
         handles.append(Line2D([], [], color=colour, ls=dashes, lw=_LINE, label=label))
+    if sheet.faults:
+        handles.append(Patch(fc="none", ec=VERMILION, hatch=_FAULT, label="fails a check"))
     return handles
 
 

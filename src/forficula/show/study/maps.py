@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from forficula.analysis import SPRUNG
 from forficula.errors import InputError
+from forficula.quantities import show_value
 from forficula.show.study.factor_text import plain_name, value_text, value_with_unit
 from forficula.show.study.map_page import draw_page
 from forficula.show.study.map_panel import Panel, View
@@ -64,7 +65,11 @@ def draw_torque_maps(
     Raises:
         InputError: the table has no such factor.
     """
-    names = {each.least: each.least.replace("_", " ") for each in table_transitions(table) if each.least}
+    first, *_ = each_least = [each for each in table_transitions(table) if each.least]
+    names = {each.least: each.least.replace("_", " ") for each in each_least}
+    if "torque" in (reference := table["reference_outcome"].attrs if "reference_outcome" in table else {}):
+        after = f", {first.state} with {show_value(reference['torque'], 'N m')}"
+        names |= {each.least: f"{names[each.least]}{after}" for each in each_least[1:]}
     quantity = "torque" if all(_unit(table, name) == "N m" for name in names if name in table) else "least value"
     return _draw(table, x, y, names, quantity, width=width)
 

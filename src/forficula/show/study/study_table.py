@@ -51,7 +51,9 @@ def print_study(study: Study, table: Dataset) -> None:
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
             less = "; less was not tried" if step.values[0] in values and step.values[0] != 0 else ""
-            more = undecided_text(table, each)
-            print(f"{len(values)} of {len(study.points)}{more} {what}, with {between}{lost_text(table, each)}{less}")
+            first, more = study.search.first, undecided_text(table, each)
+            after = f", {first.state} with {show_quantity(study.search.reference, first.unit)}" if place else ""
+            told = f"{what}, with {between}{after}{lost_text(table, each)}{less}"
+            print(f"{len(values)} of {len(study.points)}{more} {told}")
         else:
             print(f"none of {len(study.points)} {what}{undecided_text(table, each)}")

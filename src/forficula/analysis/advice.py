@@ -1,0 +1,243 @@
+"""What to try with a design whose run missed its goal: changes of values, each kind tested over failing designs.
+
+A kind of advice is given only if it helps at least 90 % of random failing designs, see `benchmarks/advice.py`: the run
+then reaches its goals, its margin grows, or it says something of the structure where it said nothing before.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from forficula.analysis.verdict import UNSETTLED, Ending, Verdict
+from forficula.design import Design, FanDesign, JointDesign, SheetDesign, stage_drives, with_values
+from forficula.dynamics import Record
+from forficula.quantities import show_value
+from forficula.statics.net.net_of import is_net
+from forficula.statics.slow_margin import MORE, least_slow_torques
+from forficula.structure import (
+    Structure,
+    Transition,
+    drive_of,
+    drive_unit,
+    goal_coordinates,
+    goal_of,
+    short_of,
+    structure_of,
+)
+
+# [chosen] how many times the allowed residual tells nothing of the timestep that would do
+_FAR_OFF = 20
+AUTO = 'protocol.timestep = "auto" chooses one'
+# [chosen] by how much a time limit, and a hold before a release, are raised
+_LONGER, _HELD = 4.0, 10.0
+# [chosen] how much more than the least slowly growing torque is advised
+_SURELY = 1.2
+# [chosen] what is tried of a tendon's stiffness where no torque does
+_SOFTER = (0.5, 0.25, 0.125)
+# [chosen] by the size of the whole: a distance that changes by less over a window has not moved
+_MOVED_SHARE = 1e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Advice:
+    """What to try, or what is known of a failure that no tested advice mends.
+
+    Attributes:
+        kind: of the advice, as the table of `benchmarks/advice.py` lists it; empty of a remark.
+        text: one sentence or two.
+        values: to replace, by the key that `--set` and a design file take, SI; empty of a remark.
+        least_torque: the least slowly growing one that moves what is stuck, N m, nan where none does; None where
+            statics were not asked.
+    """
+
+    text: str
+    kind: str = ""
+    values: Mapping[str, object] = field(default_factory=dict)
+    least_torque: float | None = None
+
+
+NOTHING = Advice(text="")
+_EDGE = Advice(text="The design is at a boundary, where the smallest change decides the outcome.")
+
+
+def edge_advice() -> Advice:
+    """Return what is known of a design whose outcome depends on the computation."""
+    return _EDGE
+
+
+def run_advice(record: Record, ending: Ending) -> Advice:
+    """What to try with the design of a run; without a text where it reached its goals, or nothing is known to help.
+
+    Statics are asked where a torque did not move the structure, which takes up to seconds.
+    """
+    design, transition = record.design, ending.transition
+    match ending.verdict:
+        case Verdict.DIVERGED:
+            return _shorter_step(ending, design)
+        case Verdict.UNTRUSTED if ending.why == UNSETTLED:
+            return _EDGE
+        case Verdict.UNTRUSTED:
+            return _shorter_step(ending, design)
+        case Verdict.MOVING if transition is not None and transition.stage is not None:
+            return _more_time(record, ending, transition)
+        case Verdict.NOT_HELD if ending.why:
+            return Advice(text="Take a goal that only its drive brings about.")
+        case Verdict.NOT_HELD if transition is not None and isinstance(design, FanDesign | JointDesign):
+            return _longer_hold(record, transition)
+        case Verdict.STUCK if transition is not None:
+            return _stronger(record, transition)
+        case _:
+            return NOTHING
+
+
+def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice:
+    """More time for a stage that a run ended on its way to the goal."""
+    assert transition.stage is not None
+    if transition.stage >= len(record.stages):
+        return NOTHING
+    end = record.stages[transition.stage]
+    if end.goal_time is not None:  # what was missed is rest in a later stage
+        return NOTHING
+    stage, key = end.stage, _stage_key(record.design, transition.stage, "time_limit")
+    if not (end.at_goal or ending.why or _approaches(record, transition)):
+        last = show_value(min(record.design.protocol.window, end.end - end.start), "s")
+        return Advice(
+            text=f'In the last {last} of the stage "{stage.name}" it came no nearer to its goal than what rests does.'
+        )
+    rises = [drive.rise for drive in record.structure.drives if drive.name in (transition.drive, *stage_drives(stage))]
+    limit = _rounded(max(_LONGER * stage.time_limit, *(rise + stage.time_limit for rise in rises)))
+    old, new = show_value(stage.time_limit, "s"), show_value(limit, "s")
+    text = f"It is on its way to its goal: raise {key} from {old} to {new}."
+    return Advice(kind="more time", text=text, values={key: limit})
+
+
+def _approaches(record: Record, transition: Transition) -> bool:
+    """Whether what is furthest from a transition's goal came nearer to it at the end of the driven stage.
+
+    Faster, on average over the last window, than what counts as rest: what creeps is not mended by time.
+    """
+    assert transition.stage is not None
+    end = record.stages[transition.stage]
+    start = max(end.start, end.end - record.design.protocol.window)
+    half = float(record.design.protocol.timestep) / 2
+    rows = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))[[0, -1]]
+    distances, goal = record.series.get("distance"), goal_of(record.structure, transition.goal)
+    before, after = goal_coordinates(
+        record.structure, record.series["hinge_angle"][rows], None if distances is None else distances[rows]
+    )
+    resting = record.design.protocol.rest_speed * (end.end - start)
+    least = resting if transition.kind == "angle" else _MOVED_SHARE * record.structure.span
+    return short_of(before, goal) - short_of(after, goal) > least
+
+
+def _longer_hold(record: Record, transition: Transition) -> Advice:
+    """A longer hold under torque of what was lost when released; of plates it helped 4 of 9."""
+    number = transition.stage
+    if number is None or number >= len(record.stages) or record.stages[number].goal_time is None:
+        return NOTHING
+    end = record.stages[number]
+    assert end.goal_time is not None
+    hold = _rounded(_HELD * max(end.stage.hold, end.goal_time - end.start))
+    keys = {name: _stage_key(record.design, number, name) for name in ("hold", "time_limit")}
+    limit = _rounded(max(end.stage.time_limit, 2 * hold + end.goal_time - end.start))
+    text = (
+        f"Hold it longer before the release: {keys['hold']} = {show_value(hold, 's')} instead of"
+        f" {show_value(end.stage.hold, 's')}, with {keys['time_limit']} = {show_value(limit, 's')}."
+    )
+    return Advice(kind="longer hold", text=text, values={keys["hold"]: hold, keys["time_limit"]: limit})
+
+
+def _stronger(record: Record, transition: Transition) -> Advice:
+    """A stronger drive for what did not move, or softer tendons, where statics say that it would."""
+    structure, design = record.structure, record.design
+    drive, verb = drive_of(structure, transition.drive), transition.wording.verb
+    unit, own = drive_unit(structure, drive), drive.strength
+    if not _turned_slowly(structure, transition):
+        sheet = isinstance(design, SheetDesign)
+        return Advice(text="`forficula pattern` reports whether the sheet can fold at all.") if sheet else NOTHING
+    (least,) = _least_torques([design], transition)
+    if math.isnan(least):
+        softer = _softer(design)
+        with_softer = _least_torques([with_values(design, each) for each in softer], transition) if softer else []
+        most = show_value(MORE * abs(own), unit)
+        none = f"Growing slowly, no torque up to {most} makes it {verb}."
+        for values, torque in zip(softer, with_softer, strict=True):
+            if _SURELY * torque <= abs(own):
+                stiffness = show_value(values["tendon.stiffness"], "N/m")
+                text = f"{none} With tendon.stiffness = {stiffness} that of the drive does."
+                return Advice(kind="softer tendons", text=text, values=values, least_torque=least)
+        return Advice(text=none, least_torque=least)
+    if least <= abs(own):
+        return Advice(text="", least_torque=least)
+    value = math.copysign(_rounded(_SURELY * least), own)
+    text = (
+        f"Raise {drive.key} from {show_value(own, unit)} to {show_value(value, unit)}:"
+        f" growing slowly, {show_value(least, unit, 3)} makes it {verb}."
+    )
+    return Advice(kind="more torque", text=text, values={drive.key: value}, least_torque=least)
+
+
+def _softer(design: Design) -> list[dict[str, float]]:
+    """Values of softer tendons, where all have one stiffness that follows no law; else none."""
+    tendons = design.tendons if isinstance(design, FanDesign | JointDesign) else ()
+    values = {tendon.stiffness for tendon in tendons if tendon is not None and tendon.stiffness is not None}
+    if len(values) != 1 or any(tendon is None or tendon.law is not None for tendon in tendons):
+        return []
+    (own,) = values
+    return [{"tendon.stiffness": float(f"{share * own:.3g}")} for share in _SOFTER]
+
+
+def least_torque(design: Design, structure: Structure, transition: Transition) -> float | None:
+    """The least slowly growing torque that makes a transition, N m, by statics, up to ten times the protocol's.
+
+    Returns:
+        nan where none does; None where it is not torques on a tree of hinges that make it.
+    """
+    return _least_torques([design], transition)[0] if _turned_slowly(structure, transition) else None
+
+
+def _turned_slowly(structure: Structure, transition: Transition) -> bool:
+    """Whether statics let torques on a tree of hinges grow slowly to make a transition."""
+    drive = drive_of(structure, transition.drive)
+    return not is_net(structure) and drive_unit(structure, drive) == "N m" and bool(drive.strength)
+
+
+def _least_torques(designs: Sequence[Design], transition: Transition) -> list[float]:
+    """The least slowly growing torques of designs that differ in their tendons only, N m; nan where none does."""
+    names = [each.name for each in structure_of(designs[0]).transitions]
+    return [float(each) for each in least_slow_torques(designs, [transition.name])[names.index(transition.name)]]
+
+
+def _shorter_step(ending: Ending, design: Design) -> Advice:
+    """The timestep that would do: what is missing falls with it at least in proportion."""
+    limit, timestep = design.protocol.residual_limit, design.protocol.timestep
+    auto = Advice(kind="timestep auto", text=f"Take a shorter timestep: {AUTO}.", values={"protocol.timestep": "auto"})
+    if ending.verdict is Verdict.DIVERGED or ending.why:
+        return auto
+    allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"
+    if ending.residual is None or not ending.residual <= _FAR_OFF * limit or not isinstance(timestep, float):
+        return Advice(kind=auto.kind, text=f"Take a shorter timestep: {allowed}; {AUTO}.", values=auto.values)
+    needed = timestep * limit / ending.residual
+    digit = 10.0 ** math.floor(math.log10(needed))
+    needed = math.floor(needed / digit * (1 + 1e-9)) * digit
+    instead = f"{show_value(needed, 's')} instead of {show_value(timestep, 's')}"
+    text = f"Take a timestep of about {instead}: {allowed}; {AUTO}."
+    return Advice(kind="timestep by residual", text=text, values={"protocol.timestep": needed})
+
+
+def _stage_key(design: Design, number: int, name: str) -> str:
+    """The key of a stage's value: by the stage's name where it is the only one and can be typed, else by its number."""
+    names = [stage.name for stage in design.protocol.stages]
+    own = names[number]
+    plain = own.replace("_", "").replace("-", "").isalnum() and not own.isdigit() and names.count(own) == 1
+    return f"protocol.stages.{own if plain else number}.{name}"
+
+
+def _rounded(value: float) -> float:
+    """A value rounded up to two digits."""
+    digit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return float(f"{math.ceil(value / digit * (1 - 1e-9)) * digit:.2g}")
