@@ -119,8 +119,8 @@ def estimate_tolerance(
 
 
 def _check(minutes: object, seed: object, runs: object) -> None:
-    if runs is not None and not is_whole(runs, 1):
-        raise InputError(f"runs: need a whole number >= 1, got {as_written(runs)}")
+    if runs is not None:
+        check_whole("runs", runs, 1)
     if isinstance(minutes, bool) or not isinstance(minutes, int | float) or not 0 < minutes < np.inf:
         raise InputError(f"minutes: need a number > 0, got {as_written(minutes)}")
     check_whole("seed", seed, 0)
