@@ -107,7 +107,8 @@ def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
         assert run.outcome.transitions["fold"].strength == study.search.first.values[-1]
-        assert run.outcome.status == table["status"].values.ravel()[point]
+        # the row names the torque, too
+        assert table["status"].values.ravel()[point].startswith(f"{run.outcome.status} (fold with ")
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
     closed = np.flatnonzero(folds & np.isnan(table["least_unfold_torque"].values.ravel()))

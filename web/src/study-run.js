@@ -37,7 +37,9 @@ export function makeRunPanel(model) {
     numbers.replaceChildren(make("caption", {}, "In the table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
     const wanted = transition === null ? null : runs.find((run) => run.transition === transition);
-    if (runs.length) show(wanted ?? runs.find((run) => run.failed) ?? runs[0], { play });
+    // a press asks why it failed; what the page begins with shows how far the best came
+    const failed = play ? runs.find((run) => run.failed) : null;
+    if (runs.length) show(wanted ?? failed ?? runs[0], { play });
     else {
       stop();
       place.replaceChildren(make("p", { className: "note" }, whyNotKept(model, point)));

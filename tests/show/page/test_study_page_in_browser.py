@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 
+from forficula.analysis import Verdict
 from forficula.show.page.study_page import write_study_page
 from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
@@ -199,12 +200,30 @@ def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, sma
     assert page.evaluate("forficula.panel.playing.player.stage.eye.look.closer") == 1
 
 
+def open_folding(page, point):
+    """Open a point, and its folding where another run of it, which failed, is played first."""
+    cell(page, point).click()
+    button = page.locator(".parts [data-part=folding]")
+    if button.count():
+        button.click()
+
+
+def test_a_press_on_a_cell_that_failed_plays_the_run_that_failed(opened, small):
+    page = opened.page
+    failed = {point for (point, _), kept in small.kept.items() if kept.outcome.verdict is not Verdict.REACHED}
+    assert any((point, "opening") in small.kept for point in failed)
+    for point in sorted(failed)[:3]:
+        cell(page, point).click()
+        part = page.evaluate("forficula.panel.playing.run.part")
+        assert small.kept[point, part].outcome.verdict is not Verdict.REACHED
+
+
 def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its_first_drive(opened, small):
     page = opened.page
     first, second = sorted({point for point, part in small.kept if part == "folding"})[:2]
-    cell(page, first).click()
+    open_folding(page, first)
     page.get_by_role("button", name="pin, to compare it with another").click()
-    cell(page, second).click()
+    open_folding(page, second)
     page.evaluate("forficula.panel.playing.clock.seek(0.012)")
     opened.settle()
     for view, point in enumerate((first, second)):
@@ -413,7 +432,7 @@ def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page)
 
 def test_the_page_looks_as_it_was_kept(opened):
     opened.show(1280, 1000)
-    cell(opened.page, 2).click()
+    open_folding(opened.page, 2)
     opened.page.evaluate(
         "() => { const { clock, clips } = forficula.panel.playing; clock.seek(clips[0].marks[1].time); }"
     )
