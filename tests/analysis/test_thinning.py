@@ -1,6 +1,6 @@
 """A thinned record means the same, to the bit, and shows every motion."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -13,7 +13,8 @@ from tests.places import places
 
 def same(one, other):
     """Whether two outcomes have the same bits."""
-    return repr(asdict(one)) == repr(asdict(other))
+    # what finds advice knows its own record
+    return repr(asdict(replace(one, advise=None))) == repr(asdict(replace(other, advise=None)))
 
 
 @pytest.fixture(scope="module")

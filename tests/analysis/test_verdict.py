@@ -176,7 +176,7 @@ def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
     assert outcome.advised.values == {"protocol.stages.fold.time_limit": 0.12}
     assert outcome.holds["folded"] is False
     longer = measure(ff.run(short(), confirm=False))
-    assert (longer.verdict, longer.transitions["fold"].time) == (Verdict.REACHED, pytest.approx(0.0588, abs=5e-4))
+    assert (longer.verdict, longer.transitions["fold"].time) == (Verdict.REACHED, pytest.approx(0.0532, abs=5e-4))
 
 
 def test_a_wing_that_rests_at_its_stop_is_stuck():

@@ -270,8 +270,8 @@ SECTIONS = (
     " guard, contact, protocol"
 )
 OF_TENDON = (
-    "stiffness, rest_length, damping, area, law, density, proximal_attachment, distal_attachment, proximal_offset,"
-    " distal_offset, proximal_aside, distal_aside"
+    "stiffness, rest_length, damping, pushes_when_slack, area, law, density, proximal_attachment, distal_attachment,"
+    " proximal_offset, distal_offset, proximal_aside, distal_aside"
 )
 
 

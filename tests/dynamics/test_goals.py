@@ -78,7 +78,8 @@ def test_a_stage_ends_where_all_hinges_of_a_role_have_passed_its_bound():
 
 
 def test_a_bound_that_is_never_met_is_a_goal_that_was_missed():
-    record = ff.run(with_values(SHORT, {"protocol.stages.1.until": "ring < -179.9 deg"}), confirm=False)
+    weak = {"protocol.stages.1.until": "ring < -179.9 deg", "protocol.fold_torque": 1e-3}
+    record = ff.run(with_values(SHORT, weak), confirm=False)
     outcome = measure(record)
     assert outcome.verdict in (Verdict.STUCK, Verdict.MOVING)
     assert [stage.name for stage in outcome.stages] == ["settle", "fold"]
@@ -184,7 +185,12 @@ def test_a_state_reads_a_distance_as_a_length(watched):
     assert len(told["distal_angle_deg"]) == 3
 
 
-SLOW = {"drive.close.rise": "2 s", "protocol.timestep": "1 ms", "protocol.stages.1.time_limit": "4 s"}
+SLOW = {
+    "stops.time_constant": "4 ms",
+    "drive.close.rise": "2 s",
+    "protocol.timestep": "1 ms",
+    "protocol.stages.1.time_limit": "4 s",
+}
 
 
 def test_nothing_is_stuck_while_its_torque_rises():

@@ -316,7 +316,7 @@ def test_a_sparse_record_has_the_same_bits():
 
 def test_the_longest_timestep_of_a_spring_is_that_of_its_mode():
     """Half of 2 / w, w = sqrt(k / I), for folding may be stiffer."""
-    design = strip(**{"crease.stiffness": 0.02 / WIDTH})
+    design = strip(**{"crease.stiffness": 0.02 / WIDTH, "stops.time_constant": 1.0})
     assert stable_timestep(design) == pytest.approx(math.sqrt(INERTIA / 0.02), rel=1e-3)
     chosen = with_timestep(with_values(design, {"protocol.timestep": "auto"})).protocol.timestep
     assert 0.1 < chosen / (0.25 * math.sqrt(INERTIA / 0.02)) <= 1

@@ -20,6 +20,7 @@ from forficula.structure import (
     Membrane,
     MembraneLaw,
     Point,
+    Stops,
     Structure,
     Surface,
     hinges_of,
@@ -27,6 +28,7 @@ from forficula.structure import (
 
 THICK, LENGTH = 0.1, 2.0  # of bars, in a model's units
 STEP = 1e-3
+STOPS = Stops(time_constant=2 * STEP)
 ONE = ModelUnits(length=1.0, mass=1.0, time=1.0)
 DOWN = 10.0
 
@@ -59,7 +61,7 @@ def resting_bar(reference, friction):
         points=(Point(name="p", role="p", body=0, place=np.zeros(3)),),
         bars=(bar(0, (0, LENGTH, 0)), bar(1, (LENGTH, 0, 0))),
         hinges=(turning(1, (0, 0, 1)), turning(1, (0, 1, 0), damping=3.0)),
-        contact=Contact(thickness=THICK, friction=friction),
+        contact=Contact(thickness=THICK, friction=friction, stops=STOPS),
         gravity=DOWN,
     )
 
@@ -121,7 +123,7 @@ def test_bars_that_meet_keep_their_momentum_and_a_diameter(reference):
         points=(Point(name="p", role="p", body=0, place=np.zeros(3)),),
         bars=(bar(0, (LENGTH, 0, 0), begins), bar(1, (1.5, 0, 0), begins)),
         hinges=(turning(0, (0, 0, 1)), turning(1, (0, 0, 1))),
-        contact=Contact(thickness=THICK),
+        contact=Contact(thickness=THICK, stops=STOPS),
     )
     inertias = [100 * math.pi / 4 * THICK**2 * length * (length**2 / 3 + THICK**2 / 16) for length in (LENGTH, 1.5)]
     data = mujoco.MjData(engine)
@@ -176,7 +178,7 @@ def test_panels_that_fold_on_each_other_end_one_thickness_apart(reference):
         bars=(bar(1, (0.0, 1.0, 0)),),
         hinges=(turning(1, (0, 1, 0), damping=2.0, armature=1.0),),
         membranes=(replace(floor, surface=common), lid),
-        contact=Contact(thickness=thickness),
+        contact=Contact(thickness=thickness, stops=STOPS),
     )
     data = mujoco.MjData(engine)
     data.qpos[0] = -0.5
@@ -193,13 +195,13 @@ def folded_by_contact():
         {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "0.1 s"},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.2 s"},
     ]
-    values = {"protocol.contact": True, "protocol.timestep": "0.1 ms", "protocol.stages": stages}
+    values = {"protocol.contact": True, "protocol.timestep": "0.05 ms", "protocol.stages": stages}
     return ff.run(ff.load_design("binder2025", values), confirm=False)
 
 
 def test_a_fast_fold_lets_panels_through_by_less_than_three_millimetres(folded_by_contact):
     rows = range(0, len(folded_by_contact.time), 2)
-    assert ff.measure(folded_by_contact).transitions["fold"].succeeded
+    assert np.degrees(folded_by_contact.angles("ring").min()) < -120
     assert panel_crossing(folded_by_contact, rows).depth < 3e-3
 
 
@@ -225,6 +227,7 @@ def test_a_slow_fold_lets_nothing_through():
     ]
     values = {
         "protocol.contact": True,
+        "protocol.timestep": "0.05 ms",
         "hinge.damping": "0.3 N m s/rad",
         "hinge.overbend": "1 deg",
         "protocol.initial_overbend": "0.7 deg",

@@ -214,7 +214,6 @@ def test_states_and_transitions_come_from_the_stages_and_read_as_sentences():
     assert f"still {words.doing}" == "still getting closed"
     assert f"did not {words.verb}" == "did not get closed"
     assert f"did not stay {words.stays}" == "did not stay closed"
-    assert "drive.close.value" in words.if_stuck
     assert (words.done, opening.wording.done) == ("closed", "closed and opened")
 
 

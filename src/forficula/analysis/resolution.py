@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from forficula.dynamics import STEPS_TO_TIME_CONSTANT, Record
+from forficula.dynamics import STEPS_TO_CONTACT, STEPS_TO_TIME_CONSTANT, Record
 from forficula.quantities import show_value
 
 
 def unresolved_stops(record: Record) -> str:
     """Return why a run's timestep is too long for the stops that it met, or for its contacts; else an empty text."""
     structure, timestep = record.structure, float(record.design.protocol.timestep)
-    met = [("stop_work", "stops.time_constant", structure.stops)]
+    met = [("stop_work", "stops.time_constant", structure.stops, STEPS_TO_TIME_CONSTANT)]
     if structure.contact is not None:
-        met.append(("contact_work", "contact.time_constant", structure.contact.stops))
-    for series, key, stops in met:
-        longest = stops.time_constant / STEPS_TO_TIME_CONSTANT
-        # to rounding, as a timestep of exactly a quarter is written
+        met.append(("contact_work", "contact.time_constant", structure.contact.stops, STEPS_TO_CONTACT))
+    for series, key, stops, steps in met:
+        longest = stops.time_constant / steps
+        # to rounding, as a timestep of exactly this is written
         if np.any(record.series[series]) and timestep > (1 + 1e-9) * longest:
             return (
                 f"protocol.timestep of {show_value(timestep, 's')} does not resolve {key} of"

@@ -7,10 +7,17 @@ from forficula.dynamics.sharing import but_last_drive
 from forficula.dynamics.simulate import simulate, simulate_each
 from forficula.dynamics.stage_plan import goal_in_units
 from forficula.dynamics.stepped_protocol import SteppedProtocol, stepped_protocol
-from forficula.dynamics.timestep import STEPS_TO_TIME_CONSTANT, stable_timestep, timestep_warnings, with_timestep
+from forficula.dynamics.timestep import (
+    STEPS_TO_CONTACT,
+    STEPS_TO_TIME_CONSTANT,
+    stable_timestep,
+    timestep_warnings,
+    with_timestep,
+)
 from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
+    "STEPS_TO_CONTACT",
     "STEPS_TO_TIME_CONSTANT",
     "Check",
     "EnergyBalance",

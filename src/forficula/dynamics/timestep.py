@@ -34,6 +34,8 @@ _SAFETY = 0.25
 _KEPT = 0.8
 _NUDGE = 1e-6
 STEPS_TO_TIME_CONSTANT = 4
+# of contacts: with four the folded stack of the reference depends on the timestep, with eight it does not
+STEPS_TO_CONTACT = 8
 _SHORTEST, _LONGEST = 1e-12, 1e3  # s
 # values that are looked at as the cause where no step is short enough, and by how much those without a usual one differ
 _SUSPECTS = 6
@@ -76,10 +78,10 @@ def resolving_timestep(structure: Structure) -> float:
     impact's speed at most: measured. Infinite of a structure without any.
     """
     stopped = any(np.isfinite([hinge.lower, hinge.upper]).any() for hinge in structure.hinges if not hinge.flaps)
-    constants = [structure.stops.time_constant] * bool(stopped or structure.limits)
+    longest = [structure.stops.time_constant / STEPS_TO_TIME_CONSTANT] * bool(stopped or structure.limits)
     if structure.contact is not None:
-        constants.append(structure.contact.stops.time_constant)
-    return min(constants, default=np.inf) / STEPS_TO_TIME_CONSTANT
+        longest.append(structure.contact.stops.time_constant / STEPS_TO_CONTACT)
+    return min(longest, default=np.inf)
 
 
 @lru_cache(maxsize=64)  # a run that is checked, warned of and shown asks three times and more

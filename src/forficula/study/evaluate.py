@@ -97,12 +97,15 @@ def outcome_row(outcome: Outcome) -> Row:
     Of every state that a transition leads to whether it holds, of every transition time and work, and of every state
     the energy of all tendons, all distances that are watched and what the measure reads furthest from the goal.
     """
-    tells = outcome.verdict.tells
+    # of an undecided run all is known but what its second run contradicts
+    tells = outcome.verdict.tells or outcome.verdict is Verdict.UNDECIDED
+    known = {name: tells and held is not None for name, held in outcome.holds.items()}
+    leads = {each.name: each.state for each in outcome.structure.transitions}
     row: Row = {**ending_row(outcome.ending), **outcome.holds}
     for name, transition in outcome.transitions.items():
-        row |= _transition(name, transition if tells else None)
+        row |= _transition(name, transition if known[leads[name]] else None)
     for name, state in outcome.states.items():
-        row |= _state(name, state if tells else None)
+        row |= _state(name, state if known.get(name, tells) else None)
     return row
 
 
