@@ -128,7 +128,7 @@ def test_convergence_asks_for_one_of_three(design):
 def test_assumptions_to_change_are_given_by_name(design):
     for only, said in (
         (["slow rice"], r'^only: need .*slow rise.*got "slow rice"; did you mean "slow rise"'),
-        ("gravity", r'^only: need a list of names of assumptions, got "gravity"'),
+        ("gravity", r'^only: need a list of texts, got "gravity"'),
         ([], "^only: need at least one name of an assumption, got none"),
     ):
         with pytest.raises(ff.InputError, match=said):

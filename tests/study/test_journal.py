@@ -268,7 +268,7 @@ def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_pa
     rewrite(tmp_path / "journal.jsonl", schema=1)
     with (tmp_path / "journal.jsonl").open("a") as file:
         file.write('{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"other versions: schema 1 there, 4 now; take another folder for --out"):
+    with pytest.raises(InputError, match=r"other versions: schema 1 there, 5 now; take another folder for --out"):
         read_rows(tmp_path, DESIGN)
 
 

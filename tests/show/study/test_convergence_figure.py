@@ -23,6 +23,7 @@ VALUES = {TIMESTEP: [5e-3, 4e-4, 3e-4, 2e-4], YOUNGS_MODULUS: [5e5, 1e6], MESH: 
 @pytest.fixture(scope="module")
 def studies(reference):
     """A study by key, one with a diverged run among them, and one in which nothing folds."""
+    reference = with_values(reference, {"stops.time_constant": 2e-3})
     folding = with_values(reference, {"protocol.stages": STAGES})
     settling = with_values(reference, {"protocol.stages": STAGES[:1]})
     nothing = {"nothing": converge(settling, TIMESTEP, [4e-4, 2e-4])}

@@ -39,7 +39,8 @@ def studied(tmp_path_factory):
         folder = place / f"{len(list(place.iterdir()))}"
         folder.mkdir()
         (folder / "design.toml").write_text(design_text(design), "utf-8")
-        text = f'name = "letter"\ndesign = "design.toml"\n{rest}\n[settings]\n"protocol.timestep" = "1 ms"\n'
+        settings = '"protocol.timestep" = "1 ms"\n"stops.time_constant" = "4 ms"'
+        text = f'name = "letter"\ndesign = "design.toml"\n{rest}\n[settings]\n{settings}\n'
         (folder / "study.toml").write_text(text, "utf-8")
         found = load_study(str(folder / "study.toml"))
         return found, run_study(found, folder / "out")

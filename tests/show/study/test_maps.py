@@ -216,13 +216,19 @@ def test_a_map_over_three_factors_is_drawn_at_every_value_of_the_third_with_how_
         assert written(axes) == pytest.approx(expected, rel=1e-2)  # N cm, three digits
 
 
+def opening(axes):
+    """The panel of the least torques that open, whose title names the torque that folds before."""
+    return next(panel for title, panel in axes.items() if title.startswith("least unfold torque"))
+
+
 def test_each_value_stands_in_its_cell_in_the_unit_for_people():
     table = many_ends()
     axes = panels(draw_torque_maps(table))
     for title, name in (("least fold torque", "least_fold_torque"), ("least unfold torque", "least_unfold_torque")):
         values = table[name].values
         expected = {(column, row): 100 * value for (row, column), value in np.ndenumerate(values) if np.isfinite(value)}
-        assert written(axes[title]) == pytest.approx(expected)  # N cm
+        panel = axes[title] if title in axes else opening(axes)
+        assert written(panel) == pytest.approx(expected)  # N cm
 
 
 def test_each_cell_without_a_value_is_marked_by_its_reason():
@@ -230,7 +236,7 @@ def test_each_cell_without_a_value_is_marked_by_its_reason():
     # 5 fold; 3 did not fold, 1 stuck, 1 diverged, 1 did not stay folded, 1 not run
     assert marked(panels(figure)["least fold torque"]) == [1, 1, 1, 1, 3]
     # 3 open; 2 did not open, 1 diverged, 1 not run, and 5 that did not fold were not tried
-    assert marked(panels(figure)["least unfold torque"]) == [1, 1, 2, 5]
+    assert marked(opening(panels(figure))) == [1, 1, 2, 5]
     assert set(legend(figure)) == {
         "did not fold",
         "stuck on the way",
@@ -255,7 +261,7 @@ def test_a_wing_that_only_the_large_torque_folds_was_asked_to_open():
     table = many_ends()
     table["reference_outcome"][2, 3] = "folded"
     # as before, but one more did not open, and one fewer was not tried
-    assert marked(panels(draw_torque_maps(table))["least unfold torque"]) == [1, 1, 3, 4]
+    assert marked(opening(panels(draw_torque_maps(table)))) == [1, 1, 3, 4]
 
 
 def test_a_status_map_names_the_torque_of_a_fold_that_failed_and_leaves_out_long_reasons():
