@@ -210,23 +210,18 @@ def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(ag
             agree("angles below it", ours, theirs, unit="deg", by="statics", abs=1)
 
 
-def test_slowly_growing_torque_folds_two_ring_folds_as_the_statics_say(agree):
-    """Where it comes at once it folds with less, for the pleats close before the membrane settles."""
+def test_two_ring_folds_that_a_torque_holds_partly_folded_rest_as_the_statics_say(agree):
+    """A torque that grows within 15 s leaves them so; one that grows within 100 s folds them with 0.6 N cm."""
     thick = with_values(load_design("binder2025-thick"), {"protocol.contact": False, "protocol.rise": 15.0})
     wings = ensemble_of([with_values(thick, {"protocol.folded_angle": FOLDED})])
-    flat = start_state(wings).position
-    least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
-    below, above = (
-        damped(thick, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
-        for share in (0.97, 1.03)
-    )
-    assert above.stages[1].goal_time is not None
+    torque = 0.0436  # N m, at which they rest partly folded
+    below = damped(thick, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=torque)
     assert below.stages[1].goal_time is None
     # partly folded, where the statics rest
     assert below.series["kinetic_energy"][-1] < 1e-9
     held = angles(below, -1)
     assert np.ptp(rings(wings, held)) > math.radians(80)
-    static = rest(wings, held, driven(wings, "fold", 0.97 * least)).position
+    static = rest(wings, held, driven(wings, "fold", torque)).position
     by = "simulation"
     agree("angles where it rests", np.degrees(static), np.degrees(held), unit="deg", by=by, abs=0.2)
     found, known = line_energy(wings.lines, static)[0], below.series["tendon_energy"][-1].sum()

@@ -15,6 +15,8 @@ Cases = NDArray[np.int64]
 # Of positions, (row, coordinate), in the cases with these numbers, (row,): the energy, (row,), its slope,
 # (row, coordinate), and its curvature, (row, coordinate, coordinate).
 Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
+# Of the cases with these numbers, and all positions, (case, coordinate).
+Follow = Callable[[Cases, Array], None]
 
 _MOST_STEPS = 5000
 # share of a path beyond which a stretch without a slope is no minimum but a neutral range
@@ -47,7 +49,14 @@ class Equilibria:
 
 
 def descend(
-    energy: Energy, start: Array, lower: ArrayLike, upper: ArrayLike, *, longest_step: float, force: float
+    energy: Energy,
+    start: Array,
+    lower: ArrayLike,
+    upper: ArrayLike,
+    *,
+    longest_step: float,
+    force: float,
+    follow: Follow | None = None,
 ) -> Equilibria:
     """Follow an energy downhill to where it rests, in steps so short that they stay in its valley.
 
@@ -61,6 +70,7 @@ def descend(
         upper: alike.
         longest_step: in the space of the coordinates.
         force: largest slope that counts as none.
+        follow: called after every step with the numbers of the cases that are not at rest and all positions.
     """
     lower, upper = (np.array(np.broadcast_to(each, start.shape)) for each in (lower, upper))
     position = np.clip(start, lower, upper)
@@ -95,6 +105,8 @@ def descend(
             taken = moving[better]
             position[taken], value[taken] = tried[better], new_value[better]
             slope[taken], curvature[taken] = new_slope[better], new_curvature[better]
+        if follow is not None:
+            follow(moving, position)
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 

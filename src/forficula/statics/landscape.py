@@ -199,7 +199,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             begins = np.tile(before.position, (len(_KICKS), 1))
             shifted = least_slow_torque(several, begins, transition, largest, recorded=True, kicks=_KICKS)
             found = replace(shifted, torque=shifted.torque[:1], position=shifted.position[:1])
-            if not math.isnan(found.torque[0]):
+            if np.isfinite(shifted.torque).any():
                 torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
                 ranges[transition.name] = float(torques.min()), float(torques.max())
             start_of_next = state_after(structures, transition, found.torque, found.position)

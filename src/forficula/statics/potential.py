@@ -17,7 +17,7 @@ from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.couplings import Ties, Twists, ties_of, twist_energy, twists_of
 from forficula.statics.elements import Expansion
-from forficula.statics.equilibrium import Cases, Equilibria, descend
+from forficula.statics.equilibrium import Cases, Equilibria, Follow, descend
 from forficula.statics.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
 from forficula.statics.lines import Lines, largest_pull, line_energy, lines_of
 from forficula.statics.pose import Span, span, tree_of
@@ -227,6 +227,8 @@ def rest(
     fixed: Sequence[int] = (),
     held: ArrayLike = False,
     within: float = np.inf,
+    longest_step: float | None = None,
+    follow: Follow | None = None,
 ) -> Equilibria:
     """Let structures go from where they are, slowly, to where they rest under torques.
 
@@ -240,6 +242,8 @@ def rest(
         fixed: numbers of hinges that are held where they start.
         held: which single ones are held where they start, (case, hinge).
         within: how far each hinge may turn, rad.
+        longest_step: over which they are followed, rad; the shorter it is, the nearer to the steepest descent.
+        follow: called after every step with the numbers of the cases that are not at rest and all angles.
     """
     count = len(start)
     torques = np.broadcast_to(torques, (count, len(structures.motors)))
@@ -255,16 +259,20 @@ def rest(
             some, which = structures.only(cases), cases
         return potential(some, angles, torques[cases])
 
-    steps: Any = {"longest_step": _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
+    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
     if ties is None:
-        return descend(energy, start, lower, upper, **steps)
+        return descend(energy, start, lower, upper, follow=follow, **steps)
     spread = ties.spread
 
     def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
         value, slope, curvature = energy(ties.angles(coordinates), cases)
         return value, slope @ spread, spread.T @ curvature @ spread
 
-    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), **steps)
+    def follow_tied(cases: Cases, coordinates: Array) -> None:
+        if follow is not None:
+            follow(cases, ties.angles(coordinates))
+
+    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
     position = ties.angles(found.position)
     return replace(found, position=position, slope=energy(position, np.arange(count))[1])
 

@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # of a least torque
 _FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
-_SNAP_STEP = 0.05  # rad, by which hinges turn at most in a step of a snap
+_SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
 _NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to step
 
@@ -271,18 +271,20 @@ def _snapped(
 ) -> list[tuple[int, float, list[Array]]]:
     """Some structures that snap under a torque: number, torque, and angles on the way to rest, rad, (hinge,) each.
 
-    The steps are so short that the way is that of the steepest descent: with longer ones it can end elsewhere.
+    Steps within a ball, not a box, are those of implicit Euler down the slope: the shorter they are, the nearer is the
+    way to the steepest descent. Longer ones can end elsewhere.
     """
     ways: list[list[Array]] = [[] for _ in cases]
-    position, moving = start.copy(), np.arange(len(cases))
-    while len(moving):
-        found = _pushed(structures, cases[moving], position[moving], drive, torque[moving], within=_SNAP_STEP)
-        goes_on = np.abs(found - position[moving]).max(axis=1) > 0.99 * _SNAP_STEP
-        for row, angles in zip(moving.tolist(), found, strict=True):
-            ways[row].append(angles)
-        position[moving] = found
-        moving = moving[goes_on]
-    return [(int(case), float(size), way) for case, size, way in zip(cases, torque, ways, strict=True)]
+
+    def follow(moving: NDArray[np.int64], position: Array) -> None:
+        for row in moving.tolist():
+            ways[row].append(position[row].copy())
+
+    torques = torque[:, None] * _by_unit(drive)
+    ends = rest(structures.only(cases), start, torques, longest_step=_SNAP_STEP, follow=follow).position
+    return [
+        (int(case), float(size), [*way, end]) for case, size, way, end in zip(cases, torque, ways, ends, strict=True)
+    ]
 
 
 def _pushed(

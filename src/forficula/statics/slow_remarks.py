@@ -43,10 +43,12 @@ def slow_remarks(
     spread: tuple[str, ...] = ()
     if span is not None and span[1] > (1 + _SAME) * span[0]:
         low, high = (show_quantity(torque, TORQUE) for torque in span)
-        least, whole = show_quantity(float(found.torque[0]), TORQUE), structure.appearance.whole
+        whole, least = structure.appearance.whole, ""
+        if math.isfinite(found.torque[0]):
+            least = f", {show_quantity(float(found.torque[0]), TORQUE)},"
         further = f"to {high}" if math.isfinite(span[1]) else f"to more than {show_quantity(most, TORQUE)}"
         spread = (
-            f"the least slow torque to {verb}, {least}, depends on small differences: with hinges shifted by 0.3 deg"
+            f"the least slow torque to {verb}{least} depends on small differences: with hinges shifted by 0.3 deg"
             f" where the {whole} begins to snap, it takes {low} {further}, so inertia and imperfections decide",
         )
     if helped is not None:
@@ -65,6 +67,8 @@ def slow_remarks(
     stopped = (
         f", the last hinge stops at {math.degrees(float(found.position[0, folding].max())):.4g} deg" if folding else ""
     )
+    if spread:
+        return spread
     # what a run can do beyond it
     inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells"
     return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
