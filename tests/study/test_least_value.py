@@ -60,6 +60,8 @@ def test_the_least_value_is_the_first_whose_run_alone_reaches_the_state(
     for point in range(len(study.points)):
         value, outcome = first_that_works(study, point, key, step.values, state)
         row = table.isel(tendon_rest_length=point)
+        if row["outcome"].item() == "undecided":  # as a run at half the timestep says otherwise
+            continue
         assert np.array_equal(row[name].item(), value, equal_nan=True)
         if outcome is None:
             continue
@@ -82,7 +84,7 @@ def test_something_is_found_and_it_depends_on_the_point(study_file, tmp_path):
 
 def test_halving_the_step_below_narrows_it_down(study_file, tmp_path):
     search = f"{STIFFNESS}\nrefinements = 4"
-    study, table = searched(study_file, tmp_path, search, '"tendon.rest_length" = ["9 cm"]')
+    study, table = searched(study_file, tmp_path, search, '"tendon.rest_length" = ["8.5 cm"]')
     (least,) = table["least_stiffness"].values
     step = 600.0 / 2**4
     assert 200 < least <= 800

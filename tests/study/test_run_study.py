@@ -212,7 +212,7 @@ def test_a_wing_that_blows_up_is_a_row_with_a_status_and_touches_no_other(tmp_pa
     tame = study_file('"protocol.timestep" = ["0.4 ms"]', head, tail, name="tame.toml")
     table, alone = run_study(load_study(wild), tmp_path / "out"), whole(tame)
     assert "diverged at t = " in str(table["status"].values[0])
-    xr.testing.assert_identical(table.isel(protocol_timestep=[1]), alone.assign_attrs(name=table.attrs["name"]))
+    xr.testing.assert_identical(table.isel(protocol_timestep=[1]), alone.assign_attrs(table.attrs))
 
 
 def test_a_search_at_points_that_are_no_wing_is_whole_too(tmp_path, study_file):

@@ -105,7 +105,9 @@ def _stiffening(law: TendonLaw, longest: float, sets_in: float) -> Iterator[tupl
         width = reach / count
     ends = width * np.arange(count + 1)
     # straight between two ends a slope lies above that of a cubic, by c h^2 / 2 on average
-    slopes = linear + 2 * max(quadratic, 0.0) * ends + 3 * cubic * ends**2 - cubic * width**2 / 2
+    slopes = linear + 2 * max(quadratic, 0.0) * ends
+    if cubic:
+        slopes += 3 * cubic * ends**2 - cubic * width**2 / 2
     slopes[0] = max(slopes[0], 0.0)
     # it sets in half of the width early, so that half of it late it is the spring itself
     parts = [(rest - sets_in / 2, sets_in, float(slopes[0]))]

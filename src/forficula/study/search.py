@@ -110,11 +110,11 @@ def _energies(state: str, row: Row) -> dict[str, Any]:
 def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
     """The least value that reaches a goal and its row, or none and the row that says why.
 
-    That is the first one, in the order of the values, that says nothing of the structure: before what reaches the goal
+    That is the first one, in the order of the values, that does not say whether it reaches the goal: before what does
     it may hide a value that does. Otherwise it is that of the last value; an empty one where nothing was tried.
     """
     for value, row in found.items():
-        if not Verdict(row["verdict"]).tells:
+        if not Verdict(row["verdict"]).tells and row.get(goal) is None:
             return None, row
         if row.get(goal):
             return value, row
