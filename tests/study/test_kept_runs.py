@@ -16,8 +16,8 @@ from forficula.study import load_study, run_study
 from forficula.study.kept_runs import kept_runs, runs_to_keep
 from tests.forks import forks
 
-FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "9 cm"]'
-SEARCH = '[search]\nfold_with = "50 N cm"\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
+FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "6 cm"]'
+SEARCH = '[search]\nfold_with = "50 N cm"\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 20"'
 # the last is no wing
 PLAIN = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"pattern.units" = [1, 30]'
 

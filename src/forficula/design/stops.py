@@ -16,6 +16,7 @@ class StopSection(Part):
     """Compliance of the stops of hinges and of the guard tendons."""
 
     heading: ClassVar[str] = "Stops"
+    about: ClassVar[str] = "Compliance of the stops of hinges and of the guard tendons"
 
     time_constant: float = quantity(
         SHORT_TIME,

@@ -82,6 +82,7 @@ def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_fold
 
 def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
     states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
+    states["flat"] = replace(states["flat"], swings=False)
     odd = replace(short_outcome, status="did not open", advise=lambda: Advice(text="Raise it."), states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."

@@ -97,7 +97,7 @@ def _row(cells: Sequence[str | Cell]) -> str:
 
 def red(html: str) -> str:
     """HTML in the colour of what fails."""
-    return f'<strong style="color:#d55e00">{html}</strong>'
+    return f'<strong class="fails">{html}</strong>'
 
 
 def _inside(cell: Cell) -> str:
