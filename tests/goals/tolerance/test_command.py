@@ -68,6 +68,7 @@ GOAL = """
 design = "letter-fold"
 [settings]
 "protocol.timestep" = "0.3 ms"
+"stops.time_constant" = "2 ms"
 "tendon.left.stiffness" = "0.49 N/cm"
 [vary]
 "tendon.right.stiffness" = { low = "0.4 N/cm", high = "0.6 N/cm" }
