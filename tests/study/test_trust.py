@@ -70,6 +70,8 @@ def test_every_row_of_the_journal_has_a_status_a_verdict_and_what_is_missing(eit
     for row in rows:
         assert row["status"]
         assert (row["verdict"] in SILENT) == (row["folded"] is None)
+        # of what is undecided only the state that the two runs disagree on is not known
+        assert (row["verdict"] in (*SILENT, "undecided")) == (None in (row["folded"], row["opened"]))
         if row["verdict"] in SILENT:
             assert {row[name] for name in row if name.endswith(("_J", "_time_s", "angle_deg"))} == {None}
         assert (row["residual"] is None) == (row["verdict"] == "diverged")
