@@ -102,7 +102,7 @@ def test_numbers_of_numpy_are_numbers(number, reference):
 
 def test_public_functions_are_those_of_their_modules_to_help_and_pickle():
     assert pickle.loads(pickle.dumps(ff.run)) is ff.run
-    assert str(inspect.signature(ff.run)).startswith("(design: 'AnyDesign', progress: 'Progress | None' = None)")
+    assert str(inspect.signature(ff.run)).startswith("(design: 'AnyDesign', progress: 'Progress | None' = None, *, ")
     assert ff.run.__doc__.startswith("Take a design through its protocol")
     with pytest.raises(TypeError, match=r"run\(\) missing 1 required positional argument: 'design'"):
         ff.run()

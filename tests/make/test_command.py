@@ -58,8 +58,8 @@ def test_what_fails_is_red_on_the_terminal_in_the_figure_and_on_the_page(call, t
     call(*NARROW, expected=2)
     folder = tmp_path / "out" / "letter-fold-parts"
     page = (folder / "parts.html").read_text("utf-8")
-    assert re.search(r'<strong style="color:#d55e00">1 of \d checks fails; see below.</strong>', page)
-    assert '<strong style="color:#d55e00">failed</strong>' in page
+    assert re.search(r'<strong class="fails">1 of \d checks fails; see below.</strong>', page)
+    assert '<strong class="fails">failed</strong>' in page
     parts, checks = ff.make_parts(ff.load_design(folder / "design.toml")), read_checks(folder)
     title = parts_drawings(parts, checks)["sheet"](7.1)._suptitle
     assert "checks fails: bridges" in title.get_text()

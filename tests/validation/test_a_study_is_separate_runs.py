@@ -15,17 +15,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import forficula as ff
+from forficula.analysis.confirmation import HALF_STEP
 from forficula.design import with_values
 from forficula.study import load_study, run_study
+from forficula.study.runs import half_step, with_checks
 
 
 def bits(value):
     return struct.pack("<d", math.nan if value is None else value)
 
 
-def by_hand(design):
-    """What separate runs say of a design."""
-    outcome = ff.measure(ff.run(design, confirm=False))
+def by_hand(design, *, confirmed):
+    """What separate runs say of a design: one, and one at half the timestep where the study found that it decides."""
+    record = ff.run(design, confirm=False)
+    outcome = ff.measure(with_checks(record, {HALF_STEP: ff.run(half_step(design), confirm=False)} if confirmed else {}))
     fold, unfold = outcome.transitions["fold"], outcome.transitions["unfold"]
     numbers = {
         "fold_time": fold and fold.time,
@@ -45,8 +48,9 @@ def assert_study_is_separate_runs(agree, path, out, **options):
     (factor,) = study.factors
     ours, theirs = [], []
     for number, value in enumerate(factor.values):
-        numbers, verdict = by_hand(with_values(study.base, {factor.key: value}))
         row = table.isel({factor.dimension: number})
+        confirmed = row["verdict"].item() is ff.Verdict.UNDECIDED
+        numbers, verdict = by_hand(with_values(study.base, {factor.key: value}), confirmed=confirmed)
         assert tuple(row[name].item() for name in ("status", "verdict", "folded", "opened")) == verdict
         for name, expected in numbers.items():
             assert bits(row[name].item()) == bits(expected), (name, value)
@@ -80,12 +84,13 @@ def test_a_study_over_a_factor_is_separate_runs(agree, tmp_path, study_file, fac
     assert_study_is_separate_runs(agree, study_file(factor), tmp_path / "out")
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(
     st.sampled_from(
         [("tendon.rest_length", 0, 0.1), ("pattern.hub_radius", 0.01, 0.02), ("hinge.damping", 1e-4, 1e-2)]
     ),
-    st.lists(st.floats(0, 1), min_size=1, max_size=3, unique=True),
+    # shares that are written differently
+    st.lists(st.integers(0, 1000).map(lambda thousandths: thousandths / 1000), min_size=1, max_size=3, unique=True),
     st.integers(1, 2),
     st.integers(1, 3),
 )
