@@ -196,12 +196,13 @@ def no_column_figures(monkeypatch):
 def leave_figures_empty(monkeypatch, tell):
     """Leave the files of figures of folders of results empty; the text of each is what `tell` says of its drawing."""
     from forficula.files import write_bytes
-    from forficula.show.style import figure_files
+    from forficula.show.style import COPY_ENDINGS, figure_files
 
-    def save_nothing(drawings, folder):
+    def save_nothing(drawings, folder, copies=COPY_ENDINGS):
         texts = {stem: tell(draw) for stem, draw in drawings.items()}
         for path in (folder / name for stem in texts for name in figure_files(stem)):
-            write_bytes(path, b"")
+            if path.suffix in (".png", *copies):
+                write_bytes(path, b"")
         return texts
 
     kinds = ("convergence", "cycling", "identify", "landscape", "material", "optimum", "run", "static_map", "study")

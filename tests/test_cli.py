@@ -44,7 +44,7 @@ import os, signal, sys
 from forficula.cli import main
 from forficula.files import write_bytes
 from forficula.show.folder import run_folder
-def save_nothing(drawings, folder):
+def save_nothing(drawings, folder, copies):
     return {stem: str(write_bytes(folder / f"{stem}.png", b"")) for stem in drawings}
 run_folder.save_figures = save_nothing
 replace = os.replace
@@ -600,6 +600,28 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
     ):
         assert "replaces" not in call(*arguments, "--out", out).err
         assert said in call(*arguments, "--out", out).err
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_figures_of_a_run_are_png_and_others_where_they_are_wanted(in_an_empty_folder, call):
+    ff.save_design(flap({"protocol.stages.0.until": "creases > 5 deg"}), in_an_empty_folder / "flap.toml")
+
+    def endings(*options):
+        call("run", "flap.toml", "--no-confirm", *options)
+        folder = in_an_empty_folder / "out" / "flap"
+        return {path.suffix for path in folder.rglob("*") if path.stem == "angles"}
+
+    assert endings() == {".png"}
+    assert endings("--figures", "svg,PDF") == {".png", ".svg", ".pdf"}
+    # what an earlier run left would show another result
+    assert endings("--figures", "svg") == {".png", ".svg"}
+    assert endings() == {".png"}
+
+
+@pytest.mark.parametrize("wrong", ["jpg", "svg;pdf", "", "svg,,pdf"])
+def test_unknown_formats_of_figures_are_refused_before_anything_runs(refusal, wrong):
+    message = refusal("run", "binder2025", "--figures", wrong)
+    assert message == f'--figures: need one or more of png, svg, pdf, with commas, got "{wrong}"'
 
 
 @pytest.mark.usefixtures("no_figures")

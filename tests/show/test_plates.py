@@ -209,7 +209,7 @@ def test_what_is_called_alike_stands_in_one_row():
 
 def test_a_named_design_of_plates_leaves_what_every_run_does(letter_run, no_figures, tmp_path):  # noqa: ARG001
     record, outcome = letter_run, measure(letter_run)
-    write_run(record, outcome, tmp_path, engine=False)
+    write_run(record, outcome, tmp_path, engine=False, copies=(".svg", ".pdf"))
     assert outcome.verdict is Verdict.REACHED
     for name in ("pattern", "angles", "energy", "folding"):
         assert {f"{name}.png", f"figures/{name}.svg", f"figures/{name}.pdf"} <= {

@@ -56,6 +56,13 @@ def run(
         ),
     ] = False,
     no_engine: NoEngine = False,
+    figures: Annotated[
+        str | None,
+        Parameter(
+            help="Also write the figures in other formats, as wide as a journal's column: svg, pdf, or svg,pdf. They are"
+            " always written as PNG."
+        ),
+    ] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
@@ -70,6 +77,7 @@ def run(
     chosen = load_design(design, read_settings(settings), unit=length)
     folder = out or Path("out") / chosen.name
     check_verdicts(ok_if)
+    copies = _copies(figures)
     check_folder(folder, "run")
     if cycles is not None:
         from forficula.study.cycling import check_cycles
@@ -95,7 +103,7 @@ def run(
     for warning in run_warnings(record):
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
-    write_run(record, outcome, folder, engine=not no_engine)
+    write_run(record, outcome, folder, engine=not no_engine, copies=copies)
     came_to(folder / "summary.json")
     print_outcome(chosen.name, outcome)
     print_storage(record, outcome)
@@ -104,6 +112,20 @@ def run(
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
     print(f"\nwritten to {folder}")
     return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
+
+
+def _copies(figures: str | None) -> list[str]:
+    """Return the endings of the formats that --figures names; PNG needs no name.
+
+    Raises:
+        InputError: one is unknown.
+    """
+    known = ("png", "svg", "pdf")
+    named = [] if figures is None else [each.strip().lower() for each in figures.split(",")]
+    for each in named:
+        if each not in known:
+            raise InputError(f'--figures: need one or more of {", ".join(known)}, with commas, got "{figures}"')
+    return [f".{each}" for each in dict.fromkeys(named) if each != "png"]
 
 
 def _print_assumptions(design: Design, folder: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import textwrap
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
@@ -28,7 +28,8 @@ _RESOLUTION = 200  # dots per inch
 _LEAST_LETTERS = 8  # of a line of a legend
 _FILLED = 0.96  # of the room of a legend: at another resolution letters are a little wider
 PICTURE_RESOLUTION = 400  # of pictures among lines, dots per inch: journals ask for 300 or more
-ENDINGS = (".png", ".svg", ".pdf")
+COPY_ENDINGS = (".svg", ".pdf")
+ENDINGS = (".png", *COPY_ENDINGS)
 # of a results' folder, where the copies for papers lie
 COPIES = "figures"
 
@@ -203,12 +204,15 @@ def save_figure(figure: Figure, path: Path) -> None:
     write_bytes(path, written)
 
 
-def save_figures(drawings: Mapping[str, Drawing], folder: Path) -> dict[str, str]:
+def save_figures(
+    drawings: Mapping[str, Drawing], folder: Path, copies: Collection[str] = COPY_ENDINGS
+) -> dict[str, str]:
     """Write every figure as PNG at the width of a page, and as SVG and PDF at that of a column.
 
     Args:
         drawings: by the stem of their file.
         folder: of the results; the SVG and PDF come into its sub-folder `COPIES`.
+        copies: which of `COPY_ENDINGS` are written.
 
     Returns:
         The text that stands for each, by the stem of its file.
@@ -221,8 +225,8 @@ def save_figures(drawings: Mapping[str, Drawing], folder: Path) -> dict[str, str
         page = draw(PAGE_WIDTH)
         texts[stem] = description(page)
         save_figure(page, folder / f"{stem}.png")
-        column = draw(COLUMN_WIDTH)
-        for ending in (".svg", ".pdf"):
+        column = draw(COLUMN_WIDTH) if copies else page
+        for ending in copies:
             save_figure(column, folder / COPIES / f"{stem}{ending}")
             # the second one has the places that were found for the first
             column.set_layout_engine("none")
@@ -230,5 +234,10 @@ def save_figures(drawings: Mapping[str, Drawing], folder: Path) -> dict[str, str
 
 
 def figure_files(stem: str) -> tuple[str, ...]:
-    """The files that a figure is kept in, within the folder of the results."""
-    return f"{stem}.png", f"{COPIES}/{stem}.svg", f"{COPIES}/{stem}.pdf"
+    """Return the files that a figure is kept in, within the folder of the results."""
+    return f"{stem}.png", *copy_files(stem)
+
+
+def copy_files(stem: str) -> tuple[str, ...]:
+    """Return the files of a figure that is as wide as a column, within the folder of the results."""
+    return tuple(f"{COPIES}/{stem}{ending}" for ending in COPY_ENDINGS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Collection
 from functools import cache
 from pathlib import Path
 
@@ -23,35 +24,43 @@ from forficula.show.run.package_figure import draw_package
 from forficula.show.run.stalled import needed_torque
 from forficula.show.run.storage_figure import draw_storage
 from forficula.show.structure.pattern_figure import draw_pattern
-from forficula.show.style import VERMILION, Drawing, figure_style, save_figures
+from forficula.show.style import VERMILION, Drawing, copy_files, figure_style, save_figures
 
 _HEADING, _LETTERS = 8.0, 15  # pt of a heading, and its letters to the inch
 STRAIN = "strain"  # kind of a figure
+_KINDS = ("pattern", "angles", "energy", "folding", "package", "storage")  # of figures that a run leaves
 _SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
 
 
-def write_run(record: Record, outcome: Outcome, folder: Path, *, engine: bool = True) -> None:
+def write_run(
+    record: Record, outcome: Outcome, folder: Path, *, engine: bool = True, copies: Collection[str] = ()
+) -> None:
     """Write design, model, record, summary, figures and page; all of them, or none.
+
+    Figures are written as PNG. `forficula figure` draws any of them again in another format.
 
     Args:
         record: what happened.
         outcome: what it means.
         folder: made where it is missing; what an earlier run left there is replaced, its cycles removed.
         engine: whether the simulator is in its page, with which a reader moves the structure.
+        copies: endings of the formats in which figures are also written as wide as a column: ".svg", ".pdf".
 
     Raises:
         InputError: the folder cannot be written.
     """
-    with replacing_all(folder, remove=CYCLING_FILES) as unfinished:
-        _write_files(record, outcome, unfinished, engine=engine)
+    # an earlier run may have left some
+    stale = [file for kind in _KINDS for file in copy_files(kind)]
+    with replacing_all(folder, remove=(*CYCLING_FILES, *stale)) as unfinished:
+        _write_files(record, outcome, unfinished, engine=engine, copies=copies)
 
 
-def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool) -> None:
+def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool, copies: Collection[str]) -> None:
     write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_model(record.design).xml)
     drawings = run_drawings(record, outcome)
     drawings.pop(STRAIN, None)  # drawn where it is asked for
-    save_figures(drawings, folder)
+    save_figures(drawings, folder, copies)
     write_run_page(record, outcome, folder / "report.html", engine=engine)
 
 
