@@ -12,7 +12,7 @@ from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import tendon_hinges
 from forficula.statics.pose import tree_of
-from forficula.statics.potential import ensemble, ensemble_of, potential, rest, start_angles
+from forficula.statics.potential import ensemble, ensemble_of, potential, rest, start_angles, torque_scale
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Structure, hinges_of, mass_of, structure_of
 from tests.statics.test_pose import turned_one_by_one
@@ -196,3 +196,14 @@ def test_wings_of_another_pattern_are_refused():
     other = with_values(REFERENCE, {"name": "wide", "pattern.sector_angle": math.radians(25)})
     with pytest.raises(InputError, match="wide: need wings that differ in their tendons only, got another pattern"):
         ensemble_of([REFERENCE, other])
+
+
+def test_a_hinge_comes_to_rest_where_its_tendon_is_slack_at_a_right_angle():
+    """The torque that counts as none is 0 there: a slope of the size of its rounding must do."""
+    joint = ensemble_of([load_design("binder2025-joint", {"tendon.rest_length": "8 cm"})])
+    assert torque_scale(joint) == 0
+    for torque in (0.001, 0.02):
+        found = rest(joint, np.array([[-0.3]]), [torque])
+        assert found.rests.all()
+        # the tendon folds where its moment is positive, and balances the torque that opens
+        assert -joint.tendons.moment(found.position)[0, 0] == pytest.approx(torque, rel=1e-9)

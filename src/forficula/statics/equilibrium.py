@@ -27,6 +27,9 @@ _NEAR = 0.1
 # enough for all digits of a step's length
 _NEWTON_STEPS = 6
 _ROUNDING = 1e-12  # of an energy
+# Of a slope by the curvature: a few last digits of a coordinate of the size of 1. Where a tendon is slack at most angles,
+# the slope that counts as none can be smaller, and steps would go back and forth between two neighbouring numbers.
+_NOISE = 1e-15
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +72,7 @@ def descend(
         lower: bounds of the coordinates, (coordinate,) or (case, coordinate).
         upper: alike.
         longest_step: in the space of the coordinates.
-        force: largest slope that counts as none.
+        force: largest slope that counts as none; slopes of the size of their rounding do so, too.
         follow: called after every step with the numbers of the cases that are not at rest and all positions.
     """
     lower, upper = (np.array(np.broadcast_to(each, start.shape)) for each in (lower, upper))
@@ -85,7 +88,8 @@ def descend(
         at, down = position[rows], -slope[rows]
         least, most = lower[rows], upper[rows]
         step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
-        rests[rows] = ((np.abs(down) <= force) | (held & (step == 0))).all(axis=1)
+        quiet = np.maximum(force, _NOISE * np.abs(curvature[rows]).max(axis=(1, 2)))[:, None]
+        rests[rows] = ((np.abs(down) <= quiet) | (held & (step == 0))).all(axis=1)
         going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
         if not going.all():
             moving = rows = moving[going]
