@@ -262,6 +262,19 @@ def _other_start(design: Design) -> Variant | str:
     return Variant(label="a slightly different start", design=other)
 
 
+def _dampings(name: str, parts: str, keys: re.Pattern[str], label: str) -> tuple[Assumption, Assumption]:
+    """Return the assumptions that a chosen viscous damping is half or twice as large."""
+
+    def assumption(word: str, amount: str, factor: float) -> Assumption:
+        return Assumption(
+            name=f"{word} {name} damping",
+            meaning=f"{parts} have a chosen viscous damping; instead they have {amount}.",
+            change=lambda design: _scaled(design, keys, factor, label),
+        )
+
+    return assumption("half", "half of it", 0.5), assumption("twice", "twice as much", 2.0)
+
+
 ASSUMPTIONS: tuple[Assumption, ...] = (
     Assumption(
         name="slow rise",
@@ -278,26 +291,8 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
         meaning="Motors add inertia to every hinge; instead they add none.",
         change=_no_armature,
     ),
-    Assumption(
-        name="half hinge damping",
-        meaning="Hinges and creases have a chosen viscous damping; instead they have half of it.",
-        change=lambda design: _scaled(design, _OF_HINGES, 0.5, "damping of hinges"),
-    ),
-    Assumption(
-        name="twice hinge damping",
-        meaning="Hinges and creases have a chosen viscous damping; instead they have twice as much.",
-        change=lambda design: _scaled(design, _OF_HINGES, 2.0, "damping of hinges"),
-    ),
-    Assumption(
-        name="half other damping",
-        meaning="Tendons, membranes and facets have a chosen viscous damping; instead they have half of it.",
-        change=lambda design: _scaled(design, _OF_OTHERS, 0.5, "damping of tendons and sheets"),
-    ),
-    Assumption(
-        name="twice other damping",
-        meaning="Tendons, membranes and facets have a chosen viscous damping; instead they have twice as much.",
-        change=lambda design: _scaled(design, _OF_OTHERS, 2.0, "damping of tendons and sheets"),
-    ),
+    *_dampings("hinge", "Hinges and creases", _OF_HINGES, "damping of hinges"),
+    *_dampings("other", "Tendons, membranes and facets", _OF_OTHERS, "damping of tendons and sheets"),
     Assumption(
         name="tendon height",
         meaning="Tendons act in the plane of the bars' axes; instead they lie on the bars, or the inverse.",

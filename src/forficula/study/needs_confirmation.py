@@ -22,7 +22,7 @@ def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, f
     a small margin.
 
     Args:
-        record: of the run; one that has checks was confirmed already.
+        record: of the run. A record with checks is confirmed already.
         outcome: of the run.
         margins: of the run, by transition.
     """
