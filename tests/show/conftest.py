@@ -1,7 +1,10 @@
 """Landscapes and materials that several test modules draw, write and print."""
 
+import pickle
+import tempfile
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -45,8 +48,20 @@ def surveyed(tmp_path_factory):
     "own tendons" has none on one vein; "plates" are rigid ones on hinges with springs, "soft plates" without springs.
     """
 
+    shared = tmp_path_factory.getbasetemp().parent  # by all workers of a session
+
     @cache
     def survey(name: str) -> EnergyLandscape:
+        path = shared / f"landscape-{name.replace(' ', '-')}.pickle"
+        if path.exists():
+            return pickle.loads(path.read_bytes())
+        landscape = surveyed_now(name)
+        with tempfile.NamedTemporaryFile(dir=shared, delete=False) as unfinished:
+            unfinished.write(pickle.dumps(landscape))
+        Path(unfinished.name).replace(path)
+        return landscape
+
+    def surveyed_now(name: str) -> EnergyLandscape:
         if name in PLATES:
             return energy_landscape(load_design("letter-fold", PLATES[name]), points=61)
         if name == "own tendons":
