@@ -37,7 +37,7 @@ def _with_uncertainty(outcome: ff.Outcome, name: str, value: float) -> str:
 def main() -> None:
     """Print the table."""
     confirms = "confirm" in inspect.signature(ff.run).parameters
-    print("| design | outcome | times | confirmed | CPU s |" if confirms else "| design | outcome | times | - | CPU s |")
+    print(f"| design | outcome | times | {'confirmed' if confirms else '-'} | CPU s |")
     print("| --- | --- | --- | --- | --- |")
     for name in sys.argv[1:] or list(ff.named_designs()):
         print(row_of(name), flush=True)

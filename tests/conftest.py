@@ -27,7 +27,8 @@ def pytest_collection_finish():
 
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
-# What lands is checked by the same examples everywhere. Fewer do, because they are never new; who develops looks for more.
+# What lands is checked by the same examples everywhere. Fewer do, because they are never new; who develops looks for
+# more.
 settings.register_profile("repeatable", deadline=None, derandomize=True, max_examples=30)
 settings.load_profile("repeatable" if os.environ.get("FORFICULA_REPEATABLE") else "forficula")
 

@@ -59,8 +59,8 @@ def run(
     figures: Annotated[
         str | None,
         Parameter(
-            help="Also write the figures in other formats, as wide as a journal's column: svg, pdf, or svg,pdf. They are"
-            " always written as PNG."
+            help="Also write the figures in other formats, as wide as a journal's column: svg, pdf, or svg,pdf. PNG is"
+            " always written."
         ),
     ] = None,
     tolerate: Tolerate = False,

@@ -27,8 +27,8 @@ _NEAR = 0.1
 # enough for all digits of a step's length
 _NEWTON_STEPS = 6
 _ROUNDING = 1e-12  # of an energy
-# Of a slope by the curvature: a few last digits of a coordinate of the size of 1. Where a tendon is slack at most angles,
-# the slope that counts as none can be smaller, and steps would go back and forth between two neighbouring numbers.
+# Of a slope by the curvature: a few last digits of a coordinate of the size of 1. Where a tendon is slack at most
+# angles, the slope that counts as none can be smaller, and steps would alternate between two neighbouring numbers.
 _NOISE = 1e-15
 
 

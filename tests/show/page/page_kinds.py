@@ -91,7 +91,7 @@ def _dots_for_figures() -> Iterator[None]:
         yield
 
 
-def _save_dots(drawings, folder, copies=()):
+def _save_dots(drawings, folder, _=()):
     (folder / COPIES).mkdir(exist_ok=True)
     dot = io.BytesIO()
     Image.new("RGB", (4, 3), "white").save(dot, "PNG")
