@@ -353,8 +353,8 @@ def test_the_shell_can_complete_commands_and_options(in_an_empty_folder, call):
 
 def test_quiet_leaves_out_all_but_warnings(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
-    call("run", "wing.toml", "--out", "there", "--quiet")
-    said = call("run", "wing.toml", "--out", "there", "--quiet")
+    call("run", "wing.toml", "--no-confirm", "--out", "there", "--quiet")
+    said = call("run", "wing.toml", "--no-confirm", "--out", "there", "--quiet")
     assert said.out == ""
     assert all(line.startswith("warning: ") for line in said.err.splitlines())
     assert (in_an_empty_folder / "there" / "report.html").is_file()
@@ -363,10 +363,10 @@ def test_quiet_leaves_out_all_but_warnings(in_an_empty_folder, call):
 def test_a_verdict_that_is_wanted_ends_with_0_and_no_other(in_an_empty_folder, call, refusal):
     fold = '[[protocol.stages]]\nname = "fold"\ndrive = "fold"\nuntil = "folded"\ntime_limit = "10 ms"\n'
     (in_an_empty_folder / "late.toml").write_text(SHORT + fold)
-    call("run", "late.toml", expected=2)
-    call("run", "late.toml", "--ok-if", "stuck", "--ok-if", "moving")
+    call("run", "late.toml", "--no-confirm", expected=2)
+    call("run", "late.toml", "--no-confirm", "--ok-if", "stuck", "--ok-if", "moving")
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
-    call("run", "wing.toml", "--ok-if", "moving", expected=2)
+    call("run", "wing.toml", "--no-confirm", "--ok-if", "moving", expected=2)
     assert refusal("run", "wing.toml", "--ok-if", "stuk").endswith('got "stuk"; did you mean "stuck"?')
 
 
@@ -392,7 +392,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     chosen = [part for key, (text, _) in settings.items() for part in ("--set", f"{key}={text}")]
     by_place = ("--set", "name=other wing", "--set", "protocol.stages.0.hold=1 ms")
-    call("run", "wing.toml", "--out", "a", *by_place, *chosen)
+    call("run", "wing.toml", "--no-confirm", "--out", "a", *by_place, *chosen)
     design = ff.load_record(in_an_empty_folder / "a" / "record.nc").design
     assert design.name == "other wing"
     assert design.protocol.stages[0].hold == 1e-3
@@ -576,10 +576,11 @@ def test_a_name_without_letters_is_no_place_for_results(refusal, arguments):
 def test_a_run_says_which_run_it_replaces(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
     said = 'there: replaces the run of wing ("settled") there\n'
-    assert "replaces" not in call("run", "wing.toml", "--out", "there").err
-    assert call("run", "wing.toml", "--out", "there").err.startswith(said)
+    assert "replaces" not in call("run", "wing.toml", "--no-confirm", "--out", "there").err
+    assert call("run", "wing.toml", "--no-confirm", "--out", "there").err.startswith(said)
     (in_an_empty_folder / "there" / "summary.json").write_text('{"design": "a\\u001b[2J\\nb", "status": ' + "[" * 10**5)
-    assert "there: replaces the run of an unknown name there\n" in call("run", "wing.toml", "--out", "there").err
+    again = call("run", "wing.toml", "--no-confirm", "--out", "there")
+    assert "there: replaces the run of an unknown name there\n" in again.err
 
 
 def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an_empty_folder, call, study_file):
@@ -637,7 +638,7 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
 
 def test_a_run_whose_replacing_was_killed_half_way_stands_whole_when_it_is_next_looked_at(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
-    call("run", "wing.toml", "--out", "killed/there")
+    call("run", "wing.toml", "--no-confirm", "--out", "killed/there")
 
     def files(place):
         folder = in_an_empty_folder / place / "there"
@@ -852,7 +853,7 @@ stages = [
 
 def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(CYCLED)
-    lines = call("run", "wing.toml", "--cycles", "3").out.splitlines()
+    lines = call("run", "wing.toml", "--no-confirm", "--cycles", "3").out.splitlines()
     assert "Cycles: still folds after 3 cycles" in lines
     assert "  cycles beyond 2 are extrapolated: the tests saw cycles 1 to 2" in lines
     folder = in_an_empty_folder / "out" / "wing"
@@ -864,7 +865,7 @@ def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty
     # an ordinary run into the same folder has none of it
     unchanged = CYCLED.replace("logarithm", "none").replace("rate = -0.05\ninterval = [-0.06, -0.04]\n", "")
     (in_an_empty_folder / "wing.toml").write_text(unchanged)
-    lines = call("run", "wing.toml", "--cycles", "3")
+    lines = call("run", "wing.toml", "--no-confirm", "--cycles", "3")
     assert "\nCycles: the tests of rubber, cycles 1 to 2, show no drift: every cycle is the first\n" in lines.out
     assert not left & set(everything_in(folder))
 
@@ -982,7 +983,7 @@ def test_a_material_that_cannot_be_is_answered_in_one_line(refusal, arguments, m
 
 def test_a_figure_of_a_run_is_written_and_a_film(in_an_empty_folder, call):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
-    call("run", "my-wing.toml", "--out", "there")
+    call("run", "my-wing.toml", "--no-confirm", "--out", "there")
     assert call("figure", "there", "--kind", "energy", "--out", "papers/fig.svg").out == "written to papers/fig.svg\n"
     assert 'width="252pt"' in (in_an_empty_folder / "papers" / "fig.svg").read_text()
     call("figure", "there", "--kind", "energy", "--width", "page", "--out", "fig.svg")

@@ -136,13 +136,12 @@ def test_masses_that_cannot_be_are_refused(values, message):
         with_values(REFERENCE, values)
 
 
-@pytest.mark.parametrize("timestep", ["0.04 ms", "0.02 ms"])
-def test_the_wing_with_the_masses_of_its_parts_in_air_folds_in_72_ms(timestep):
-    built = load_design("binder2025-built", {"protocol.timestep": timestep})
+def test_the_wing_with_the_masses_of_its_parts_in_air_folds_in_72_ms():
+    built = load_design("binder2025-built", {"protocol.timestep": "0.04 ms"})
     stages = [stage.model_dump() for stage in built.protocol.stages[:2]]
     record = run(with_values(built, {"protocol.stages": stages}))
     fold = record.stages[1]
-    # 71.88 and 71.85 ms at 0.02 and 0.01 ms
+    # 71.96, 71.88 and 71.85 ms at 0.04, 0.02 and 0.01 ms
     assert fold.goal_time - fold.start == pytest.approx(0.0719, abs=3e-4)
 
 

@@ -69,7 +69,8 @@ def ramp(design, stages, **torques):
                 "protocol.stages": [stage("settle", "none", "time", 0.5), *stages],
                 **{f"protocol.{name}": torque for name, torque in torques.items()},
             },
-        )
+        ),
+        confirm=False,
     )
 
 
