@@ -6,8 +6,8 @@ docs/model/trust.md is its output. Versions without confirmation print the first
 
 from __future__ import annotations
 
+import argparse
 import inspect
-import sys
 import time
 
 import forficula as ff
@@ -36,10 +36,13 @@ def _with_uncertainty(outcome: ff.Outcome, name: str, value: float) -> str:
 
 def main() -> None:
     """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", help="of the designs; all if not given")
+    names = parser.parse_args().names
     confirms = "confirm" in inspect.signature(ff.run).parameters
     print(f"| design | outcome | times | {'confirmed' if confirms else '-'} | CPU s |")
     print("| --- | --- | --- | --- | --- |")
-    for name in sys.argv[1:] or list(ff.named_designs()):
+    for name in names or list(ff.named_designs()):
         print(row_of(name), flush=True)
 
 

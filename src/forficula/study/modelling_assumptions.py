@@ -24,7 +24,7 @@ from forficula.quantities import as_written, show_value
 from forficula.structure import structure_of
 from forficula.study.runs import half_step
 
-# [chosen] a torque that rises over so many of the structure's own times t* comes slowly; 0.2 s for binder2025. Where no
+# [chosen] number of the structure's own times t* over which a slow torque rises; 0.2 s for binder2025. Where no
 # tendon and no spring gives a time t*, a share of the shortest time limit of a driven stage counts, 0.2 s there, too.
 _SLOW, _SHARE = 120, 0.2
 # [chosen] as in binder2025-built: TPU and PETG by their data sheets, air at 20 deg C

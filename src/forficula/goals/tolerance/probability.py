@@ -76,7 +76,7 @@ def probability(works: int, fails: int, unknown: int = 0, undecided: int = 0) ->
         ValueError: no runs at all, or a negative number of them.
     """
     if min(unknown, undecided) < 0:
-        raise ValueError(f"need runs, got {unknown} that tell nothing and {undecided} that are undecided")
+        raise ValueError(f"need runs >= 0, got {unknown} without a result and {undecided} undecided")
     low, high = interval_both_ways(works, fails, unknown + undecided)
     told = works + fails
     return Probability(

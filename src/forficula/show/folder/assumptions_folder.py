@@ -6,8 +6,7 @@ from pathlib import Path
 
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_text
-from forficula.show.page.results_page import figure_sections, results_page
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.results_page import write_results_page
 from forficula.show.study.assumptions_figure import draw_assumptions
 from forficula.show.study.assumptions_table import assumption_rows, assumptions_table
 from forficula.show.style import Drawing, save_figures
@@ -37,13 +36,7 @@ def _write_files(found: Assumptions, folder: Path) -> None:
     write_text(folder / "assumptions.csv", csv_text([list(rows[0]), *cells]))
     save_assumptions(found, folder / ASSUMPTIONS_FILE)
     texts = save_figures(assumptions_drawings(found), folder)
-    page = results_page(
-        "assumptions",
-        found.design.name,
-        laid_out(assumptions_table(found)),
-        figure_sections(folder, _HEADINGS, texts),
-    )
-    write_text(folder / "report.html", page)
+    write_results_page(folder, "assumptions", found.design.name, assumptions_table(found), _HEADINGS, texts)
 
 
 def assumptions_drawings(found: Assumptions) -> dict[str, Drawing]:

@@ -11,8 +11,7 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
-from forficula.show.page.results_page import figure_sections, results_page
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.results_page import write_results_page
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
 from forficula.show.study.convergence_table import convergence_rows, convergence_table
 from forficula.show.style import Drawing, save_figures
@@ -57,13 +56,7 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
     write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
     save_convergence(convergence, folder / CONVERGENCE_FILE)
     texts = save_figures(convergence_drawings(convergence), folder)
-    page = results_page(
-        "convergence",
-        convergence.design.name,
-        laid_out(convergence_table(convergence)),
-        figure_sections(folder, _HEADINGS, texts),
-    )
-    write_text(folder / "report.html", page)
+    write_results_page(folder, "convergence", convergence.design.name, convergence_table(convergence), _HEADINGS, texts)
 
 
 def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:

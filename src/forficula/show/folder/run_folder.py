@@ -67,7 +67,7 @@ def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
     """What draws a run, by the stem of its file; the room that it takes where a state takes less."""
     smallest = smallest_package(record)
-    stuck = outcome.verdict is Verdict.STUCK  # of which the advice has asked statics
+    stuck = outcome.verdict is Verdict.STUCK  # then the advice has computed the least torque
     needed = cache(lambda: outcome.advised.least_torque if stuck else needed_torque(record))
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}

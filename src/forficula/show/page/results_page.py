@@ -7,10 +7,13 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from rich.console import RenderableType
+
 from forficula.errors import InputError
+from forficula.files import write_text
 from forficula.show.page.html import escaped, paragraph, remarks, section
 from forficula.show.page.page import page_html
-from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.rich_html import LaidOut, laid_out
 from forficula.show.style import COPIES
 
 # what comes with a run stands below this section of its page
@@ -66,6 +69,31 @@ def figure_sections(folder: Path, headings: Mapping[str, str], texts: Mapping[st
         for stem, heading in headings.items()
         if stem in texts
     ]
+
+
+def write_results_page(
+    folder: Path,
+    kind: str,
+    name: str,
+    table: RenderableType,
+    headings: Mapping[str, str],
+    texts: Mapping[str, str],
+) -> None:
+    """Write report.html of results that consist of one table and of the figures of their folder.
+
+    Args:
+        folder: of the results, with the figures in it.
+        kind: of results, as for `results_page`.
+        name: of the design.
+        table: as the terminal prints it.
+        headings: of the figures, by the stems of their files.
+        texts: that describe the figures, likewise.
+
+    Raises:
+        InputError: it cannot be written.
+    """
+    page = results_page(kind, name, laid_out(table), figure_sections(folder, headings, texts))
+    write_text(folder / "report.html", page)
 
 
 def figure_html(folder: Path, stem: str, text: str) -> str:
