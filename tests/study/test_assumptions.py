@@ -29,14 +29,15 @@ from tests.assumptions import FLAP, flap
 EVERYWHERE = {"half hinge damping", "twice hinge damping", "gravity", "slow rise", "timestep"}
 OF_WINGS = EVERYWHERE | {
     *("half other damping", "twice other damping", "tendon height", "membrane mass", "tendon mass", "hinge mass"),
-    *("medium", "contact", "stiffer stops", "softer stops", "start"),
+    *("medium", "contact", "stiffer stops", "softer stops", "start", "dry friction"),
 }
 OF_BENDING = EVERYWHERE | {"no rise", "half other damping", "twice other damping", "medium"}
 APPLY = {
     "binder2025": OF_WINGS | {"armature"},
     "binder2025-built": OF_WINGS,
     "binder2025-joint": EVERYWHERE
-    | {"no rise", "tendon height", "tendon mass", "hinge mass", "stiffer stops", "softer stops", "start"},
+    | {"no rise", "tendon height", "tendon mass", "hinge mass", "stiffer stops", "softer stops", "start"}
+    | {"dry friction"},
     "letter-fold": OF_BENDING | {"stiffer stops", "softer stops"},
     "bistable-clasp": OF_BENDING,
     "kresling-cell": OF_BENDING,
@@ -76,6 +77,9 @@ def test_what_a_design_already_assumes_is_turned_into_its_opposite():
     assert built["tendon mass"].design.tendon.mass == 0.0
     # 3.1 mm: the radius of a bar of 5 mm and half of a thick strap
     assert plain["tendon height"].design.tendon.proximal_offset == pytest.approx(3.1e-3)
+    # a twentieth of the 50 and the 10 N cm that fold
+    assert plain["dry friction"].design.hinge.friction == 0.025
+    assert joint["dry friction"].design.hinge.friction == 0.005
     assert joint["tendon height"].design.tendon.distal_offset == 0.0
 
 

@@ -155,6 +155,15 @@ def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
             meaning=f"moment of the hinge's damper at a speed of 1 / t* by {measured_by(scale)}",
             kind="resist",
         )
+    friction = structure.hinges[scale.hinge].friction
+    if friction:
+        yield Group(
+            name="hinge_friction",
+            label="the hinge's dry friction",
+            value=friction / scale.moment,
+            meaning=f"torque of the hinge's dry friction by {measured_by(scale)}",
+            kind="resist",
+        )
     if scale.tendon is None:
         return
     linear = (structure.tendons[scale.tendon].law.damping or (0.0,))[0]

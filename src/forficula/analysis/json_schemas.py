@@ -158,6 +158,7 @@ class Balance(TypedDict):
     stops_J: Number
     missing_J: Number
     contacts_J: NotRequired[Number]
+    friction_J: NotRequired[Number]
     branch_energy_change_J: NotRequired[Number]
     branch_damping_J: NotRequired[Number]
     yielding_J: NotRequired[Number]

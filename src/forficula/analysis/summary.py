@@ -232,6 +232,7 @@ def groups_summary(groups: Groups | None) -> dict[str, Any] | None:
 def _balance_summary(balance: EnergyBalance) -> dict[str, float]:
     sometimes = {
         "contacts_J": balance.contacts,
+        "friction_J": balance.friction,
         "branch_energy_change_J": balance.branches,
         "branch_damping_J": balance.branch_damping,
         "yielding_J": balance.yielding,

@@ -18,6 +18,7 @@ from forficula.design.part import (
     MODULUS,
     SHORT_TIME,
     SMALL_LENGTH,
+    TORQUE,
     Part,
     quantity,
 )
@@ -156,6 +157,9 @@ class HingeSection(Part):
     turn_limit: float = quantity(ANGLE, "how far a vein turns about its axis while folding", above=0, at_most=math.pi)
     turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
     damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
+    friction: float = quantity(
+        TORQUE, "dry friction of every hinge: the torque that it takes to turn it slowly", default=0.0, at_least=0
+    )
     armature: float = quantity(INERTIA, "inertia of a motor on it, added to every hinge", default=0.0, at_least=0)
 
 

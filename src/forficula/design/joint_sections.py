@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from forficula.design.part import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, TORQUE, Part, quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, strip_pattern
@@ -92,6 +92,9 @@ class JointHinge(Part):
     )
     fold_limit: float = quantity(ANGLE, "how far it folds", above=0, at_most=math.pi)
     damping: float = quantity(HINGE_DAMPING, "its viscous damping", at_least=0)
+    friction: float = quantity(
+        TORQUE, "its dry friction: the torque that it takes to turn it slowly", default=0.0, at_least=0
+    )
     armature: float = quantity(INERTIA, "inertia of a motor on it, added to it", default=0.0, at_least=0)
 
 

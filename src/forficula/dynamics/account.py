@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from forficula.dynamics.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energy import LETTING_GO, branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
+from forficula.dynamics.friction import friction_torques
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.stepper import energy_of
 from forficula.dynamics.steps import State, Steps
@@ -209,7 +210,17 @@ class Account:
         work["elastic_damping_work"] = np.sum(
             (steps.derived["qfrc_damper"] + damping * velocity[:, :-1]) * travel, axis=2
         )
-        work["stop_work"] = np.sum(steps.derived["qfrc_constraint"] * travel, axis=2)
+        constraints = steps.derived["qfrc_constraint"]
+        if "qacc" in steps.derived:
+            friction = np.array(
+                [
+                    friction_torques(self._models[row], velocity[place, :-1], each, constraints[place])
+                    for place, (row, each) in enumerate(zip(rows.tolist(), steps.derived["qacc"], strict=True))
+                ]
+            )
+            work["friction_work"] = np.sum(friction * travel, axis=2)
+            constraints = constraints - friction
+        work["stop_work"] = np.sum(constraints * travel, axis=2)
         if self._models[0].structure.contact is not None:
             self._add_contacts(work, rows, steps, travel)
 

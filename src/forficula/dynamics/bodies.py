@@ -10,7 +10,7 @@ import numpy as np
 
 from forficula.dynamics.contact import BARS, set_contact
 from forficula.dynamics.folds import slide_name
-from forficula.dynamics.stops import STOP_IMPEDANCE, stop_reference
+from forficula.dynamics.stops import FRICTION_IMPEDANCE, STOP_IMPEDANCE, stop_reference
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Stops, Structure, mass_of
 
 # of a bar, but for rounding
@@ -131,6 +131,9 @@ def _add_hinge(body: mujoco.MjsBody, hinge: Hinge, stops: Stops) -> None:
         axis=hinge.axis,
         damping=[hinge.damping, 0, 0],
         armature=hinge.armature,
+        frictionloss=hinge.friction,
+        solref_friction=[stops.time_constant, 1],
+        solimp_friction=FRICTION_IMPEDANCE,
         limited=limited,
         ref=hinge.sense * hinge.built,
         range=[0, 0] if not limited else [low, high] if hinge.sense > 0 else [-high, -low],

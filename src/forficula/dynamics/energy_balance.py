@@ -31,6 +31,7 @@ class EnergyBalance:
         elastic_damping: that the tendons' and the membrane's damping took.
         stops: that stops and length limits took; with rigid couplings what these took, which should be none but for
             errors of the integration.
+        friction: that the hinges' dry friction took; None where they have none.
         contacts: that contacts took, with their friction, and then rigid couplings; None where nothing touches.
         branches: change of the energy of the tendons' Maxwell branches; None where they have none.
         branch_damping: that the dampers in these branches took; None where there are none.
@@ -56,6 +57,7 @@ class EnergyBalance:
     hinge_damping: float
     elastic_damping: float
     stops: float
+    friction: float | None = None
     contacts: float | None = None
     branches: float | None = None
     branch_damping: float | None = None
@@ -77,7 +79,8 @@ class EnergyBalance:
         """
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
         of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
-        others = sum(term or 0.0 for term in (*of_law, self.couplings, max(self.contacts or 0.0, 0.0), self.drag))
+        taken = (self.friction, max(self.contacts or 0.0, 0.0), self.drag)
+        others = sum(term or 0.0 for term in (*of_law, self.couplings, *taken))
         return self.work - stored - self.hinge_damping - self.elastic_damping - self.stops - others
 
     @property
@@ -113,6 +116,7 @@ def energy_balance(record: Record) -> EnergyBalance:
         hinge_damping=-change["hinge_damping_work"],
         elastic_damping=-change["elastic_damping_work"],
         stops=-change["stop_work"],
+        friction=_taken(change, "friction_work"),
         contacts=_taken(change, "contact_work"),
         branches=change.get("branch_energy"),
         branch_damping=_taken(change, "branch_damping_work"),

@@ -46,9 +46,10 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with contacts, springs in hinges, displacements, elastic couplings, distances that are watched,
-# Maxwell branches, tendons that yield or let go, and in air or water
+# what is there only with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
+# distances, Maxwell branches, tendons that yield or let go, and in air or water
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
+    "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
     "contact_work": ((), "J", "work of contacts and their friction since the start; of rigid couplings then, too"),
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
     "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),

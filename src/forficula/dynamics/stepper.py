@@ -82,6 +82,8 @@ class Stepper:
         self._names = (*self._kept, *_OF_ACCOUNT, *(_OF_LETTING_GO if models[0].lets_go.any() else ()))
         if models[0].structure.contact is not None:
             self._names = tuple(dict.fromkeys((*self._names, *_OF_CONTACT)))
+        if any(hinge.friction for model in models for hinge in model.structure.hinges):
+            self._names = (*self._names, "qacc")
         if models[0].ways.any():
             self._names = (*self._names, "actuator_force")
         drags = [each.drag for each in models if each.drag is not None]

@@ -7,6 +7,9 @@ from forficula.structure import Stops
 # The engine's impedance, the same at every depth: the share of what drives a hinge into its stop that the stop bears at
 # once. Under a moment M that drives an inertia I it yields by (1 - 0.99) (M / I) T^2 zeta^2 at rest.
 STOP_IMPEDANCE = (0.99, 0.99, 1e-3, 0.5, 2.0)
+# The largest impedance that the engine takes: under a torque M below that of its dry friction a joint of inertia I
+# creeps at (1 - 0.9999) (M / I) T / 2.
+FRICTION_IMPEDANCE = (0.9999, 0.9999, 1e-3, 0.5, 2.0)
 
 
 def stop_reference(stops: Stops) -> list[float]:

@@ -12,10 +12,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design import Design
+from forficula.design import TORQUE, Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.quantities import show_value
+from forficula.quantities import show_quantity, show_value
 from forficula.statics.equilibrium import Equilibria, PathState, barrier_between
 from forficula.statics.fold_path import FoldPath, fold_path, rigid_fold
 from forficula.statics.hinge import TendonHinge, tendon_hinge
@@ -226,6 +226,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *structure.remarks,
             *_tendon_remarks(structure, ideal_hinges, tendons),
             *_shared_remarks(structure),
+            *_friction_remarks(structure),
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *(
@@ -429,6 +430,16 @@ def _shared_remarks(structure: Structure) -> tuple[str, ...]:
     if across and of:
         remarks.append(f"the landscapes of single hinges leave out what lies across several: {', '.join(across)}")
     return tuple(remarks)
+
+
+def _friction_remarks(structure: Structure) -> tuple[str, ...]:
+    largest = max((hinge.friction for hinge in structure.hinges), default=0.0)
+    if not largest:
+        return ()
+    return (
+        f"the landscape leaves out the dry friction of up to {show_quantity(largest, TORQUE)} of hinges: it holds"
+        " states more firmly, and torques that move them are larger",
+    )
 
 
 def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:

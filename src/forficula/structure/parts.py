@@ -163,6 +163,7 @@ class Hinge:
         lock_above: alike towards 180 deg; inf for a spring that does not.
         stop_stiffness: of a crease's stops, N m/rad; None where it is chosen, see `crease_law`.
         damping: N m s/rad.
+        friction: of a joint, torque of its dry friction, N m.
         armature: inertia added to it, kg m^2.
         built: of a joint, its angle in the built shape, rad.
         start: its angle at the start, rad; of a crease, that of the built shape.
@@ -185,6 +186,7 @@ class Hinge:
     lock_above: float = math.inf
     stop_stiffness: float | None = None
     damping: float = 0.0
+    friction: float = 0.0
     armature: float = 0.0
     built: float = 0.0
     start: float = 0.0

@@ -166,6 +166,7 @@ def _hinges(design: VeinDesign, index: int, vein: Vein, label: str) -> list[Hing
             start=design.protocol.initial_overbend / folds,
             sense=vein.sense,
             damping=choice.damping,
+            friction=choice.friction,
             armature=choice.armature,
             label=label if folds == 1 else f"{label}, {which.strip('_') or 'inner'}",
         )

@@ -131,6 +131,7 @@ def _aims(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
             lower=-choice.turn_back if role == "turn" else -math.inf,
             upper=choice.turn_limit if role == "turn" else math.inf,
             damping=choice.damping,
+            friction=choice.friction,
             armature=choice.armature,
             label=f"vein {index}",
         )

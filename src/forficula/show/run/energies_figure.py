@@ -114,6 +114,7 @@ def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
         name = alone.get(damped[0]) if len(damped) == 1 else None
         accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
+        ("friction_work", "taken by dry friction", ORANGE),
         ("contact_work", "taken by contacts", BLUE),
         ("branch_damping_work", "taken by branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),

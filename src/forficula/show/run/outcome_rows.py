@@ -214,6 +214,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
         (f"+ taken by {folds} damping", balance.hinge_damping, True),
+        (f"+ taken by dry friction of {folds}s", balance.friction, True),
         (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
         (f"+ taken by {listed(stops)}", balance.stops, True),
         (f"+ taken by {listed(contacts)}", balance.contacts, True),

@@ -1,0 +1,104 @@
+"""Dry friction of hinges: a constant torque against the motion, which also holds a hinge at rest."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from forficula.design import load_design
+from forficula.dynamics import Record, energy_balance
+from forficula.dynamics.friction import friction_torques
+from forficula.dynamics.model import compile_model
+from forficula.errors import InputError
+from forficula.statics import energy_landscape
+from forficula.structure.mass import inertia_about
+from forficula.study.runs import run
+
+TORQUE, PUSHED = 0.02, 0.02  # N m; s
+
+
+def pushed(friction: str, timestep: str = "0.1 ms") -> Record:
+    """Push a joint without damping, whose tendon is slack, with 2 N cm for 20 ms, then let it go."""
+    stages = [
+        {"name": name, "drive": drive, "until": "time", "hold": "0 s", "time_limit": limit}
+        for name, drive, limit in (("settle", "none", "1 ms"), ("fold", "fold", "20 ms"), ("release", "none", "0.2 s"))
+    ]
+    values = {
+        "hinge.damping": "0 N m s/rad",
+        "hinge.friction": friction,
+        "tendon.rest_length": "30 cm",
+        "protocol.fold_torque": "2 N cm",
+        "protocol.rise": "0 s",
+        "protocol.sample_interval": "0.1 ms",
+        "protocol.window": "1 ms",
+        "protocol.timestep": timestep,
+        "protocol.stages": stages,
+    }
+    return run(load_design("binder2025-joint", values))
+
+
+def travelled(record: Record) -> np.ndarray:
+    """How far the hinge has folded from its start, rad, (time,)."""
+    angle = record.series["hinge_angle"][:, 0]
+    return angle[0] - angle
+
+
+@pytest.mark.parametrize("friction", [0.005, 0.01])
+def test_a_hinge_accelerates_by_the_torque_beyond_its_friction_and_slides_to_rest_on_the_friction_alone(friction):
+    record = pushed(f"{friction} N m")
+    acceleration = (TORQUE - friction) / inertia_about(record.structure, 0)
+    folded = acceleration * PUSHED**2 / 2
+    # a semi-implicit step of h at a constant acceleration goes on by h / t too far
+    assert travelled(record)[np.searchsorted(record.time, 0.001 + PUSHED)] == pytest.approx(
+        folded * (1 + 1e-4 / PUSHED)
+    )
+    # the kinetic energy at the end of the push is what the friction takes afterwards
+    assert travelled(record)[-1] == pytest.approx(folded * TORQUE / friction, rel=5e-4)
+    balance = energy_balance(record)
+    assert balance.friction == pytest.approx(friction * travelled(record)[-1], rel=5e-4)
+    assert balance.friction == pytest.approx(balance.work, rel=1e-9)
+    assert balance.stops == pytest.approx(0.0, abs=1e-15)
+    assert balance.residual < 1e-9
+
+
+def test_a_torque_below_the_friction_moves_a_hinge_only_by_the_creep_of_the_constraint():
+    record = pushed("2.02 N cm")
+    stops = record.structure.stops
+    creep = (1 - 0.9999) * TORQUE / inertia_about(record.structure, 0) * stops.time_constant / 2
+    assert travelled(record)[-1] == pytest.approx(creep * PUSHED, rel=1e-3)
+    assert np.degrees(travelled(record)[-1]) < 2e-4
+
+
+def test_friction_computed_from_the_motion_is_that_of_the_engine_where_stops_and_contacts_act_too():
+    values = {"hinge.friction": "1 N cm", "protocol.contact": True, "protocol.timestep": "0.05 ms"}
+    model = compile_model(load_design("binder2025", values))
+    data, rng = mujoco.MjData(model.engine), np.random.default_rng(3)
+    friction = mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF
+    for _ in range(20):
+        data.qpos = rng.normal(0, 1, model.engine.nq)
+        data.qvel = rng.normal(0, 3, model.engine.nv) * rng.choice([1e-4, 1], model.engine.nv)
+        mujoco.mj_forward(model.engine, data)
+        own = np.zeros(model.engine.nv)
+        rows = np.flatnonzero(data.efc_type == friction)
+        own[data.efc_id[rows]] = data.efc_force[rows]
+        computed = friction_torques(model, data.qvel[None], data.qacc[None], data.qfrc_constraint[None])[0]
+        assert computed == pytest.approx(own, abs=1e-6 * model.engine.dof_frictionloss.max())
+
+
+def test_a_wing_with_dry_friction_folds_later_and_its_balance_has_a_row_for_it():
+    smooth, rough = (run(load_design("binder2025", {"hinge.friction": f"{each} N cm"})) for each in (0, 1))
+    balance = energy_balance(rough)
+    assert energy_balance(smooth).friction is None
+    path = sum(np.abs(np.diff(angle)).sum() for angle in rough.series["hinge_angle"].T)
+    # samples miss a part of the path of hinges that swing
+    assert 0.9 * 0.01 * path < balance.friction < 1.3 * 0.01 * path
+    assert balance.residual < 0.002
+
+
+def test_friction_is_no_less_than_none():
+    with pytest.raises(InputError, match=r"hinge\.friction.*-1 N cm"):
+        load_design("binder2025", {"hinge.friction": "-1 N cm"})
+
+
+def test_a_landscape_says_that_it_leaves_dry_friction_out():
+    remarks = energy_landscape(load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}), points=31).remarks
+    assert any("leaves out the dry friction of up to 0.5 N cm" in remark for remark in remarks)
