@@ -10,7 +10,7 @@ from forficula.cli import app, main
 from forficula.errors import InputError
 from forficula.files import replacing_all
 from forficula.options import read_settings, read_shard, read_size
-from forficula.result_folders import RESULTS, check_own_kind
+from forficula.results import KINDS, check_own_kind
 
 
 @pytest.fixture
@@ -82,6 +82,9 @@ def test_keys_that_are_set_once_are_values():
     assert read_settings(["a.b=1", "c = 2 cm"]) == {"a.b": 1, "c": "2 cm"}
 
 
+MARKERS = {kind.name: kind.marker for kind in KINDS if kind.marker}
+
+
 def offered(command):
     """The options that the help of a command shows."""
     with redirect_stdout(StringIO()) as told:
@@ -107,15 +110,15 @@ def test_an_option_that_help_shows_is_accepted_and_no_other(command, tmp_path, m
         assert re.match("forficula: (--json: need run, |Command .* requires)", capsys.readouterr().err)
 
 
-@pytest.mark.parametrize("kind", RESULTS)
+@pytest.mark.parametrize("kind", MARKERS)
 def test_a_folder_with_another_kind_of_results_is_refused(tmp_path, kind):
-    (tmp_path / RESULTS[kind]).write_text("{}")
+    (tmp_path / MARKERS[kind]).write_text("{}")
     if kind == "optimisation":  # which has a study's table, too
-        (tmp_path / RESULTS["study"]).write_text("{}")
+        (tmp_path / MARKERS["study"]).write_text("{}")
     check_own_kind(tmp_path, kind)
-    for own in RESULTS.keys() - {kind}:
+    for own in MARKERS.keys() - {kind}:
         with pytest.raises(
-            InputError, match=rf"need a folder of its own, got .*, which holds an? {kind} \({RESULTS[kind]}"
+            InputError, match=rf"need a folder of its own, got .*, which holds an? {kind} \({MARKERS[kind]}"
         ):
             check_own_kind(tmp_path, own)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -212,13 +211,13 @@ def check_folder(folder: Path, own: str) -> None:
 
     Args:
         folder: where a command will write.
-        own: kind of its results, one of `RESULTS`.
+        own: kind of its results, of `forficula.results`.
 
     Raises:
         InputError: it cannot be made or written, or holds results of another kind, of which some would be replaced.
     """
     from forficula.files import check_writable, clear_leftovers
-    from forficula.result_folders import check_own_kind
+    from forficula.results import check_own_kind
 
     try:
         there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
@@ -231,43 +230,18 @@ def check_folder(folder: Path, own: str) -> None:
     read_option("--out", lambda: check_own_kind(folder, own))
 
 
-# what names the results of one name in the file that tells of them, and their verdict
-_NAMES = {
-    "run": ("design", "status"),
-    "landscape": ("design", None),
-    "convergence study": ("design", "verdict"),
-    "table of assumptions": ("design", "verdict"),
-    "material": ("material", None),
-    "bill of parts": ("design", None),
-    "optimisation": ("goal", None),
-    "tolerance": ("design", None),
-    "identification": ("name", None),
-}
-
-
 def tell_replaced(folder: Path, what: str, left: str = "") -> None:
     """Say on stderr which earlier results a command is about to replace, where there are any.
 
     Args:
         folder: where it will write.
-        what: "run", "landscape", "convergence study", "table of assumptions", "material", "bill of parts",
-            "optimisation", "tolerance" or "identification".
+        what: kind of these results, of `forficula.results`.
         left: what stays, such as "; the rows stay".
     """
-    from forficula.result_folders import RESULTS
+    from forficula.results import replaced_text
 
-    name, verdict = _NAMES[what]
-    try:
-        text = (folder / RESULTS[what]).read_text("utf-8")
-    except (OSError, ValueError):
-        return
-    try:
-        content = json.loads(text)
-        called = as_written(content[name]).strip('"')
-        how = "" if verdict is None else f" ({as_written(content[verdict])})"
-    except (ValueError, LookupError, TypeError, RecursionError):
-        called, how = "an unknown name", ""
-    remark(f"{folder}: replaces the {what} of {called}{how} there{left}")
+    if replaced := replaced_text(folder, what):
+        remark(f"{folder}: replaces {replaced} there{left}")
 
 
 def read_unit(unit: str | None) -> float | None:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import AnyPath, as_path
 from forficula.names import one_of
-from forficula.result_folders import check_own_kind
+from forficula.results import check_own_kind
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,15 +18,6 @@ if TYPE_CHECKING:
     from forficula.make.part import PartSet
 
 _WIDEST = 100  # inch, of a figure
-# of results that are saved, by the names of their classes, which take long to be imported
-_KINDS = {
-    "Record": "run",
-    "EnergyLandscape": "landscape",
-    "Convergence": "convergence study",
-    "Characterisation": "material",
-    "PartSet": "bill of parts",
-    "Optimum": "optimisation",
-}
 
 
 def figure(of: object, kind: str | None = None, *, width: float | Literal["column", "page"] = "column") -> Figure:
@@ -44,7 +34,7 @@ def figure(of: object, kind: str | None = None, *, width: float | Literal["colum
 
     >>> ff.figure(record, "angles", width="page").savefig("angles.pdf")
     """
-    from forficula.show.folder.figure_kinds import drawings_of
+    from forficula.show.folder.presentation import drawings_of
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 
     drawings = drawings_of(of)
@@ -165,52 +155,12 @@ def save(result: object, folder: AnyPath) -> None:
     """
     if folder == "":  # which would be the current one
         raise InputError('need a folder, got ""')
-    _write(result, as_path(folder, "a folder"))
+    from forficula.show.folder.presentation import presentation, result_kind
 
-
-def _write(result: object, folder: Path) -> None:
-    """Write a result as its command does."""
-    from forficula.analysis import measure
-    from forficula.dynamics import Record
-    from forficula.goals.optimise import Optimum
-    from forficula.make.check_parts import check_parts
-    from forficula.make.part import PartSet
-    from forficula.material.characterisation import Characterisation
-    from forficula.show import write_run
-    from forficula.show.folder.assumptions_folder import write_assumptions
-    from forficula.show.folder.convergence_folder import write_convergence
-    from forficula.show.folder.landscape_folder import write_landscape
-    from forficula.show.folder.material_folder import write_material
-    from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
-    from forficula.show.folder.parts_folder import write_parts
-    from forficula.statics import EnergyLandscape
-    from forficula.study.assumptions import Assumptions
-    from forficula.study.convergence import Convergence
-    from forficula.study.made_comparison import MadeComparison, comparison_or_why
-
-    kind = next((kind for of, kind in _KINDS.items() if type(result).__name__ == of), None)
-    if kind is not None:
-        check_own_kind(folder, kind)
-    match result:
-        case Record():
-            write_run(result, measure(result), folder)
-        case EnergyLandscape():
-            write_landscape(result, folder)
-        case Convergence():
-            write_convergence(result, folder)
-        case Assumptions():
-            write_assumptions(result, folder)
-        case Characterisation():
-            write_material(result, folder)
-        case PartSet():
-            compared = comparison_or_why(result) if result.joints else None
-            made = compared if isinstance(compared, MadeComparison) else None
-            write_parts(result, check_parts(result), folder, compared=made)
-        case Optimum():
-            write_optimum(result, folder)
-            write_optimum_report(result, (), 0, folder)
-        case _:
-            raise InputError(
-                "need a record, a landscape, a convergence study, assumptions, a material, parts or a search, got a"
-                f" {type(result).__name__}"
-            )
+    place, kind = as_path(folder, "a folder"), result_kind(result)
+    write = presentation(kind).write
+    if write is None:
+        raise InputError(f"a {kind.name} is written by its command, from its file; got a {type(result).__name__}")
+    if kind.marker:
+        check_own_kind(place, kind.name)
+    write(result, place)

@@ -181,7 +181,7 @@ def figure(
     ] = None,
 ) -> None:
     """Draw one figure of some results again, for a paper."""
-    from forficula.show.folder.figure_kinds import write_figure
+    from forficula.show.folder.presentation import write_figure
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 
     write_figure(results, kind, out, None if width is None else {"column": COLUMN_WIDTH, "page": PAGE_WIDTH}[width])

@@ -10,12 +10,12 @@ from forficula.design import load_design, save_design, with_values
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
-from forficula.show.folder import figure_kinds
+from forficula.show.folder import landscape_folder
 from forficula.show.folder.assumptions_folder import assumptions_drawings
 from forficula.show.folder.convergence_folder import convergence_drawings
 from forficula.show.folder.cycling_folder import cycling_drawings, cycling_summary, read_cycling
-from forficula.show.folder.figure_kinds import folder_drawings, write_figure
 from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
+from forficula.show.folder.presentation import folder_drawings, write_figure
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
@@ -134,7 +134,7 @@ def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
         asked.append((design.hash, simulation))
         return surveyed("reference"), reference_run if simulation else None
 
-    monkeypatch.setattr(figure_kinds, "landscape_and_run", survey)
+    monkeypatch.setattr(landscape_folder, "landscape_and_run", survey)
     save_design(reference, tmp_path / "design.toml")
     write_text(tmp_path / "landscape.json", f'{{"simulation": {simulation}, "figures": ["tendon", "wing"]}}')
     drawings = landscape_drawings(surveyed("reference"), reference_run if runs else None)
@@ -206,7 +206,7 @@ def test_an_unknown_figure_is_refused_with_the_nearest_and_all(folders, tmp_path
 
 @pytest.mark.parametrize(
     ("name", "what"),
-    [("nowhere", "got no such folder"), ("file", "got a file"), ("empty", "with one of record.nc, .*material.json in")],
+    [("nowhere", "got no such folder"), ("file", "got a file"), ("empty", "with one of record.nc, .*table.nc in")],
 )
 def test_a_folder_that_is_none_of_ours_is_refused(tmp_path, name, what):
     (tmp_path / "empty").mkdir()

@@ -8,7 +8,7 @@ from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of
 from forficula.goals.optimise import optimise_goal
 from forficula.show.folder import optimum_folder
-from forficula.show.folder.figure_kinds import write_figure
+from forficula.show.folder.presentation import write_figure
 
 GOAL = {
     "name": "light",
@@ -49,5 +49,5 @@ def test_a_search_is_saved_drawn_and_its_figures_handed_out(tmp_path):
     assert (tmp_path / "again.svg").read_bytes() == kept.read_bytes()
     with pytest.raises(InputError, match="--kind: need one of candidates for"):
         write_figure(tmp_path / "there", "candidate", tmp_path / "again.svg")
-    with pytest.raises(InputError, match="holds a search, whose figures are in its folder figures"):
+    with pytest.raises(InputError, match="figures of a search are not drawn again; they are in its folder figures"):
         ff.figure(tmp_path / "there")

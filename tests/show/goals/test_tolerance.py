@@ -12,7 +12,7 @@ from forficula.design import load_design
 from forficula.goals.tolerance.kept_samples import samples_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.tolerance_table import tolerance_table
-from forficula.show.folder.figure_kinds import folder_drawings
+from forficula.show.folder.presentation import folder_drawings
 from forficula.show.folder.tolerance_folder import tolerance_drawings, write_tolerance
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import print_tolerance

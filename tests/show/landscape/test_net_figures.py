@@ -6,8 +6,8 @@ import pytest
 from rich.console import Console
 
 from forficula.analysis.simulated_rests import rest_distances
-from forficula.show.folder.figure_kinds import folder_drawings
 from forficula.show.folder.landscape_folder import landscape_drawings, write_landscape
+from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape

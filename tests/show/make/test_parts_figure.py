@@ -5,8 +5,8 @@ import pytest
 
 from forficula.errors import InputError
 from forficula.make.make_parts import make_parts
-from forficula.show.folder.figure_kinds import drawings_of, folder_drawings, write_figure
 from forficula.show.folder.parts_folder import BILL_FILE, write_parts
+from forficula.show.folder.presentation import drawings_of, folder_drawings, write_figure
 from forficula.show.make.painted_parts import placed_parts
 from forficula.show.make.part_facts import mass_text, value_text
 from forficula.show.make.part_looks import part_looks

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_text
+from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.assumptions_figure import draw_assumptions
 from forficula.show.study.assumptions_table import assumption_rows, assumptions_table
 from forficula.show.style import Drawing, save_figures
 from forficula.study.assumptions import Assumptions
-from forficula.study.assumptions_file import ASSUMPTIONS_FILE, save_assumptions
+from forficula.study.assumptions_file import ASSUMPTIONS_FILE, load_assumptions, save_assumptions
 
 _HEADINGS = {"assumptions": "What each assumption changes"}
 
@@ -42,3 +45,16 @@ def _write_files(found: Assumptions, folder: Path) -> None:
 def assumptions_drawings(found: Assumptions) -> dict[str, Drawing]:
     """What draws assumptions, by the stem of its file; nothing where no assumption applies."""
     return {"assumptions": lambda width: draw_assumptions(found, width)} if found.runs else {}
+
+
+def _cell(found: Assumptions) -> Iterator[str]:
+    yield from printed(assumptions_table(found))
+    yield first_figure(assumptions_drawings(found))
+
+
+PRESENTATION = Presentation(
+    drawings=assumptions_drawings,
+    cell=_cell,
+    read=lambda folder: assumptions_drawings(load_assumptions(folder / ASSUMPTIONS_FILE)),
+    write=write_assumptions,
+)

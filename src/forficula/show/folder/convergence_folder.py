@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,12 +12,14 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
+from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
 from forficula.show.study.convergence_table import convergence_rows, convergence_table
 from forficula.show.style import Drawing, save_figures
 from forficula.study.convergence import Convergence
-from forficula.study.convergence_file import save_convergence
+from forficula.study.convergence_file import load_convergence, save_convergence
 from forficula.study.observed_order import OrderFit
 
 CONVERGENCE_FILE = "convergence.nc"
@@ -77,3 +80,16 @@ def _law(fit: OrderFit | None) -> dict[str, Any] | None:
         "why_not_observed": fit.reason,
         "scatter_s": fit.scatter,
     }
+
+
+def _cell(convergence: Convergence) -> Iterator[str]:
+    yield from printed(convergence_table(convergence))
+    yield first_figure(convergence_drawings(convergence))
+
+
+PRESENTATION = Presentation(
+    drawings=convergence_drawings,
+    cell=_cell,
+    read=lambda folder: convergence_drawings(load_convergence(folder / CONVERGENCE_FILE)),
+    write=write_convergence,
+)

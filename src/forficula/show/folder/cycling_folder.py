@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,10 @@ from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
+from forficula.show.folder.cell import first_figure
+from forficula.show.folder.presentation import Presentation
 from forficula.show.page.cycling_section import cycling_section
+from forficula.show.page.html import paragraph
 from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.run.cycling_figure import draw_cycling
 from forficula.show.style import Drawing, figure_files, save_figures
@@ -153,3 +157,16 @@ def print_cycling(cycling: Cycling) -> None:
             console.print(f"  margin of the {name} torque over the least slow one: {text}")
     for remark in cycling.remarks:
         console.print(f"  {remark}", markup=False, soft_wrap=True)
+
+
+def _cell(cycling: Cycling) -> Iterator[str]:
+    yield from map(paragraph, (f"Cycles: {cycling.verdict}", *cycling.remarks))
+    yield first_figure(cycling_drawings(cycling))
+
+
+PRESENTATION = Presentation(
+    drawings=cycling_drawings,
+    cell=_cell,
+    read=lambda folder: cycling_drawings(read_cycling(folder)),
+    write=write_cycling,
+)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,8 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
+from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.goals.identify_text import (
     agrees_sentences,
@@ -142,3 +145,21 @@ def _finite(value: float) -> float | None:
 def _plain(value: object) -> object:
     """A number, or a word, as JSON has it."""
     return float(value) if isinstance(value, float | int) else value
+
+
+def _cell(result: Dataset) -> Iterator[str]:
+    import xarray
+
+    # a part of the table has no sentences
+    if result.sizes.keys() >= {"sample", "fact", "other_fact"} and "most_met" in result.attrs:
+        yield from printed(identification_text(result))
+        yield first_figure(identify_drawings(result))
+    yield xarray.Dataset._repr_html_(result)
+
+
+PRESENTATION = Presentation(
+    drawings=identify_drawings,
+    cell=_cell,
+    read=lambda folder: identify_drawings(read_dataset(folder / IDENTIFIED)),
+    write=write_identification,
+)

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
+from matplotlib.figure import Figure
+
 from forficula.analysis.simulated_rests import rest_distances
 from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
-from forficula.design import save_design
+from forficula.design import load_design, save_design
 from forficula.dynamics import Record, versions
+from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
+from forficula.reproduction import shown_tendon
+from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.presentation import Presentation
 from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.courses_figure import draw_courses
 from forficula.show.landscape.landscape_figure import draw_fold_path
+from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
 from forficula.show.landscape.states_figure import draw_modes, draw_states
@@ -21,6 +30,7 @@ from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.page.landscape_page import landscape_page
 from forficula.show.style import Drawing, save_figures
 from forficula.statics import EnergyLandscape, folding_hinges, landscape_summary
+from forficula.study.landscape_and_run import landscape_and_run
 
 
 def write_landscape(
@@ -92,3 +102,34 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     # a single hinge has no levels between, and its own figure
     levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)
+
+
+def _read(folder: Path) -> dict[str, Drawing]:
+    """Return the figures of a folder, which compute the landscape again: it takes a second, and many MB as a file."""
+    design = load_design(str(folder / "design.toml"))
+    try:
+        written = json.loads((folder / "landscape.json").read_text("utf-8"))
+        simulated, kinds = written["simulation"] is not None, list(map(str, written["figures"]))
+    except (OSError, LookupError, ValueError, TypeError) as error:
+        raise InputError(f"{folder / 'landscape.json'}: not a landscape of forficula: {error}") from None
+
+    @cache
+    def again(simulation: bool) -> dict[str, Drawing]:
+        return landscape_drawings(*landscape_and_run(design, simulation=simulation), shown_tendon(design))
+
+    def drawing(kind: str) -> Drawing:
+        # only the tendon's figure has the run beside it
+        def draw(width: float) -> Figure:
+            return again(simulated and kind == "tendon")[kind](width)
+
+        return draw
+
+    return {kind: drawing(kind) for kind in kinds}
+
+
+def _cell(landscape: EnergyLandscape) -> Iterator[str]:
+    yield from printed(landscape_table(landscape))
+    yield first_figure(landscape_drawings(landscape))
+
+
+PRESENTATION = Presentation(drawings=landscape_drawings, cell=_cell, read=_read, write=write_landscape)

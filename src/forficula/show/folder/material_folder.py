@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 from forficula.files import replacing_all, write_text
 from forficula.material.characterisation import Characterisation
 from forficula.material.law.law_file import save_law
 from forficula.material.material_summary import material_summary
+from forficula.show.folder.cell import picture, printed
+from forficula.show.folder.presentation import Presentation
 from forficula.show.material.cycles_figure import draw_cycles
 from forficula.show.material.drift_figure import draw_drift
 from forficula.show.material.law_figure import draw_fit
@@ -16,7 +19,7 @@ from forficula.show.material.material_table import material_table
 from forficula.show.material.modulus_figure import draw_moduli
 from forficula.show.page.results_page import figure_sections, results_page
 from forficula.show.page.rich_html import laid_out
-from forficula.show.style import Drawing, figure_files, save_figures
+from forficula.show.style import PAGE_WIDTH, Drawing, figure_files, save_figures
 
 LAW_FILE = "tendon_law.toml"
 _HEADINGS = {
@@ -64,3 +67,17 @@ def material_drawings(material: Characterisation) -> dict[str, Drawing]:
     if material.law is not None:
         drawings["fit"] = lambda width: draw_fit(material, width)
     return drawings
+
+
+def _cell(material: Characterisation) -> Iterator[str]:
+    yield from printed(material_table(material))
+    drawings = material_drawings(material)
+    yield picture(drawings.get("fit", drawings["cycles"])(PAGE_WIDTH))
+
+
+PRESENTATION = Presentation(
+    drawings=material_drawings,
+    cell=_cell,
+    copied="a material cannot be drawn again without its tests",
+    write=write_material,
+)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from importlib import metadata
 from math import nan
 from pathlib import Path, PurePosixPath
@@ -19,6 +19,7 @@ from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
+from forficula.make.check_parts import check_parts
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.checks import checks_json
 from forficula.make.files.lying import file_names
@@ -28,10 +29,12 @@ from forficula.make.make_parts import PartName, make_parts
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
+from forficula.show.folder.cell import framed
+from forficula.show.folder.presentation import Presentation
 from forficula.show.make.made_figure import draw_made
 from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
-from forficula.show.page.parts_page import write_parts_page
+from forficula.show.page.parts_page import parts_page, write_parts_page
 from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
 from forficula.show.style import VERMILION, Drawing, figure_files, figure_style, save_figures
 from forficula.study.made_comparison import MadeComparison, comparison_or_why
@@ -216,3 +219,22 @@ def _earlier(folder: Path) -> list[str]:
         return []
     places = [(name, PurePosixPath(name).parts) for name in names]
     return [name for name, at in places if name in _WHOLE or (len(at) == 2 and at[0] in _FOLDERS and at[1] != "..")]
+
+
+def _cell(parts: PartSet) -> Iterator[str]:
+    """Yield the page of the parts, without checks, which take seconds and have a call of their own."""
+    yield framed(parts_page(parts, ()), f"{parts.design.name}, parts to make")
+
+
+def _write(parts: PartSet, folder: Path) -> None:
+    compared = comparison_or_why(parts) if parts.joints else None
+    made = compared if isinstance(compared, MadeComparison) else None
+    write_parts(parts, check_parts(parts), folder, compared=made)
+
+
+PRESENTATION = Presentation(
+    drawings=parts_drawings,
+    cell=_cell,
+    read=lambda folder: parts_drawings(read_parts(folder), read_checks(folder)),
+    write=_write,
+)

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from functools import cache
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from forficula.analysis import Outcome, Verdict
+from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.package import smallest_package
-from forficula.analysis.run_files import write_run_files
+from forficula.analysis.run_files import read_run, write_run_files
 from forficula.analysis.storage import storages
 from forficula.dynamics import Record, compile_model
 from forficula.files import replacing_all, write_text
+from forficula.show.folder.cell import framed
 from forficula.show.folder.cycling_folder import CYCLING_FILES
+from forficula.show.folder.presentation import Presentation
 from forficula.show.page import write_run_page
+from forficula.show.page.run_page import run_page
 from forficula.show.run.angles_figure import draw_angles
 from forficula.show.run.energies_figure import draw_energies
 from forficula.show.run.folding_figure import draw_folding
@@ -93,3 +96,20 @@ def _marked(figure: Figure, outcome: Outcome) -> Figure:
         with figure_style():  # names are no formulas
             figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)
     return figure
+
+
+def _drawings(record: Record) -> dict[str, Drawing]:
+    return run_drawings(record, measure(record))
+
+
+def _cell(record: Record) -> Iterator[str]:
+    """Yield the page of the run, which plays."""
+    yield framed(run_page(record, measure(record)), f"{record.design.name}, playing")
+
+
+PRESENTATION = Presentation(
+    drawings=_drawings,
+    cell=_cell,
+    read=lambda folder: _drawings(read_run(folder)),
+    write=lambda record, folder: write_run(record, measure(record), folder),
+)

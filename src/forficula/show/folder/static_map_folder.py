@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,8 @@ import numpy as np
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
+from forficula.show.folder.cell import first_figure
+from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.html import paragraph, section
 from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.study.static_maps import draw_static_maps
@@ -114,3 +117,19 @@ def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None =
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
             told[-1] += f"; beside the simulation: {', '.join(parts)}"
     return told
+
+
+def _read(folder: Path) -> dict[str, Drawing]:
+    tables = []
+    for name in ("map.nc", SIMULATED):
+        if (folder / name).is_file():
+            tables.append(read_dataset(folder / name))
+            check_table(tables[-1], folder / name, "forficula landscape …")
+    return static_map_drawings(*tables)
+
+
+def _cell(table: Dataset) -> Iterator[str]:
+    yield first_figure(static_map_drawings(table))
+
+
+PRESENTATION = Presentation(drawings=static_map_drawings, cell=_cell, read=_read)

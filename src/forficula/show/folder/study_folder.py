@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.reproduction import compare
 from forficula.reproduction.comparison import comparison_json, comparison_markdown
+from forficula.show.folder.cell import first_figure
+from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.study_page import write_study_page
 from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
@@ -17,6 +19,7 @@ from forficula.show.style import Drawing, save_figures
 from forficula.study import Study, table_csv
 from forficula.study.choices import CHOICE
 from forficula.study.kept_runs import KeptRun
+from forficula.study.outcome_kinds import check_table
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -77,3 +80,19 @@ def write_study_report(
         InputError: it cannot be written.
     """
     write_study_page(study, table, folder / "report.html", kept, count, compare(study, table), engine=engine)
+
+
+def _read(folder: Path) -> dict[str, Drawing]:
+    table = read_dataset(folder / "table.nc")
+    check_table(table, folder / "table.nc", "forficula study …")
+    return study_drawings(table)
+
+
+def _cell(table: Dataset) -> Iterator[str]:
+    import xarray
+
+    yield first_figure(study_drawings(table))
+    yield xarray.Dataset._repr_html_(table)
+
+
+PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,8 +22,11 @@ from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.show.folder.cell import first_figure, heading
+from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
+from forficula.show.page.html import paragraph
 from forficula.show.page.rich_html import laid_out
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
@@ -193,3 +196,20 @@ def _samples_csv(table: Dataset) -> str:
         [value if isinstance(value, str) else f"{value:.9g}" for value in row] for row in zip(*columns, strict=True)
     ]
     return csv_text([[*headings, "answer", "outcome", *results], *rows])
+
+
+def _cell(table: Dataset) -> Iterator[str]:
+    import xarray
+
+    first, *others = str(table.attrs["says"]).splitlines()
+    yield heading(f"{table.attrs['design']}: {first}")
+    yield from map(paragraph, others)
+    yield first_figure(tolerance_drawings(table))
+    yield xarray.Dataset._repr_html_(table)
+
+
+PRESENTATION = Presentation(
+    drawings=tolerance_drawings,
+    cell=_cell,
+    read=lambda folder: tolerance_drawings(read_dataset(folder / TOLERANCE_TABLE)),
+)

@@ -1,0 +1,174 @@
+"""Kinds of results: the file by which a folder is recognised, and the module that presents results of the kind.
+
+A new kind of result is one entry here and one module of `forficula.show.folder` with a `PRESENTATION`. Importing this
+module loads none of them.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from forficula.errors import InputError
+from forficula.quantities import as_written
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kind:
+    """A kind of results.
+
+    Attributes:
+        name: in messages, such as "convergence study".
+        module: of `forficula.show.folder`, whose `PRESENTATION` draws and writes it.
+        classes: names of the classes of its results.
+        data: file in its folder from which its figures are drawn again.
+        marker: file in its folder that only this kind has; empty where it is an addition to the folder of another kind.
+        named_by: key of the marker, a JSON file, whose value names the result.
+        verdict: key of the marker that has the verdict; empty where it has none.
+        has_rows: whether a journal of rows may be in its folder before it is done.
+    """
+
+    name: str
+    module: str
+    classes: tuple[str, ...]
+    data: str
+    marker: str = ""
+    named_by: str = "design"
+    verdict: str = ""
+    has_rows: bool = False
+
+
+KINDS: tuple[Kind, ...] = (
+    Kind(
+        name="run",
+        module="run_folder",
+        classes=("Record",),
+        data="record.nc",
+        marker="summary.json",
+        verdict="status",
+    ),
+    Kind(name="cycles", module="cycling_folder", classes=("Cycling",), data="cycles.json"),
+    Kind(
+        name="landscape",
+        module="landscape_folder",
+        classes=("EnergyLandscape",),
+        data="landscape.json",
+        marker="landscape.json",
+    ),
+    Kind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
+    Kind(
+        name="convergence study",
+        module="convergence_folder",
+        classes=("Convergence",),
+        data="convergence.nc",
+        marker="convergence.json",
+        verdict="verdict",
+    ),
+    Kind(
+        name="table of assumptions",
+        module="assumptions_folder",
+        classes=("Assumptions",),
+        data="assumptions.json",
+        marker="assumptions.json",
+        verdict="verdict",
+    ),
+    Kind(
+        name="material",
+        module="material_folder",
+        classes=("Characterisation",),
+        data="material.json",
+        marker="material.json",
+        named_by="material",
+    ),
+    Kind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
+    Kind(
+        name="optimisation",
+        module="optimum_folder",
+        classes=("Optimum",),
+        data="optimum.json",
+        marker="optimum.json",
+        named_by="goal",
+        has_rows=True,
+    ),
+    Kind(
+        name="tolerance",
+        module="tolerance_folder",
+        classes=("ToleranceTable",),
+        data="tolerance.nc",
+        marker="tolerance.json",
+        has_rows=True,
+    ),
+    Kind(
+        name="identification",
+        module="identify_folder",
+        classes=("IdentificationTable",),
+        data="identified.nc",
+        marker="identified.json",
+        named_by="name",
+        has_rows=True,
+    ),
+    # last: an optimisation has a study's table, too
+    Kind(
+        name="study",
+        module="study_folder",
+        classes=("StudyTable",),
+        data="table.nc",
+        marker="table.nc",
+        has_rows=True,
+    ),
+)
+# rows of a study or a search that is not done; the command that continues it checks whose they are
+_ROWS = "journal*.jsonl"
+
+
+def kind_of_class(name: str) -> Kind | None:
+    """Find the kind of the results of a class by the name of the class; None where there is none."""
+    return next((kind for kind in KINDS if name in kind.classes), None)
+
+
+def check_own_kind(folder: Path, own: str) -> None:
+    """Refuse a folder that holds results of another kind, of which pages, figures and tables would be replaced.
+
+    Args:
+        folder: where results will be written.
+        own: name of their kind.
+
+    Raises:
+        InputError: what the folder holds.
+    """
+    there = [kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()]
+    if any(kind.name == own for kind in there):
+        return
+    if there:
+        first = there[0]
+        article = "an" if first.name[0] in "aeiou" else "a"
+        raise InputError(
+            f"need a folder of its own, got {folder}, which holds {article} {first.name} ({first.marker}), whose"
+            " page and figures would be replaced; name another one"
+        )
+    if not _named(own).has_rows and any(folder.glob(_ROWS)):
+        raise InputError(
+            f"need a folder of its own, got {folder}, which holds rows of a study ({next(folder.glob(_ROWS)).name});"
+            " name another one"
+        )
+
+
+def replaced_text(folder: Path, own: str) -> str:
+    """Describe the earlier results of a kind in a folder, such as "the run of my-wing (folded)"; empty without any."""
+    kind = _named(own)
+    try:
+        text = (folder / kind.marker).read_text("utf-8")
+    except (OSError, ValueError):
+        return ""
+    try:
+        content = json.loads(text)
+        called = as_written(content[kind.named_by]).strip('"')
+        how = f" ({as_written(content[kind.verdict])})" if kind.verdict else ""
+    except (ValueError, LookupError, TypeError, RecursionError):
+        called, how = "an unknown name", ""
+    return f"the {kind.name} of {called}{how}"
+
+
+def _named(name: str) -> Kind:
+    return next(kind for kind in KINDS if kind.name == name)

@@ -1,0 +1,58 @@
+"""Parts of what a notebook shows of a result: tables and sentences of the terminal, a figure, a page in a frame."""
+
+from __future__ import annotations
+
+import base64
+import io
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from rich.console import RenderableType
+
+from forficula.show.page.html import escaped, paragraph
+from forficula.show.page.rich_html import laid_out
+from forficula.show.style import PAGE_WIDTH, Drawing, description
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_HEIGHT = 640  # pixels, of a page
+_DPI = 110
+
+
+def framed(page: str, title: str) -> str:
+    """Return a page in a frame of its own, whose style and script touch nothing else."""
+    return (
+        f'<iframe srcdoc="{escaped(page)}" title="{escaped(title)}"'
+        f' sandbox="allow-scripts allow-downloads" style="width:100%;height:{_HEIGHT}px;border:0"></iframe>'
+    )
+
+
+def heading(text: str) -> str:
+    """Return a heading of a cell."""
+    return f"<h3>{escaped(text)}</h3>"
+
+
+def first_figure(drawings: dict[str, Drawing]) -> str:
+    """Return the first figure of a result; an empty text where it has none."""
+    return picture(next(iter(drawings.values()))(PAGE_WIDTH)) if drawings else ""
+
+
+def picture(figure: Figure) -> str:
+    """Return a figure within the cell, with the text that describes it."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    content = io.BytesIO()
+    figure.set_dpi(_DPI)
+    FigureCanvasAgg(figure).print_png(content)  # type: ignore[no-untyped-call]
+    packed = base64.b64encode(content.getvalue()).decode("ascii")
+    return f'<p><img src="data:image/png;base64,{packed}" alt="{escaped(description(figure))}"></p>'
+
+
+def printed(renderable: RenderableType) -> Iterator[str]:
+    """Yield what the terminal shows of a result."""
+    found = laid_out(renderable)
+    if found.heading:
+        yield f"<p><strong>{escaped(found.heading)}</strong></p>"
+    yield from found.tables
+    yield from map(paragraph, found.sentences)

@@ -1,0 +1,173 @@
+"""How results of every kind are drawn, written and shown: one registry for notebooks, folders, figures and calls."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from forficula.errors import InputError
+from forficula.files import clear_leftovers, write_bytes
+from forficula.results import KINDS, Kind, kind_of_class
+from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+
+@dataclass(frozen=True, kw_only=True)
+class Presentation:
+    """Functions that present results of one kind.
+
+    Attributes:
+        drawings: returns what draws every figure of a result, by the stem of its file.
+        cell: yields the HTML of a result in a notebook, part by part.
+        read: returns what draws every figure of a folder, by the stem of its file; None where the folder does not have
+            all that the figures show.
+        copied: where `read` is None, why figures are copied and not drawn again, for messages.
+        write: writes a result to a folder as its command does; None where a command writes more than the result has.
+    """
+
+    drawings: Callable[[Any], dict[str, Drawing]]
+    cell: Callable[[Any], Iterator[str]]
+    read: Callable[[Path], dict[str, Drawing]] | None = None
+    copied: str = ""
+    write: Callable[[Any, Path], None] | None = None
+
+
+def presentation(kind: Kind) -> Presentation:
+    """Load the presentation of a kind of results."""
+    found = import_module(f"forficula.show.folder.{kind.module}").PRESENTATION
+    assert isinstance(found, Presentation)
+    return found
+
+
+def result_kind(result: object) -> Kind:
+    """Find the kind of a result.
+
+    Raises:
+        InputError: it is no result of forficula.
+    """
+    kind = kind_of_class(_class_name(result))
+    if kind is None:
+        raise InputError(f"need results of forficula or their folder, got a {type(result).__name__}")
+    return kind
+
+
+def drawings_of(result: object) -> dict[str, Drawing]:
+    """Return what draws every figure of a result or of the folder of results, by the stem of its file.
+
+    Raises:
+        InputError: it is neither a result of forficula nor a folder of one.
+    """
+    if isinstance(result, str | os.PathLike):
+        clear_leftovers(Path(result))
+        return folder_drawings(Path(result))
+    return presentation(result_kind(result)).drawings(result)
+
+
+def folder_drawings(folder: Path) -> dict[str, Drawing]:
+    """Return what draws every figure of a folder, by the stem of its file.
+
+    Raises:
+        InputError: the folder is none of forficula's, or holds a file that cannot be read.
+    """
+    if not folder.is_dir():
+        what = "a file" if folder.exists() else "no such folder"
+        raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
+    drawings: dict[str, Drawing] = {}
+    for kind in _there(folder):
+        found = presentation(kind)
+        if found.read is None:
+            raise InputError(
+                f"{folder}: the figures of {found.copied}; they are in its folder {COPIES}, or pass the result itself"
+            )
+        drawings |= found.read(folder)
+    if not drawings:
+        names = ", ".join(kind.data for kind in KINDS)
+        raise InputError(f"{folder}: need a folder that forficula wrote, with one of {names} in it")
+    return drawings
+
+
+def write_figure(folder: Path, kind: str, path: Path, width: float | None = None) -> None:
+    """Write one figure of a folder of results.
+
+    Args:
+        folder: that forficula wrote.
+        kind: which figure; the stem of its file in the folder.
+        path: ends with .png, .svg or .pdf.
+        width: inch; that of a column if not given.
+
+    Raises:
+        InputError: the folder is none of forficula's or has no such figure, another ending, or it cannot be written.
+    """
+    if path.suffix not in ENDINGS:
+        raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
+    clear_leftovers(folder)  # a run that was killed may have set files aside
+    copied = next((found for each in _there(folder) if (found := presentation(each)).read is None), None)
+    if copied is not None:
+        _copy(folder, kind, path, width, copied.copied)
+        return
+    drawings = folder_drawings(folder)
+    save_figure(drawings[_known(kind, drawings, folder)](width or COLUMN_WIDTH), path)
+
+
+def read_dataset(path: Path) -> Dataset:
+    """Read a table of a folder.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    import xarray
+
+    try:
+        return xarray.load_dataset(path, engine="h5netcdf")
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+
+
+def _class_name(result: object) -> str:
+    """Name of the class of a result; tables that were read from a file are recognised by their dimensions."""
+    name = type(result).__name__
+    if name != "Dataset":
+        return name
+    dims = getattr(result, "dims", ())
+    if "fact" not in dims:
+        return "StudyTable"
+    return "ToleranceTable" if "factor" in dims else "IdentificationTable"
+
+
+def _there(folder: Path) -> list[Kind]:
+    """Kinds of the results in a folder; those of an optimisation stand for the table that it has, too."""
+    found = [kind for kind in KINDS if (folder / kind.data).is_file()]
+    copied = [kind for kind in found if kind.name == "optimisation"]
+    return copied or found
+
+
+def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) -> None:
+    """Copy a figure as it was written."""
+    kept = {file.stem for file in (folder / COPIES).glob("*.svg")}
+    name = _known(kind, kept, folder)
+    own = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
+    if width is not None and width != own:
+        there = "page" if path.suffix == ".png" else "column"
+        raise InputError(f"--width: the figures of {why}: its {path.suffix} is as wide as a {there}")
+    source = folder / f"{name}.png" if path.suffix == ".png" else folder / COPIES / f"{name}{path.suffix}"
+    try:
+        content = source.read_bytes()
+    except OSError as error:
+        raise InputError(f"{source}: cannot be read: {error.strerror}") from None
+    write_bytes(path, content)
+
+
+def _known(kind: str, kinds: Iterable[str], folder: Path) -> str:
+    names = sorted(kinds)
+    if kind in names:
+        return kind
+    near = difflib.get_close_matches(kind.lower(), names, n=1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    raise InputError(f'--kind: need one of {", ".join(names)} for {folder}, got "{kind}"{hint}')
