@@ -256,9 +256,33 @@ def show_uncertain(value: float, half: float | None, unit: str, digits: int = 4)
     own, other = factor * value, factor * (half or 0.0)
     if not other or not math.isfinite(other) or f"{own - other:.{digits}g}" == f"{own + other:.{digits}g}":
         return f"{own:.{digits}g} {name}"
-    exponent = math.floor(math.log10(other))
-    places = max((1 if other < 2 * 10.0**exponent else 0) - exponent, 0)
+    places = max(_digits_of_half(other), 0)
     return f"{own:.{places}f} ± {other:.{places}f} {name}"
+
+
+def uncertain_number(value: float, half: float, digits: int = 4) -> str:
+    """Write a number with its uncertainty in the same unit, where the digits of the number show the uncertainty.
+
+    >>> uncertain_number(0.18268, 0.0004), uncertain_number(4.112e-5, 3e-7), uncertain_number(0.18268, 4e-5)
+    ('0.1827 ± 0.0004', '4.11e-05 ± 3e-07', '0.1827')
+    """
+    plain = f"{value:.{digits}g}"
+    first = math.floor(math.log10(abs(value))) if value else None
+    if not math.isfinite(half) or half <= (0.0 if first is None else 0.5 * 10.0 ** (first - digits + 1)):
+        return plain
+    if first is None:
+        return f"{plain} ± {half:.1g}"
+    places = min(_digits_of_half(half), digits - 1 - first)
+    if "e-" in plain:
+        of_half = max(places + math.floor(math.log10(half)), 0)
+        return f"{value:.{max(places + first, 0)}e} ± {half:.{of_half}e}"
+    return f"{value:.{max(places, 0)}f} ± {half:.{max(places, 0)}f}"
+
+
+def _digits_of_half(half: float) -> int:
+    """Return the decimal places of an uncertainty with one digit, or two where the first is a 1."""
+    exponent = math.floor(math.log10(half))
+    return (1 if half < 2 * 10.0**exponent else 0) - exponent
 
 
 def show_duration(time: float) -> str:

@@ -1,16 +1,21 @@
 """A run held against second runs of the same design, in which only the computation differs."""
 
+import json
+import math
 from dataclasses import replace
 
+import jsonschema
+import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.analysis import Verdict, measure
-from forficula.analysis.confirmation import HALF_STEP, OTHER_START, same_ending, uncertainties
+from forficula.analysis import Ending, Verdict, measure, summary
+from forficula.analysis.confirmation import HALF_STEP, OTHER_START, confirm, same_ending, uncertainties
+from forficula.analysis.json_schemas import json_schema
 from forficula.cli import main
 from forficula.design import with_values
 from forficula.dynamics import Check, load_record, save_record
-from forficula.quantities import show_uncertain
+from forficula.quantities import show_uncertain, uncertain_number
 from forficula.study.evaluate import evaluate
 from forficula.study.runs import run
 
@@ -53,6 +58,25 @@ def test_an_uncertainty_has_the_digits_that_mean_something(half, text):
     assert show_uncertain(58.4e-3, half, "s") == text
 
 
+@pytest.mark.parametrize(
+    ("value", "half", "text"),
+    [
+        (0.1827, 4e-4, "0.1827 ± 0.0004"),
+        (0.548, 3e-4, "0.5480 ± 0.0003"),
+        (0.1827, 4e-5, "0.1827"),
+        (0.1827, 0.0, "0.1827"),
+        (0.1827, math.nan, "0.1827"),
+        (12.5, 3.0, "12 ± 3"),
+        (4.11e-5, 6e-8, "4.110e-05 ± 6e-08"),
+        (2.53e-7, 1.4e-10, "2.530e-07 ± 1e-10"),
+        (0.0, 0.02, "0 ± 0.02"),
+        (0.0, 0.0, "0"),
+    ],
+)
+def test_an_uncertainty_that_the_four_digits_of_an_energy_do_not_show_is_left_out(value, half, text):
+    assert uncertain_number(value, half) == text
+
+
 def test_a_joint_is_confirmed_at_half_the_timestep_and_from_another_start(confirmed):
     outcome = measure(confirmed)
     assert outcome.verdict is Verdict.REACHED
@@ -70,6 +94,69 @@ def test_the_run_itself_has_the_same_bits_whether_it_is_confirmed_or_not(confirm
 def test_a_saved_run_keeps_what_confirms_it(confirmed, tmp_path):
     save_record(confirmed, tmp_path / "record.nc")
     assert load_record(tmp_path / "record.nc").checks == confirmed.checks
+
+
+@pytest.fixture(scope="module")
+def by_hand():
+    """Outcomes of the joint, of the joint at half the timestep, and of the joint from the other start."""
+    half = with_values(JOINT, {"protocol.timestep": "0.05 ms"})
+    return [measure(run(each)) for each in (JOINT, half, JOINT.with_other_start())]
+
+
+@pytest.mark.parametrize(
+    ("key", "unit", "attribute"),
+    [
+        ("tendon_length", "m", "tendon_length"),
+        ("tendon_energy", "J", "tendon_energy"),
+        ("membrane_energy", "J", "membrane_energy"),
+    ],
+)
+def test_a_length_and_an_energy_of_a_state_differ_by_their_uncertainty_between_runs_by_hand(
+    confirmed, by_hand, key, unit, attribute
+):
+    """Twice the difference to half the timestep or the difference to the other start, whichever is larger."""
+    states = summary(confirmed, measure(confirmed), {})["states"]
+    for name in ("folded", "opened"):
+        own, half, other = (np.array(getattr(each.states[name], attribute)) for each in by_hand)
+        expected = np.maximum(2 * np.abs(own - half), np.abs(own - other))
+        assert states[name][f"{key}_uncertainty_{unit}"] == pytest.approx(expected, rel=1e-9, abs=0)
+    assert any(np.any(state["tendon_length_uncertainty_m"]) for state in states.values())
+
+
+def test_a_summary_with_uncertainties_follows_its_schema_and_one_without_second_runs_has_none(confirmed):
+    told = [
+        summary(record, measure(record), {"forficula": ""}) for record in (confirmed, replace(confirmed, checks=()))
+    ]
+    for each in told:
+        jsonschema.Draft202012Validator(json_schema("summary")).validate(json.loads(json.dumps(each)))
+    with_runs, alone = (each["states"]["folded"] for each in told)
+    assert "uncertainty" not in str(alone)
+    assert {key: value for key, value in with_runs.items() if "_uncertainty_" not in key} == alone
+
+
+def planted(own, half, h=1e-3):
+    """The confirmation of a folded state by half the timestep."""
+    ending = Ending(verdict=Verdict.REACHED, transition=None)
+    values, others = ({f"folded.{name}": each for name, each in run.items()} for run in (own, half))
+    return confirm(ending, values, h, [check(h / 2, **others)])
+
+
+def test_opposite_errors_of_two_tendons_cancel_in_the_energy_that_both_store():
+    found = planted({"tendon.energy": (2.0, 3.0)}, {"tendon.energy": (2.1, 2.9)})
+    assert found.of_state("folded", lambda values: values["tendon.energy"]) == pytest.approx([0.2, 0.2])
+    assert found.of_state("folded", lambda values: values["tendon.energy"].sum()) == pytest.approx(0, abs=1e-12)
+
+
+def test_the_smallest_of_many_angles_has_its_own_uncertainty_and_not_the_smallest_one():
+    found = planted({"creases": (1.0, 2.0, 3.0)}, {"creases": (0.9, 2.0, 3.0)})
+    assert found.of_state("folded", lambda values: values["creases"].min()) == pytest.approx(0.2)
+
+
+def test_a_number_that_a_second_run_does_not_have_has_no_uncertainty():
+    found = planted({"tendon.energy": (2.0,), "creases": (1.0,)}, {"creases": (1.1,)})
+    assert found.of_state("folded", lambda values: values["tendon.energy"]) is None
+    assert found.of_state("opened", lambda values: values["creases"]) is None
+    assert found.of_state("folded", lambda values: values["creases"]) == pytest.approx([0.2])
 
 
 def lost(record):

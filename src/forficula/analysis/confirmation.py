@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.analysis.verdict import Ending, Verdict
 from forficula.dynamics import Check
@@ -15,7 +18,9 @@ OTHER_START = "a slightly different start"
 # of a value: what differs by more between two timesteps has not settled
 SETTLED_WITHIN = 0.02
 
+Array = NDArray[np.float64]
 Values = Mapping[str, tuple[float, ...]]
+StateValues = Mapping[str, Array]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,20 +30,45 @@ class Confirmation:
     Attributes:
         checks: the second runs.
         agree: whether all of them say the same of the structure as the run, see `same_ending`.
-        uncertainty: numerical uncertainty of times, s, works and energies, J, and readings, rad or m, by name, with as
-            many entries as each has; see `uncertainties`.
-        unsettled: names of the values whose uncertainty exceeds 2 % of the value.
+        uncertainty: numerical uncertainty of times, s, works and energies, J, lengths, m, and readings, rad or m, by
+            name, with as many entries as each has; see `uncertainties`.
+        unsettled: names of the times and works whose uncertainty exceeds 2 % of the value.
+        values: of the run, by name, SI.
+        timestep: of the run, s.
     """
 
     checks: tuple[Check, ...]
     agree: bool
     uncertainty: Values
     unsettled: tuple[str, ...]
+    values: Values = field(repr=False)
+    timestep: float
 
     def of(self, name: str, place: int = 0) -> float | None:
         """Return the numerical uncertainty of a value, SI; None where the second runs do not have the value."""
         found = self.uncertainty.get(name)
         return None if found is None else found[place]
+
+    def of_state(self, state: str, numbers: Callable[[StateValues], ArrayLike]) -> Array | None:
+        """Return the numerical uncertainties of numbers that are computed from the values of a state, SI.
+
+        The numbers are computed for the run and for every second run, and are then compared as in `uncertainties`.
+
+        Args:
+            state: its name.
+            numbers: computes the numbers from the values of the state, which are those of `State.values`.
+
+        Returns:
+            As many as the numbers; None where the run or a second run does not have the values.
+        """
+        runs = [_values_of(state, values) for values in (self.values, *(check.values for check in self.checks))]
+        try:
+            own, *others = (np.asarray(numbers(values), dtype=np.float64) for values in runs)
+        except KeyError:
+            return None
+        if not others or any(other.shape != own.shape for other in others):
+            return None
+        return _largest_difference(own, self.timestep, zip(self.checks, others, strict=True))
 
 
 def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Check]) -> Confirmation:
@@ -58,7 +88,9 @@ def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Ch
         if name.endswith((".time", ".work"))
         and any(half > SETTLED_WITHIN * abs(value) for half, value in zip(each, values[name], strict=True))
     )
-    return Confirmation(checks=tuple(checks), agree=agree, uncertainty=sure, unsettled=unsettled)
+    return Confirmation(
+        checks=tuple(checks), agree=agree, uncertainty=sure, unsettled=unsettled, values=values, timestep=timestep
+    )
 
 
 def same_ending(ending: Ending, check: Check) -> bool:
@@ -94,16 +126,35 @@ def uncertainties(values: Values, timestep: float, checks: Sequence[Check]) -> d
     for name, own in values.items():
         if not checks or not all(len(check.values.get(name, ())) == len(own) for check in checks):
             continue
-        halves = [timestep if name.endswith(".time") else 0.0] * len(own)
-        for check in checks:
-            apart = abs(check.timestep - timestep)
-            factor = timestep / apart if apart > 1e-9 * timestep else 1.0
-            halves = [
-                max(half, factor * abs(one - other))
-                for half, one, other in zip(halves, own, check.values[name], strict=True)
-            ]
-        found[name] = tuple(halves)
+        others = ((check, np.array(check.values[name])) for check in checks)
+        least = timestep if name.endswith(".time") else 0.0
+        found[name] = tuple(_largest_difference(np.array(own), timestep, others, least).tolist())
     return found
+
+
+def _largest_difference(
+    own: Array, timestep: float, others: Iterable[tuple[Check, Array]], least: float = 0.0
+) -> Array:
+    """Return the largest differences between numbers of a run and of second runs, as `uncertainties` weighs them.
+
+    Args:
+        own: numbers of the run.
+        timestep: of the run, s.
+        others: second runs and the same numbers of each.
+        least: the smallest difference that is returned.
+    """
+    halves = np.full(own.shape, least)
+    for check, other in others:
+        apart = abs(check.timestep - timestep)
+        factor = timestep / apart if apart > 1e-9 * timestep else 1.0
+        halves = np.fmax(halves, factor * np.abs(own - other))
+    return halves
+
+
+def _values_of(state: str, values: Values) -> dict[str, Array]:
+    """Return the values of a state by their names in it."""
+    prefix = f"{state}."
+    return {name.removeprefix(prefix): np.array(each) for name, each in values.items() if name.startswith(prefix)}
 
 
 def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:

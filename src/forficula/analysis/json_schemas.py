@@ -55,12 +55,19 @@ class Stage(TypedDict):
 
 @with_config(_OPEN)
 class State(TypedDict):
-    """A state, the mean over the last part of a stage; what is measured stands in keys of its name and unit."""
+    """A state, the mean over the last part of a stage. Keys of measures and springs consist of their name and unit.
+
+    A key with `_uncertainty` before the unit has the numerical uncertainty of the key without `_uncertainty`. Such keys
+    exist in runs with second runs.
+    """
 
     time_s: float
     tendon_length_m: list[float]
     tendon_energy_J: list[float]
     membrane_energy_J: Number
+    tendon_length_uncertainty_m: NotRequired[list[float]]
+    tendon_energy_uncertainty_J: NotRequired[list[float]]
+    membrane_energy_uncertainty_J: NotRequired[float]
 
 
 @with_config(_CLOSED)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis.advice import NOTHING, Advice, edge_advice, run_advice
-from forficula.analysis.confirmation import Confirmation, Values, confirm, undecided, undecided_text
+from forficula.analysis.confirmation import Confirmation, StateValues, Values, confirm, undecided, undecided_text
 from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import Ending, Verdict, ending_text
 from forficula.design import Design, stage_drives
@@ -112,6 +112,22 @@ class State:
     swings: bool
     furthest: float | None
     furthest_kind: Literal["angle", "distance"]
+
+    @property
+    def values(self) -> StateValues:
+        """Numbers of the state, SI: readings by the name of their measure, all others by names with a dot.
+
+        Absent: energies of what the structure does not have, and those of membranes in a sparse record.
+        """
+        stored = {kind: getattr(self, f"{kind}_energy") for kind in SPRUNG}
+        return {
+            **{name: reading.mean for name, reading in self.readings.items()},
+            "goal.coordinates": self.coordinates,
+            "tendon.length": self.tendon_length,
+            "tendon.energy": self.tendon_energy,
+            **({"membrane.energy": np.array([self.membrane_energy])} if np.isfinite(self.membrane_energy) else {}),
+            **{f"{kind}.energy": energy for kind, energy in stored.items() if energy is not None},
+        }
 
     def __repr__(self) -> str:
         """What is measured, and the energy of its tendons, in the units of tables."""
@@ -246,15 +262,14 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
 
 
 def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
-    """Return the numbers of an outcome by name, SI: times and works of transitions, energies and readings of states."""
+    """Return the numbers of an outcome by name, SI: times and works of transitions, and the values of states."""
     values: dict[str, tuple[float, ...]] = {}
     for name, made in outcome.transitions.items():
         if made is not None and made.time is not None:
             values |= {f"{name}.time": (made.time,), f"{name}.work": (made.work,)}
     for name, state in outcome.states.items():
         if state is not None:
-            values[f"{name}.energy"] = (float(state.tendon_energy.sum()),)
-            values |= {f"{name}.{each}": tuple(reading.mean.tolist()) for each, reading in state.readings.items()}
+            values |= {f"{name}.{each}": tuple(numbers.tolist()) for each, numbers in state.values.items()}
     return values
 
 

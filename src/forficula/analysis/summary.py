@@ -2,21 +2,45 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from operator import itemgetter
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from forficula.analysis.branch import Branch, branch_taken
-from forficula.analysis.confirmation import Confirmation
+from forficula.analysis.confirmation import Confirmation, StateValues
 from forficula.analysis.crossing_panels import PanelCrossing, panel_crossing
 from forficula.analysis.groups import Groups, dominance, groups_of
-from forficula.analysis.outcome import Outcome, StageOutcome, State, TransitionOutcome
+from forficula.analysis.outcome import SPRUNG, Outcome, StageOutcome, State, TransitionOutcome
 from forficula.analysis.package import packages, smallest_package
 from forficula.analysis.run_warnings import run_warnings
 from forficula.analysis.storage import storage_texts, storages
 from forficula.analysis.strength import FoldPeak, Peak, fold_peak, strain_peaks
 from forficula.dynamics import EnergyBalance, Record
 from forficula.structure import Drive, Structure, drive_of, drive_unit, hinge_groups, structure_warnings
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Quantity:
+    """A quantity of a state that has a key of its own.
+
+    Attributes:
+        name: the key without its unit, such as "tendon_energy".
+        unit: "deg", "m" or "J", at the end of the key.
+        numbers: computes the quantity from the values of a state, SI; a list for several parts, else one number.
+    """
+
+    name: str
+    unit: Literal["deg", "m", "J"]
+    numbers: Callable[[StateValues], ArrayLike]
+
+    def written(self, numbers: ArrayLike) -> Any:
+        """Return numbers of the quantity, SI, in its unit as JSON has them."""
+        return (np.degrees(numbers) if self.unit == "deg" else np.asarray(numbers)).tolist()
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[str, Any]:
@@ -51,7 +75,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str]) -> dict[
         "versions": versions,
     }
     states = {
-        name: None if state is None else _state_summary(structure, state) | _uncertain_readings(outcome, name)
+        name: None if state is None else _state_summary(structure, state) | _uncertain_state(outcome, state)
         for name, state in outcome.states.items()
     }
     stages: dict[str, Any] = {}
@@ -87,41 +111,57 @@ def _uncertain(outcome: Outcome, name: str, units: dict[str, str]) -> dict[str, 
     return {f"{value}_uncertainty_{units[value]}": half for value, half in sure.items() if half is not None}
 
 
-def _uncertain_readings(outcome: Outcome, state: str) -> dict[str, list[float]]:
-    """Numerical uncertainties of what is measured in a state, in keys of their units."""
-    told = {}
-    for measure in outcome.structure.measures if outcome.confirmation is not None else ():
-        halves = outcome.confirmation.uncertainty.get(f"{state}.{measure.name}") if outcome.confirmation else None
+def _uncertain_state(outcome: Outcome, state: State) -> dict[str, Any]:
+    """Numerical uncertainties of all quantities of a state, in keys of their units; none where they are not known."""
+    told: dict[str, Any] = {}
+    if outcome.confirmation is None:
+        return told
+    for quantity in (*_readings(outcome.structure), *_energies(outcome.structure, state)):
+        halves = outcome.confirmation.of_state(state.name, quantity.numbers)
         if halves is not None:
-            angle = measure.kind == "angle"
-            unit = "deg" if angle else "m"
-            told[f"{measure.name}_uncertainty_{unit}"] = (np.degrees(halves) if angle else np.array(halves)).tolist()
+            told[f"{quantity.name}_uncertainty_{quantity.unit}"] = quantity.written(halves)
     return told
+
+
+def _readings(structure: Structure) -> list[_Quantity]:
+    """Return what is measured in a state."""
+    return [
+        _Quantity(name=each.name, unit="deg" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
+        for each in structure.measures
+    ]
+
+
+def _energies(structure: Structure, state: State) -> Iterator[_Quantity]:
+    """Yield the energies of hinges, springs and couplings, lengths and energies of tendons, and that of membranes."""
+    for kind in SPRUNG:
+        if f"{kind}.energy" not in state.values:
+            continue
+        yield _Quantity(name=f"{kind}_energy", unit="J", numbers=itemgetter(f"{kind}.energy"))
+        groups = hinge_groups(structure) if kind == "hinge" else {}
+        for group, hinges in groups.items():
+            if group != "hinges":
+                yield _Quantity(name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges))
+    yield _Quantity(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
+    yield _Quantity(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
+    yield _Quantity(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
+
+
+def _summed(hinges: Sequence[int], values: StateValues) -> float:
+    return float(values["hinge.energy"][list(hinges)].sum())
 
 
 def _state_summary(structure: Structure, state: State) -> dict[str, Any]:
     told: dict[str, Any] = {"time_s": state.time}
-    for measure in structure.measures:
-        reading = state.readings[measure.name]
-        for kind, values in (("", reading.mean), ("_low", reading.low), ("_high", reading.high)):
-            if measure.kind == "angle":
-                told[f"{measure.name}{kind}_deg"] = np.degrees(values).tolist()
-            else:
-                told[f"{measure.name}{kind}_m"] = values.tolist()
-    if state.hinge_energy is not None:
-        told["hinge_energy_J"] = state.hinge_energy.tolist()
-        groups = {kind: hinges for kind, hinges in hinge_groups(structure).items() if kind != "hinges"}
-        for kind, hinges in groups.items():
-            told[f"{kind.replace(' ', '_')}_energy_J"] = float(state.hinge_energy[list(hinges)].sum())
-    if state.spring_energy is not None:
-        told["spring_energy_J"] = state.spring_energy.tolist()
-    if state.coupling_energy is not None:
-        told["coupling_energy_J"] = state.coupling_energy.tolist()
-    return told | {
-        "tendon_length_m": state.tendon_length.tolist(),
-        "tendon_energy_J": state.tendon_energy.tolist(),
-        "membrane_energy_J": state.membrane_energy,
-    }
+    ends = {kind: {name: getattr(each, kind) for name, each in state.readings.items()} for kind in ("low", "high")}
+    for quantity in _readings(structure):
+        told[f"{quantity.name}_{quantity.unit}"] = quantity.written(quantity.numbers(state.values))
+        for kind, values in ends.items():
+            told[f"{quantity.name}_{kind}_{quantity.unit}"] = quantity.written(quantity.numbers(values))
+    # a sparse record does not have the energy of membranes
+    values = {"membrane.energy": np.array([state.membrane_energy]), **state.values}
+    for quantity in _energies(structure, state):
+        told[f"{quantity.name}_{quantity.unit}"] = quantity.written(quantity.numbers(values))
+    return told
 
 
 def drive_entry(structure: Structure, drive: Drive) -> tuple[str, float]:

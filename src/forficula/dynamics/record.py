@@ -117,7 +117,7 @@ class Check:
         goal: name of the transition of which the verdict speaks, or "none".
         status: the verdict in a few words.
         holds: by state, whether that run reached it and kept it when released; None where it does not say.
-        values: times, works, energies and readings of that run by name, in SI, (reading,) each.
+        values: times and works of transitions and numbers of states of that run by name, in SI, (number,) each.
     """
 
     name: str

@@ -1,8 +1,61 @@
-"""What is said beside an energy balance."""
+"""Numbers of states with their uncertainty, and what is said beside an energy balance."""
 
+import re
 from dataclasses import replace
 
-from forficula.show.run.outcome_rows import balance_remark
+import pytest
+
+from forficula.analysis.confirmation import HALF_STEP
+from forficula.analysis.outcome import held_against, outcome_values
+from forficula.dynamics import Check
+from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.run.outcome_rows import balance_remark, state_rows
+
+
+@pytest.fixture(scope="module")
+def uncertain(reference, reference_outcome):
+    """The reference with a planted run at half the timestep.
+
+    In that run energies of states differ by 1 % and lengths by 2 %, but the energy of the first tendon is the same.
+    """
+    by = {"tendon.energy": 1.01, "tendon.length": 1.02, "membrane.energy": 1.01}
+    values = {
+        name: tuple(each * by.get(name.partition(".")[2], 1.0) for each in numbers)
+        for name, numbers in outcome_values(reference_outcome).items()
+    }
+    for state in reference_outcome.states:
+        values[f"{state}.tendon.energy"] = (
+            float(reference_outcome.states[state].tendon_energy[0]),
+            *values[f"{state}.tendon.energy"][1:],
+        )
+    half = Check(
+        name=HALF_STEP,
+        timestep=float(reference.protocol.timestep) / 2,
+        verdict=reference_outcome.verdict.value,
+        goal=reference_outcome.ending.goal,
+        status=reference_outcome.status,
+        holds=reference_outcome.holds,
+        values=values,
+    )
+    return held_against(reference_outcome, [half], reference)
+
+
+def test_lengths_and_energies_of_states_have_twice_their_difference_to_half_the_timestep_behind_them(uncertain):
+    rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]}, uncertain.confirmation)
+    assert [row[2] for row in rows.parts] == ["10.91 ± 0.44"] * 3
+    assert [row[3] for row in rows.parts] == ["0.1827", "0.183 ± 0.004", "0.183 ± 0.004"]
+    assert rows.sums[-1] == "0.548 ± 0.007"
+
+
+def test_without_second_runs_no_number_has_anything_behind_it(uncertain):
+    rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]})
+    assert [row[2:] for row in rows.parts] == [["10.91", "0.1827"]] * 3
+    assert rows.sums[-1] == "0.548"
+
+
+def test_the_page_has_the_uncertainty_of_the_energy_of_the_membrane_too(uncertain):
+    membrane = re.search(r">membrane<.*?</tr>", outcome_tables(uncertain)[0])[0]
+    assert len(re.findall(r"[\d.]+ ± [\d.]+ µJ", membrane)) == 3
 
 
 def test_energies_that_branches_which_let_go_have_in_the_books_only_are_explained(reference_outcome):

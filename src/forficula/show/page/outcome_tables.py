@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.groups import dominance, groups_of, measured_by
 from forficula.dynamics import Record
+from forficula.quantities import reading_unit, uncertain_number
 from forficula.show.page.html import Cell, paragraph, table
 from forficula.show.page.words import readable
 from forficula.show.run.outcome_rows import (
@@ -67,7 +68,8 @@ def _states(outcome: Outcome, structure: Structure) -> str:
     if rows.sums:
         body.append([f"all {rows.summed}", *rows.sums])
     if structure.membranes:
-        body.append(["membrane", *(cell for state in there.values() for cell in (*before, _membrane(state)))])
+        energies = (_membrane(outcome, state) for state in there.values())
+        body.append(["membrane", *(cell for energy in energies for cell in (*before, energy))])
     return table("States", headings, body, groups=groups)
 
 
@@ -80,9 +82,15 @@ def _at(name: str, state: State) -> str:
     return f"{name}, at {readable(state.time, 's')}"
 
 
-def _membrane(state: State) -> str:
-    """A membrane's energy with its own unit: it is a thousandth of the tendons' or less."""
-    return "" if math.isnan(state.membrane_energy) else readable(state.membrane_energy, "J")
+def _membrane(outcome: Outcome, state: State) -> str:
+    """Write a membrane's energy with its own unit: it is a thousandth of the tendons' or less."""
+    if math.isnan(state.membrane_energy):
+        return ""
+    found = outcome.confirmation
+    half = None if found is None else found.of_state(state.name, lambda values: values["membrane.energy"][0])
+    unit, factor = reading_unit("J", abs(state.membrane_energy))
+    number = uncertain_number(factor * state.membrane_energy, 0.0 if half is None else factor * float(half))
+    return f"{number} {unit}".replace("-", "−")
 
 
 def _transitions(outcome: Outcome, structure: Structure) -> str:

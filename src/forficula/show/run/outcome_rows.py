@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from forficula.analysis import Outcome, State, Verdict
-from forficula.analysis.confirmation import Confirmation
+from forficula.analysis.confirmation import Confirmation, StateValues
 from forficula.dynamics import EnergyBalance
 from forficula.names import listed
-from forficula.quantities import reading_unit, show_uncertain, show_value
+from forficula.quantities import reading_unit, show_uncertain, show_value, uncertain_number
 from forficula.show.structure.drive_words import acting, drive_text
 from forficula.show.structure.labels import (
     MOST_TOLD,
@@ -47,11 +47,26 @@ class StateColumn:
 
 @dataclass(frozen=True, kw_only=True)
 class _Store:
-    """What stores energy and has a row: of what kind it is, what the row is called, and its energy in a state, J."""
+    """What stores energy and has a row: its kind, the name of the row, and its energy in a state, J."""
 
     kind: str
     label: str
-    energy: Callable[[State], float]
+    energy: Callable[[StateValues], float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Column:
+    """A column of a table of states.
+
+    Attributes:
+        shown: its title and unit.
+        labels: of its cells.
+        cells: their texts in a state.
+    """
+
+    shown: StateColumn
+    labels: list[str]
+    cells: Callable[[State], list[str]]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,45 +93,126 @@ def state_rows(
 ) -> StateRows:
     """Lay out some states, of which there is one at least, in the same units.
 
-    What is measured has behind ± half the range in which it still swings, or its numerical uncertainty, if that is
-    larger.
+    Every number has its numerical uncertainty behind ±. What is measured has half the range in which it still swings
+    there, if that is larger.
     """
-    columns: list[StateColumn] = []
-    cells: list[tuple[list[str], Callable[[State, int], str]]] = []
-    for measure in (*shown_angles(structure), *shown_distances(structure)):
-        unit, factor = "deg", float(np.degrees(1.0))
-        if measure.kind == "distance":
-            largest = max(float(state.readings[measure.name].mean[0]) for state in states.values())
-            unit, factor = reading_unit("m", largest)
-        columns.append(StateColumn(title=title_of(measure), unit=unit))
-        cells.append((reading_labels(structure, measure), _reading_cell(structure, measure, factor, confirmation)))
-    tendons, sums = [label_of(tendon) for tendon in structure.tendons], []
-    if tendons:
-        length_unit, length = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
-        columns.append(StateColumn(title="tendon", unit=length_unit))
-        cells.append((tendons, lambda state, tendon: f"{length * state.tendon_length[tendon]:.2f}"))
-    stores = _stores(structure)
-    if stores:
-        stored = {state.name: [part.energy(state) for part in stores] for state in states.values()}
-        largest = max(max(each) for each in stored.values())
-        stored = {name: [_sizeable(value, largest) for value in each] for name, each in stored.items()}
-        energy_unit, energy = reading_unit("J", largest)
-        columns.append(StateColumn(title="energy", unit=energy_unit))
-        cells.append(([part.label for part in stores], lambda state, part: f"{energy * stored[state.name][part]:.4g}"))
-        before = [""] * (len(columns) - 1)
-        sums = [cell for each in stored.values() for cell in (*before, f"{energy * sum(each):.4g}")]
-    names, rows_of = aligned([entries for entries, _ in cells])
+    columns = [
+        _measured(structure, measure, states, confirmation)
+        for measure in (*shown_angles(structure), *shown_distances(structure))
+    ]
+    sums: list[str] = []
+    if structure.tendons:
+        columns.append(_tendons(structure, states, confirmation))
+    if stores := _stores(structure):
+        stored, totals = _stored(stores, states, confirmation)
+        before = [""] * len(columns)
+        columns.append(stored)
+        sums = [cell for total in totals for cell in (*before, total)]
+    names, rows_of = aligned([column.labels for column in columns])
     heading, places = parts_of(names), [{row: entry for entry, row in enumerate(each)} for each in rows_of]
+    cells = [[column.cells(state) for column in columns] for state in states.values()]
     rows = []
     for row, name in enumerate(heading.names):
         shown = [
-            cell(state, place[row]) if row in place else ""
-            for state in states.values()
-            for (_, cell), place in zip(cells, places, strict=True)
+            texts[place[row]] if row in place else ""
+            for of_state in cells
+            for texts, place in zip(of_state, places, strict=True)
         ]
         rows.append([name, *shown])
     summed = listed(dict.fromkeys(part.kind for part in stores))
-    return StateRows(heading=heading.heading, columns=tuple(columns), parts=rows, summed=summed, sums=sums)
+    return StateRows(
+        heading=heading.heading,
+        columns=tuple(column.shown for column in columns),
+        parts=rows,
+        summed=summed,
+        sums=sums,
+    )
+
+
+def _measured(
+    structure: Structure, measure: Measure, states: Mapping[str, State], confirmation: Confirmation | None
+) -> _Column:
+    """Return the column of a measure: the mean, and how far it swings or is uncertain."""
+    unit, factor = "deg", float(np.degrees(1.0))
+    if measure.kind == "distance":
+        unit, factor = reading_unit("m", max(float(state.readings[measure.name].mean[0]) for state in states.values()))
+    digits = 1 if measure.kind == "angle" else 2
+
+    def told(values: StateValues) -> NDArray[np.float64]:
+        # an angle of a role that no measure watches has no reading
+        own = values[measure.name] if measure.name in values else read_angles(measure, values["goal.coordinates"])
+        return condensed(structure, measure, own)
+
+    def cells(state: State) -> list[str]:
+        own, halves = told(state.values), _halves(confirmation, state, told)
+        if (reading := state.readings.get(measure.name)) is not None:
+            high, low = (condensed(structure, measure, values) for values in (reading.high, reading.low))
+            halves = np.fmax(halves, (high - low) / 2)
+        return [
+            _with_half(factor * float(mean), factor * float(half), digits)
+            for mean, half in zip(own, halves, strict=True)
+        ]
+
+    return _Column(
+        shown=StateColumn(title=title_of(measure), unit=unit), labels=reading_labels(structure, measure), cells=cells
+    )
+
+
+def _tendons(structure: Structure, states: Mapping[str, State], confirmation: Confirmation | None) -> _Column:
+    """Return the column of the lengths of tendons."""
+    unit, factor = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
+
+    def cells(state: State) -> list[str]:
+        halves = _halves(confirmation, state, lambda values: values["tendon.length"])
+        return [
+            _with_half(factor * float(length), factor * float(half), 2)
+            for length, half in zip(state.tendon_length, halves, strict=True)
+        ]
+
+    labels = [label_of(tendon) for tendon in structure.tendons]
+    return _Column(shown=StateColumn(title="tendon", unit=unit), labels=labels, cells=cells)
+
+
+def _stored(
+    stores: Sequence[_Store], states: Mapping[str, State], confirmation: Confirmation | None
+) -> tuple[_Column, list[str]]:
+    """Return the column of what parts store, and the sum of every state."""
+
+    def told(values: StateValues) -> list[float]:
+        return [part.energy(values) for part in stores]
+
+    def total(values: StateValues) -> float:
+        return sum(told(values))
+
+    largest = max(max(told(state.values)) for state in states.values())
+    unit, factor = reading_unit("J", largest)
+
+    def text(energy: float, half: float) -> str:
+        return uncertain_number(factor * energy, factor * _sizeable(half, largest))
+
+    def sizeable(state: State) -> list[float]:
+        return [_sizeable(energy, largest) for energy in told(state.values)]
+
+    def cells(state: State) -> list[str]:
+        halves = _halves(confirmation, state, told).tolist()
+        return [text(energy, half) for energy, half in zip(sizeable(state), halves, strict=True)]
+
+    sums = [text(sum(sizeable(state)), float(_halves(confirmation, state, total))) for state in states.values()]
+    labels = [part.label for part in stores]
+    return _Column(shown=StateColumn(title="energy", unit=unit), labels=labels, cells=cells), sums
+
+
+def _halves(
+    confirmation: Confirmation | None, state: State, numbers: Callable[[StateValues], ArrayLike]
+) -> NDArray[np.float64]:
+    """Return the numerical uncertainties of numbers of a state; zeros where no second run has them."""
+    halves = None if confirmation is None else confirmation.of_state(state.name, numbers)
+    return np.zeros(np.shape(numbers(state.values))) if halves is None else halves
+
+
+def _with_half(mean: float, half: float, digits: int) -> str:
+    """Write a mean to some decimal places, with what is behind ± where these show it."""
+    return f"{_number(mean, digits)} ± {half:.{digits}f}" if half > 0.5 * 10.0**-digits else _number(mean, digits)
 
 
 def _stores(structure: Structure) -> list[_Store]:
@@ -137,9 +233,11 @@ def _stores(structure: Structure) -> list[_Store]:
             for hinge in springs
         ]
     if any(not coupling.rigid for coupling in structure.couplings):
-        stores.append(_Store(kind="couplings", label="couplings", energy=_of_couplings))
+        stores.append(_Store(kind="couplings", label="couplings", energy=partial(_of_all, "coupling")))
     if structure.springs:
-        stores.append(_Store(kind=springs_name(structure), label=springs_name(structure), energy=_of_springs))
+        stores.append(
+            _Store(kind=springs_name(structure), label=springs_name(structure), energy=partial(_of_all, "spring"))
+        )
     return stores
 
 
@@ -148,20 +246,16 @@ def _sizeable(energy: float, largest: float) -> float:
     return energy if abs(energy) > _ROUNDING * largest else 0.0
 
 
-def _of_tendon(number: int, state: State) -> float:
-    return float(state.tendon_energy[number])
+def _of_tendon(number: int, values: StateValues) -> float:
+    return float(values["tendon.energy"][number])
 
 
-def _of_hinges(hinges: Sequence[int], state: State) -> float:
-    return 0.0 if state.hinge_energy is None else float(state.hinge_energy[list(hinges)].sum())
+def _of_hinges(hinges: Sequence[int], values: StateValues) -> float:
+    return float(values["hinge.energy"][list(hinges)].sum()) if "hinge.energy" in values else 0.0
 
 
-def _of_springs(state: State) -> float:
-    return 0.0 if state.spring_energy is None else float(state.spring_energy.sum())
-
-
-def _of_couplings(state: State) -> float:
-    return 0.0 if state.coupling_energy is None else float(state.coupling_energy.sum())
+def _of_all(kind: str, values: StateValues) -> float:
+    return float(values[f"{kind}.energy"].sum()) if f"{kind}.energy" in values else 0.0
 
 
 def transition_headings(structure: Structure) -> tuple[str, ...]:
@@ -231,29 +325,6 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     # adding 0 turns -0 into 0
     rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in told]
     return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
-
-
-def _reading_cell(
-    structure: Structure, measure: Measure, factor: float, confirmation: Confirmation | None
-) -> Callable[[State, int], str]:
-    """Writes what a measure reads in a state: the mean, and how far it swings or is uncertain."""
-    sure = {} if confirmation is None else confirmation.uncertainty
-    digits, least = (1, 0.05) if measure.kind == "angle" else (2, 0.005)
-
-    def told(values: NDArray[np.float64], entry: int) -> float:
-        return factor * float(condensed(structure, measure, values)[entry])
-
-    def cell(state: State, entry: int) -> str:
-        reading = state.readings.get(measure.name)
-        if reading is None:  # of a role that no measure watches
-            return _number(told(state_angles(state, measure), entry), digits)
-        swing = (told(reading.high, entry) - told(reading.low, entry)) / 2
-        if (uncertain := sure.get(f"{state.name}.{measure.name}")) is not None:
-            swing = max(swing, told(np.array(uncertain), entry))
-        mean = _number(told(reading.mean, entry), digits)
-        return f"{mean} ± {swing:.{digits}f}" if swing > least else mean
-
-    return cell
 
 
 def state_angles(state: State, measure: Measure) -> NDArray[np.float64]:
