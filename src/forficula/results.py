@@ -27,6 +27,7 @@ class Kind:
         named_by: key of the marker, a JSON file, whose value names the result.
         verdict: key of the marker that has the verdict; empty where it has none.
         has_rows: whether a journal of rows may be in its folder before it is done.
+        covers: kinds whose files are part of its folder, too.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Kind:
     named_by: str = "design"
     verdict: str = ""
     has_rows: bool = False
+    covers: tuple[str, ...] = ()
 
 
 KINDS: tuple[Kind, ...] = (
@@ -90,6 +92,7 @@ KINDS: tuple[Kind, ...] = (
         marker="optimum.json",
         named_by="goal",
         has_rows=True,
+        covers=("study",),
     ),
     Kind(
         name="tolerance",
@@ -108,7 +111,6 @@ KINDS: tuple[Kind, ...] = (
         named_by="name",
         has_rows=True,
     ),
-    # last: an optimisation has a study's table, too
     Kind(
         name="study",
         module="study_folder",
@@ -127,6 +129,11 @@ def kind_of_class(name: str) -> Kind | None:
     return next((kind for kind in KINDS if name in kind.classes), None)
 
 
+def kinds_in(folder: Path) -> list[Kind]:
+    """List the kinds of the results in a folder, by the files from which their figures are drawn."""
+    return _uncovered([kind for kind in KINDS if (folder / kind.data).is_file()])
+
+
 def check_own_kind(folder: Path, own: str) -> None:
     """Refuse a folder that holds results of another kind, of which pages, figures and tables would be replaced.
 
@@ -137,7 +144,7 @@ def check_own_kind(folder: Path, own: str) -> None:
     Raises:
         InputError: what the folder holds.
     """
-    there = [kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()]
+    there = _uncovered([kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()])
     if any(kind.name == own for kind in there):
         return
     if there:
@@ -172,3 +179,8 @@ def replaced_text(folder: Path, own: str) -> str:
 
 def _named(name: str) -> Kind:
     return next(kind for kind in KINDS if kind.name == name)
+
+
+def _uncovered(kinds: list[Kind]) -> list[Kind]:
+    covered = {name for kind in kinds for name in kind.covers}
+    return [kind for kind in kinds if kind.name not in covered]

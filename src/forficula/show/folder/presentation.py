@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
-from forficula.results import KINDS, Kind, kind_of_class
+from forficula.results import KINDS, Kind, kind_of_class, kinds_in
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def folder_drawings(folder: Path) -> dict[str, Drawing]:
         what = "a file" if folder.exists() else "no such folder"
         raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
     drawings: dict[str, Drawing] = {}
-    for kind in _there(folder):
+    for kind in kinds_in(folder):
         found = presentation(kind)
         if found.read is None:
             raise InputError(
@@ -108,7 +108,7 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
     if path.suffix not in ENDINGS:
         raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
     clear_leftovers(folder)  # a run that was killed may have set files aside
-    copied = next((found for each in _there(folder) if (found := presentation(each)).read is None), None)
+    copied = next((found for each in kinds_in(folder) if (found := presentation(each)).read is None), None)
     if copied is not None:
         _copy(folder, kind, path, width, copied.copied)
         return
@@ -139,13 +139,6 @@ def _class_name(result: object) -> str:
     if "fact" not in dims:
         return "StudyTable"
     return "ToleranceTable" if "factor" in dims else "IdentificationTable"
-
-
-def _there(folder: Path) -> list[Kind]:
-    """Kinds of the results in a folder; those of an optimisation stand for the table that it has, too."""
-    found = [kind for kind in KINDS if (folder / kind.data).is_file()]
-    copied = [kind for kind in found if kind.name == "optimisation"]
-    return copied or found
 
 
 def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) -> None:
