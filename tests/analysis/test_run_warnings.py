@@ -139,8 +139,8 @@ def test_membranes_beyond_linear_elasticity_are_warned_of_with_their_largest_str
     stretch = np.sqrt(1 + 2 * peak.strain)
     assert stretch > 2
     assert warning == (
-        f"membrane {peak.part} reaches a true strain of {100 * np.log(stretch):.3g} %, {stretch:.3g} times its length as"
-        f" built, at {peak.time:.3g} s (2 membranes exceed 20 %): membranes are modelled as linearly elastic, which"
+        f"membrane {peak.part} reaches a true strain of {100 * np.log(stretch):.3g} %, {stretch:.3g} times its length"
+        f" as built, at {peak.time:.3g} s (2 membranes exceed 20 %): membranes are modelled as linearly elastic, which"
         " holds up to about 20 %, so forces and energies of membranes at larger strains are extrapolated"
     )
 

@@ -68,9 +68,10 @@ def _stretched_membranes(record: Record) -> list[str]:
     most = max(beyond, key=lambda peak: abs(strains[peak]))
     others = f" ({len(beyond)} membranes exceed {100 * _LINEAR:.0f} %)" if len(beyond) > 1 else ""
     return [
-        f"membrane {most.part} reaches a true strain of {100 * strains[most]:.3g} %, {math.exp(strains[most]):.3g} times"
-        f" its length as built, at {most.time:.3g} s{others}: membranes are modelled as linearly elastic, which holds up"
-        f" to about {100 * _LINEAR:.0f} %, so forces and energies of membranes at larger strains are extrapolated"
+        f"membrane {most.part} reaches a true strain of {100 * strains[most]:.3g} %,"
+        f" {math.exp(strains[most]):.3g} times its length as built, at {most.time:.3g} s{others}: membranes are"
+        f" modelled as linearly elastic, which holds up to about {100 * _LINEAR:.0f} %, so forces and energies of"
+        " membranes at larger strains are extrapolated"
     ]
 
 
