@@ -88,3 +88,15 @@ def test_no_memory_left_is_told_in_one_line(monkeypatch, capsys, error):
     output = capsys.readouterr()
     assert output.err.startswith("forficula: no memory left")
     assert output.err.count("\n") == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems do not keep to the limit")
+@pytest.mark.parametrize("limit", [150_000, 200_000, 230_000, 250_000])  # kB; OpenBLAS never returned at 200_000
+def test_a_limit_on_memory_that_leaves_no_room_for_linear_algebra_ends_with_one_line(limit, tmp_path):
+    run = f"{sys.executable} -m forficula run binder2025 --no-engine --out {tmp_path / 'run'}"
+    ended = subprocess.run(
+        ["bash", "-c", f"ulimit -v {limit}; exec {run}"], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert ended.returncode == 1
+    assert ended.stderr.startswith("forficula: no memory left")
+    assert ended.stderr.count("\n") == 1

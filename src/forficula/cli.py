@@ -18,6 +18,7 @@ from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, Unused
 
 from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
 from forficula.errors import InputError
+from forficula.memory_limit import check_room_for_libraries
 from forficula.names import listed
 from forficula.quantities import as_written
 from forficula.terminal import drop_output, flush_output, plain_terminal, remark, speaking
@@ -116,6 +117,7 @@ def _launch(
     if as_json and command.__name__ not in [each.__name__ for each in _WITH_DATA]:
         names = listed([each.__name__ for each in _WITH_DATA], "or")
         raise InputError(f"--json: need {names}, got {as_written(' '.join(tokens[:1]))}")
+    check_room_for_libraries()
     start = monotonic()
     with speaking(quiet=quiet, as_json=as_json):
         status: int | None = command(*bound.args, **bound.kwargs)

@@ -43,6 +43,8 @@ def planted(
         name: np.zeros((len(time), *(SIZES[dimension] for dimension in dimensions)))
         for name, (dimensions, _, _) in VARIABLES.items()
     }
+    # at its nodes as built a membrane is not strained
+    arrays["membrane_position"][:] = np.concatenate([each.built for each in structure_of(design).membranes])
     arrays["hinge_angle"][:, RINGS] = line(times, DEG * np.array(angles, dtype=float))
     for name, (at, values) in series.items():
         motor = name.removesuffix("_work")

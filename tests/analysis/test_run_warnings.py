@@ -1,6 +1,7 @@
 """A run says where its tendons move far faster than their material was ever tested."""
 
 from dataclasses import replace
+from importlib import import_module
 from types import MappingProxyType
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from forficula.analysis import Verdict, measure, summary
 from forficula.analysis.run_warnings import highest_strain_rates, run_warnings
+from forficula.analysis.strength import Peak, membrane_peaks
 from forficula.design import load_design, with_values
 from forficula.dynamics import Record, energy_balance, load_record, save_record
 from forficula.structure import structure_of
@@ -129,3 +131,38 @@ def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():
     gifted = replace(record, series={**record.series, **given})
     assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing - 1.0, abs=1e-4)
     assert any(warning.startswith("contacts gave 1 J, ") for warning in run_warnings(gifted))
+
+
+def test_membranes_beyond_linear_elasticity_are_warned_of_with_their_largest_strain(reference_run):
+    (warning,) = (each for each in run_warnings(reference_run) if "true strain" in each)
+    peak = max(membrane_peaks(reference_run), key=lambda each: each.strain)
+    stretch = np.sqrt(1 + 2 * peak.strain)
+    assert stretch > 2
+    assert warning == (
+        f"membrane {peak.part} reaches a true strain of {100 * np.log(stretch):.3g} %, {stretch:.3g} times its length"
+        f" as built, at {peak.time:.3g} s (2 membranes exceed 20 %): membranes are modelled as linearly elastic, which"
+        " holds up to about 20 %, so forces and energies of membranes at larger strains are extrapolated"
+    )
+
+
+@pytest.mark.parametrize(("strain", "warned"), [(0.19, False), (0.21, True), (-0.19, False), (-0.21, True)])
+def test_the_limit_of_linear_elasticity_is_a_true_strain_of_20_percent(monkeypatch, strain, warned):
+    peak = Peak(
+        kind="membranes",
+        strain=np.expm1(2 * strain) / 2,
+        stress=None,
+        part="panel0",
+        time=0.1,
+        stressed_at=0.1,
+    )
+    # the package has a function of the module's name
+    module = import_module("forficula.analysis.run_warnings")
+    monkeypatch.setattr(module, "membrane_peaks", lambda _: [peak])
+    assert len(run_warnings(moving(0.5))) == warned
+
+
+def test_a_wing_that_only_settles_strains_its_membranes_too_little_for_a_warning(reference):
+    settle = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1}]
+    record = run(with_values(reference, {"protocol.stages": settle}))
+    assert all(abs(peak.strain) < 0.05 for peak in membrane_peaks(record))
+    assert not any("true strain" in each for each in run_warnings(record))

@@ -10,6 +10,7 @@ import pytest
 import forficula as ff
 from forficula.analysis import Ending, Verdict, ending_text, ending_word, measure, summary
 from forficula.analysis.advice import NOTHING, run_advice
+from forficula.analysis.run_warnings import run_warnings
 from forficula.design import with_values
 from forficula.show import print_outcome
 from forficula.show.folder.run_folder import run_drawings
@@ -271,6 +272,16 @@ def test_a_run_not_to_be_trusted_says_so_wherever_it_is_shown(doubtful, capsys):
     for name, drawing in run_drawings(record, outcome).items():
         # the pattern is what it is
         assert (said in drawing(7.0).get_suptitle()) == (name != "pattern")
+
+
+@pytest.mark.parametrize("changed", [{"protocol.timestep": "5 ms"}, {"crease.stiffness": "1 kN m/rad/m"}])
+def test_a_sheet_that_diverges_says_so_without_warnings_of_arithmetic(changed):
+    # warnings are errors in tests
+    record = ff.run(ff.load_design("miura-sheet", changed), confirm=False)
+    outcome = measure(record)
+    run_warnings(record)
+    summary(record, outcome, {})
+    assert outcome.verdict is Verdict.DIVERGED
 
 
 def test_a_run_that_diverged_says_so_on_its_figures(capsys):

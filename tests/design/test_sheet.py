@@ -16,6 +16,7 @@ from forficula.design import (
     key_value,
     load_design,
     put,
+    save_design,
     scale_design,
     with_values,
     write_new_design,
@@ -24,6 +25,7 @@ from forficula.design.keys import known_keys
 from forficula.design.sheet_creases import creases_of
 from forficula.design.sheet_kinds import PleatsDesign
 from forficula.design.sheet_places import place_on
+from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold
 
@@ -526,3 +528,18 @@ def test_a_sheet_whose_vertices_are_all_held_along_some_axes_can_move():
     assert load_design(
         "miura-sheet", MIURA | {"measure": [], "support": [{"of": f"vertex {n}", "axes": "xy"} for n in range(9)]}
     )
+
+
+@pytest.mark.parametrize(("key", "value", "got"), [("time_constant", "3 ms", "3 ms"), ("damping_ratio", 0.5, "0.5")])
+def test_stops_of_bodies_are_refused_where_facets_bend_and_their_creases_have_springs(key, value, got):
+    said = f"stops.{key}: is for stops of rigid bodies; where facets bend, .* crease.stop_stiffness; got {got}$"
+    with pytest.raises(InputError, match=said):
+        load_design("miura-sheet", {f"stops.{key}": value})
+    assert getattr(load_design("letter-fold", {f"stops.{key}": value}).stops, key) != getattr(StopSection(), key)
+
+
+def test_a_scaled_sheet_whose_facets_bend_keeps_the_stops_that_it_does_not_have(tmp_path):
+    small = scale_design("miura-sheet", 0.5)
+    save_design(small, tmp_path / "small.toml")
+    assert load_design(tmp_path / "small.toml").stops == load_design("miura-sheet").stops
+    assert scale_design("letter-fold", 0.5).stops.time_constant == 0.5 * StopSection().time_constant

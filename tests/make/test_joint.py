@@ -128,6 +128,12 @@ def test_a_part_of_which_nothing_is_left_is_refused_and_named(joint_of, values, 
         _ = [each.shape for each in joint_of(**values).parts]
 
 
+def test_a_strap_so_thin_that_it_is_wider_than_it_is_long_is_refused_before_anything_is_built(joint_of):
+    said = r"^make\.strap_thickness: makes tendon a strap 3\.659e\+06 m wide and 9 cm long; need more, got 1e-06 µm$"
+    with pytest.raises(InputError, match=said):
+        joint_of(**{"make.strap_thickness": "1e-9 mm"})
+
+
 def test_a_structure_without_bars_has_no_joint_and_says_what_to_do():
     with pytest.raises(InputError, match=r"miura-sheet: no bar is hinged to another.*--part sheet"):
         make_parts("miura-sheet", "joint")

@@ -263,10 +263,12 @@ def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop(hold
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "45 deg"'
     stages = [{"name": "fold", "drive": "fold", "limit": "80 ms"}]
     sheet = plates(miura(2, "30 deg"), crease=crease, more=drive, stages=stages, step="0.1 ms", gravity=9.81)
-    balance = energy_balance(run(with_values(sheet, {"medium.density": 12.0})))
+    # a stop of two timesteps takes its energy within a step; one of 1 ms leaves the integrator's error of 3e-4 missing,
+    # of first order in the timestep (8e-5 at 12.5 us, 2e-5 at 6.25 us), with and without a medium
+    changed = {"medium.density": 12.0, "stops.time_constant": "0.2 ms"}
+    balance = energy_balance(run(with_values(sheet, changed)))
     assert balance.stops > 0.1 * balance.work > 0
-    # of stops that yield, over many steps; the medium would be a hundredth
-    holds("energy that is missing", balance.residual, below=1e-3, by="conservation of energy")
+    holds("energy that is missing", balance.residual, below=2e-6, by="conservation of energy")
 
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,12 +11,14 @@ from forficula.analysis.arrival import TARGET, missed_targets, missed_text
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.outcome import early_goal
-from forficula.analysis.strength import strain_peaks
+from forficula.analysis.strength import membrane_peaks, strain_peaks
 from forficula.dynamics import Record, energy_balance
 from forficula.quantities import show_value
 from forficula.structure import goal_of
 
 _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
+_LINEAR = 0.2  # true strain up to which membranes count as linearly elastic
+_CRUSHED = -0.499  # Green's strain; -0.5 is a length of 0
 _TRIFLE = 0.5 / 220  # of a structure's size: half a millimetre of the reference wing
 
 
@@ -25,6 +29,7 @@ def run_warnings(record: Record) -> list[str]:
         *filter(None, early),
         *_missed(record),
         *_broken(record),
+        *_stretched_membranes(record),
         *_crossing_facets(record),
         *_crossing_panels(record),
         *_giving_contacts(record),
@@ -50,6 +55,23 @@ def _broken(record: Record) -> list[str]:
         f"{peak.part} bears {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.stressed_at:.3g} s, more than the"
         f" {(peak.withstood or 0.0) / 1e6:.3g} MPa that its material withstands (facet.strength)"
         for peak in over
+    ]
+
+
+def _stretched_membranes(record: Record) -> list[str]:
+    """Warn of membranes whose largest strain is beyond linear elasticity; name the one with the largest."""
+    # true strain ln(s) of a stretch s, of Green's strain (s^2 - 1) / 2
+    strains = {peak: math.log1p(2 * max(peak.strain, _CRUSHED)) / 2 for peak in membrane_peaks(record)}
+    beyond = [peak for peak, strain in strains.items() if abs(strain) > _LINEAR]
+    if not beyond:
+        return []
+    most = max(beyond, key=lambda peak: abs(strains[peak]))
+    others = f" ({len(beyond)} membranes exceed {100 * _LINEAR:.0f} %)" if len(beyond) > 1 else ""
+    return [
+        f"membrane {most.part} reaches a true strain of {100 * strains[most]:.3g} %,"
+        f" {math.exp(strains[most]):.3g} times its length as built, at {most.time:.3g} s{others}: membranes are"
+        f" modelled as linearly elastic, which holds up to about {100 * _LINEAR:.0f} %, so forces and energies of"
+        " membranes at larger strains are extrapolated"
     ]
 
 

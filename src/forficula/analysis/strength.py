@@ -60,7 +60,7 @@ def strain_peaks(record: Record) -> tuple[Peak, ...]:
     """
     if record.diverged_at is not None:
         return ()
-    found = (_bars(record), *_membranes(record), _tendons(record))
+    found = (_bars(record), *membrane_peaks(record), _tendons(record))
     return tuple(peak for peak in found if peak is not None)
 
 
@@ -99,13 +99,18 @@ def _bars(record: Record) -> Peak | None:
     )
 
 
-def _membranes(record: Record) -> list[Peak]:
+def membrane_peaks(record: Record) -> list[Peak]:
     """The largest principal strain of every membrane's triangles, and their largest principal stress.
 
     Green's strain of a flat triangle is E = (F^T F - 1) / 2 with F from its sides as built to those of now, and the
     stress of a Saint Venant-Kirchhoff sheet in plane stress Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
     Nonlinear Solid Mechanics, equation 6.151, with the stress across the sheet 0).
+
+    Returns:
+        None of a run that diverged, and of a record without the positions of the membranes' nodes.
     """
+    if record.diverged_at is not None or "membrane_position" not in record.series:
+        return []
     peaks, first = [], 0
     for membrane in record.structure.membranes:
         places = record.series["membrane_position"][:, first : first + len(membrane.bodies)]

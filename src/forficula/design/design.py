@@ -76,6 +76,11 @@ class Design(Displayed, Part):
         return design_text(self)
 
     @property
+    def has_stops_of_bodies(self) -> bool:
+        """Whether its hinges have stops, or its bodies guard tendons, that go by `stops`."""
+        return True
+
+    @property
     def hash(self) -> str:
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         name: str = self.once("hash", lambda: _hash(self.hash_values()))

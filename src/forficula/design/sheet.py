@@ -62,6 +62,11 @@ class SheetDesign(Design):
         """The values that a rule chooses, for they are not given."""
         return _choices(self.pattern, self.facet, self.crease)
 
+    @property
+    def has_stops_of_bodies(self) -> bool:
+        """Whether its hinges are of rigid facets; where facets bend, stops of creases are springs."""
+        return self.facet.kind == "rigid"
+
     def with_other_start(self) -> Self | None:
         """Return the design with an imperfection that is 1 % larger; None of a sheet that is as it is drawn."""
         if not self.imperfection.size:

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.design.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
-from forficula.design.part import ANGLE, LENGTH, TORQUE
+from forficula.design.part import ANGLE, LENGTH, SHORT_TIME, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
 from forficula.design.rigid_checks import (
     check_rigid,
@@ -21,6 +21,7 @@ from forficula.design.rigid_checks import (
 )
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, built_fold_angles
 from forficula.pattern.shared_edges import shared_edges
@@ -58,6 +59,8 @@ def check_sheet(design: SheetDesign) -> None:
         raise InputError("pattern: need a mountain or a valley between two facets, got none")
     for number, group in enumerate(groups):
         _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
+    if design.facet.kind != "rigid":
+        _check_no_stops(design)
     if design.facet.kind == "rigid":
         if design.imperfection.size:
             raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
@@ -92,6 +95,18 @@ def check_sheet(design: SheetDesign) -> None:
         check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")
     _check_protocol(design, sheet)
     check_duration(design, len(sheet.faces_vertices), "facets")
+
+
+def _check_no_stops(design: SheetDesign) -> None:
+    """Refuse values of stops, which creases between facets that bend do not have."""
+    for key in StopSection.model_fields:
+        given = getattr(design.stops, key)
+        if given != getattr(StopSection(), key):
+            shown = show_quantity(given, SHORT_TIME) if key == "time_constant" else f"{given:g}"
+            raise InputError(
+                f"stops.{key}: is for stops of rigid bodies; where facets bend, stops of creases are springs, whose"
+                f" stiffness is crease.stop_stiffness; got {shown}"
+            )
 
 
 def _check_built(design: SheetDesign, sheet: CreasePattern) -> None:

@@ -59,6 +59,8 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
     if not isinstance(factor, int | float) or not _SMALLEST <= factor <= _LARGEST:
         raise InputError(f"factor: need >= {_SMALLEST:g} and <= {_LARGEST:g}, got {as_written(factor)}")
     scaled = _rescaled(design.settled(), 1 / factor, 1 / factor**3, 1 / factor)
+    if not design.has_stops_of_bodies:
+        scaled = scaled.model_copy(update={"stops": design.stops})
     if natural:
         # what a rule chooses is no material's, and goes by the rule
         scaled = _with_natural(scaled, design.settled(), {(choice.section, choice.key) for choice in design.chosen})

@@ -81,11 +81,12 @@ class Folds:
         turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
         joints = self.joints >= 0
         turned[..., joints] = (self.senses * shifts[..., self.speeds])[..., joints]
-        if self.placement is None:
-            turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
-        else:
-            turns = self.turns(positions, shifts)[1]
-        turned[..., self.creases] = self.senses[self.creases] * turns
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # of what blows up
+            if self.placement is None:
+                turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
+            else:
+                turns = self.turns(positions, shifts)[1]
+            turned[..., self.creases] = self.senses[self.creases] * turns
         return turned
 
     def corners(self, positions: Array) -> Array:

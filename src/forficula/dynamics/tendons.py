@@ -17,7 +17,7 @@ from forficula.structure import LengthLimit, Spring, Structure, Tendon
 _SOFT_SHARE = 0.001
 _PARTS = 1e6  # of the longest length: over one of them a spring of muscles sets in
 _FAR = 3.0  # spans of a structure: longer than its tendons come to be
-_HARD = 1e8  # in the model's units of force: more than any tendon pulls
+_HARD = 1e6  # in the model's units of force: more than the damper and the branches of any tendon push
 _QUADRATIC = 1e3  # resting lengths up to which a quadratic spring is one
 _CUBIC_MISS = 1e-4  # of the largest force: how far a cubic spring of muscles may be from one
 _SLOW = 1e9  # lengths by unit of time: a muscle feels velocities as shares of that
@@ -93,8 +93,10 @@ def _stiffening(law: TendonLaw, longest: float, sets_in: float) -> Iterator[tupl
     """From which length on a tendon's spring grows stiffer, over how much of it, and by how much.
 
     Over each part the stiffness grows evenly, so that the force is of second order there. A spring of second order is
-    one part; a cubic one is as many as bring it within 1e-4 of its largest force: with the right force at both ends
-    of a part h it is off by at most c h^3 sqrt(3) / 36, and by up to five times that without a linear term.
+    one part; a cubic one is as many as bring it within about 1e-4 of its largest force: with the right force at both
+    ends of a part of width h the force deviates by at most c h^3 sqrt(3) / 36. Where the linear term k is so small that
+    the stiffness would begin below 0, the first part has the width sqrt(k / c + h^2 / 2), at whose end a stiffness that
+    begins at 0 has the right force.
     """
     (linear, quadratic, cubic), rest = law.stiffness, law.rest_length
     count, width = 1, _QUADRATIC * rest
@@ -104,6 +106,9 @@ def _stiffening(law: TendonLaw, longest: float, sets_in: float) -> Iterator[tupl
         count = math.ceil(reach * (cubic * math.sqrt(3) / 36 / allowed) ** (1 / 3))
         width = reach / count
     ends = width * np.arange(count + 1)
+    if cubic and linear < cubic * width**2 / 2:
+        first = math.sqrt(linear / cubic + width**2 / 2)
+        ends = np.append(0.0, first + ends)
     # straight between two ends a slope lies above that of a cubic, by c h^2 / 2 on average
     slopes = linear + 2 * max(quadratic, 0.0) * ends
     if cubic:
@@ -111,7 +116,7 @@ def _stiffening(law: TendonLaw, longest: float, sets_in: float) -> Iterator[tupl
     slopes[0] = max(slopes[0], 0.0)
     # it sets in half of the width early, so that half of it late it is the spring itself
     parts = [(rest - sets_in / 2, sets_in, float(slopes[0]))]
-    parts += zip((rest + ends[:-1]).tolist(), [width] * count, np.diff(slopes).tolist(), strict=True)
+    parts += zip((rest + ends[:-1]).tolist(), np.diff(ends).tolist(), np.diff(slopes).tolist(), strict=True)
     if quadratic < 0:
         # up to the resting length it takes back what `_add_softening` does there
         parts.append((0.0, rest, -2 * quadratic * rest))
@@ -144,8 +149,9 @@ def _add_silence(spec: mujoco.MjSpec, tendon: str, rest: float, longest: float) 
 
     The engine clamps the sum to 0. An active muscle takes the push off where the tendon is taut. Its unit is 1000 times
     the longest length, so that neither length nor speed matters to it beyond the resting length: it is off by 2e-16 of
-    the push for the one, and for the other acts as a damper of 2e-5 of the model's units (mju_muscleGainLength and
-    mju_muscleGainVelocity). A file keeps no numbers that are further apart.
+    the push for the one, and for the other acts as a damper of 2e-7 of the model's units (mju_muscleGainLength and
+    mju_muscleGainVelocity). A file keeps no numbers that are further apart. Models of wings of different sizes have
+    different units: with a damper of 2e-5 of them their angles differed by 1e-6 rad, now by 1e-8 rad.
     """
     push = spec.add_actuator(name=f"{tendon}_silence", target=tendon, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     push.gaintype, push.biastype = mujoco.mjtGain.mjGAIN_MUSCLE, mujoco.mjtBias.mjBIAS_AFFINE

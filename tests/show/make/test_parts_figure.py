@@ -4,13 +4,16 @@ import numpy as np
 import pytest
 
 from forficula.errors import InputError
+from forficula.make.files.bill import bill_of
 from forficula.make.make_parts import make_parts
 from forficula.show.folder.parts_folder import BILL_FILE, write_parts
 from forficula.show.folder.presentation import drawings_of, folder_drawings, write_figure
 from forficula.show.make.painted_parts import placed_parts
-from forficula.show.make.part_facts import mass_text, value_text
+from forficula.show.make.part_facts import mass_text, part_masses, total_mass, value_text
 from forficula.show.make.part_looks import part_looks
 from forficula.show.make.parts_figure import draw_parts
+from forficula.show.page.parts_data import parts_data
+from forficula.show.page.parts_page import parts_page
 from forficula.show.style import COLUMN_WIDTH, save_figure
 from tests.show.legible import check_words
 
@@ -81,3 +84,16 @@ def test_values_are_told_in_the_units_that_parts_are_drawn_in():
     assert value_text(2.5, "") == "2.5"
     assert mass_text(None) == "not known"
     assert mass_text(0.00029999) == "0.300 g"
+
+
+def test_straps_weigh_on_the_page_and_in_the_figure_what_their_printed_layers_weigh(joint):
+    """Of the mesh's volume and the density, times the share that whole layers print: 2.4 of 2.5 mm."""
+    (strap,) = (part for part in joint.parts if part.kind == "strap")
+    mass = 2.4 / 2.5 * 1150 * strap.volume
+    (row,) = (row for row in bill_of(joint) if row.part == strap.name)
+    assert row.mass == pytest.approx(mass, rel=1e-9)
+    assert part_masses(joint)[strap.name] == row.mass
+    assert f"<td>{mass_text(mass)}</td>" in parts_page(joint, ())
+    assert mass_text(mass) in [fact for part in parts_data(joint, None)["parts"] for fact in part["facts"]]
+    others = sum(part.count * part.mass for part in joint.parts if part is not strap)
+    assert total_mass(joint) == pytest.approx(others + strap.count * mass, rel=1e-9)

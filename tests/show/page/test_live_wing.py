@@ -116,7 +116,7 @@ def test_ten_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
         assert ("opened again" if "and opened" in status else status) in said.lower()
         verdicts.add(wing.ended["verdict"])
     wing.pace(1)
-    assert len(verdicts) > 1
+    assert len(verdicts) > 2
 
 
 def test_without_a_torque_it_sticks_and_says_what_to_try(wing):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
+from forficula.make.files.bill import bill_of
 from forficula.make.files.lying import lying_size
 from forficula.make.mesh import MILLIMETRES
-from forficula.make.part import Part
+from forficula.make.part import Part, PartSet
 from forficula.quantities import show_value
 
 # units that parts are told in, whatever their size, and their factors from SI
@@ -25,12 +27,17 @@ def mass_text(mass: float | None, digits: int = 3) -> str:
     return "not known" if mass is None else f"{1e3 * mass:#.{digits}g}".rstrip(".") + " g"
 
 
-def masses_text(parts: Sequence[Part]) -> str:
+def part_masses(parts: PartSet) -> dict[str, float | None]:
+    """The mass of one of every part, by its name, as in the bill, kg; None where the density is not known."""
+    return {row.part: row.mass for row in bill_of(replace(parts, sheet=None))}
+
+
+def masses_text(masses: Sequence[float | None]) -> str:
     """The mass of one of some parts, or from the least to the most; nothing where one is not known."""
-    masses = [part.mass for part in parts if part.mass is not None]
-    if len(masses) < len(parts) or not masses:
+    known = [mass for mass in masses if mass is not None]
+    if len(known) < len(masses) or not known:
         return ""
-    least, most = mass_text(min(masses)), mass_text(max(masses))
+    least, most = mass_text(min(known)), mass_text(max(known))
     return most if least == most else f"{least.removesuffix(' g')} to {most}"
 
 
@@ -39,10 +46,11 @@ def material_text(part: Part) -> str:
     return part.stock.name or "no name"
 
 
-def total_mass(parts: tuple[Part, ...]) -> float | None:
-    """Of all parts, kg; None where the density of one is not known."""
-    masses = [part.count * part.mass for part in parts if part.mass is not None]
-    return sum(masses) if len(masses) == len(parts) else None
+def total_mass(parts: PartSet) -> float | None:
+    """Of all parts but the sheet, as in the bill, kg; None where the density of one is not known."""
+    own = part_masses(parts)
+    masses = [part.count * mass for part in parts.parts if (mass := own[part.name]) is not None]
+    return sum(masses) if len(masses) == len(parts.parts) else None
 
 
 def value_text(value: float, unit: str) -> str:

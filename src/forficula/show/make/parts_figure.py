@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from forficula.make.part import PartSet
 from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
-from forficula.show.make.part_facts import mass_text, masses_text, total_mass
+from forficula.show.make.part_facts import mass_text, masses_text, part_masses, total_mass
 from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
@@ -54,7 +54,7 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         _scale(panels[0])
         below.set_title("taken apart", pad=3 + 72 * 1.6 * _LINE)
         _scale(below)
-        _name(below, taken, looks, view, narrow)
+        _name(below, taken, looks, part_masses(parts), view, narrow)
         return describe(figure, _text(parts, posed))
 
 
@@ -110,14 +110,21 @@ def _scale(axes: Axes) -> None:
     draw_bar(axes, (left + 0.03 * (right - left), bottom), length, f"{1e3 * length:g} mm")
 
 
-def _name(axes: Axes, taken: Sequence[PlacedPart], looks: Sequence[Look], view: View, narrow: bool) -> None:
+def _name(
+    axes: Axes,
+    taken: Sequence[PlacedPart],
+    looks: Sequence[Look],
+    known: Mapping[str, float | None],
+    view: View,
+    narrow: bool,
+) -> None:
     """The names of parts above and below their picture, each with a line to one of them."""
     named = []
     for number, look in enumerate(looks):
         own = [each for each in taken if each.look == number]
         count = sum(each.part.count for each in own)
         text = f"{look.name}, {count}" if count > 1 else look.name
-        masses = masses_text([each.part for each in own])
+        masses = masses_text([known[each.part.name] for each in own])
         text += f"\n{masses}{' each' * (count > 1)}" if masses else ""
         named.append((text, _anchor(view.project(own[-1].mesh.points))))
     stop = _best_stop(taken, view)
@@ -192,7 +199,7 @@ def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
         sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))
     ]
     told = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
-    mass = total_mass(parts.parts)
+    mass = total_mass(parts)
     weigh = f", together {mass_text(mass)}" if mass is not None else ""
     places = "; ".join(f"{name}, {_degrees(angle)}" for name, angle in posed)
     return f"Parts of {parts.design.name}. {told}{weigh}. The joints at: {places}; and all of them taken apart."

@@ -17,7 +17,7 @@ from forficula.make.hub import Root
 from forficula.make.part import Part, PartSet
 from forficula.make.strap_shape import StrapPlace
 from forficula.names import listed
-from forficula.show.make.part_facts import mass_text, material_text, size_text
+from forficula.show.make.part_facts import mass_text, material_text, part_masses, size_text
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import part_mesh
 from forficula.show.make.pose import angle_range, apart
@@ -48,10 +48,11 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
     ways = apart(parts)
     same: dict[str, int] = {}
     data = []
+    masses = part_masses(parts)
     for part, look, way in zip(parts.parts, own, ways, strict=True):
         place = same.get(part.kind, 0)
         same[part.kind] = place + 1
-        data.append(_part_data(parts, part, arrays, place) | {"look": look, "apart": way.tolist()})
+        data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": way.tolist()})
     return {
         "kind": "parts",
         "name": parts.design.name,
@@ -71,13 +72,13 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
     }
 
 
-def _part_data(parts: PartSet, part: Part, arrays: PackedArrays, place: int) -> dict[str, Any]:
+def _part_data(parts: PartSet, part: Part, mass: float | None, arrays: PackedArrays, place: int) -> dict[str, Any]:
     """A part: what is told of it, what it moves with, and its mesh or what the script draws it by."""
     data: dict[str, Any] = {
         "name": part.name,
         "count": part.count,
         "body": part.body,
-        "facts": [material_text(part), mass_text(part.mass), f"{size_text(part)} mm"],
+        "facts": [material_text(part), mass_text(mass), f"{size_text(part)} mm"],
     }
     if part.kind == "strap":
         return data | {"strap": _strap_data(parts, parts.straps[place])}

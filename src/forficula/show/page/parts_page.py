@@ -16,6 +16,7 @@ from forficula.make.sheet_svg import sheet_svg
 from forficula.show.make.part_facts import (
     mass_text,
     material_text,
+    part_masses,
     size_text,
     total_mass,
     value_text,
@@ -95,7 +96,7 @@ def _sentence(parts: PartSet) -> str:
     """What is to be made, and how heavy it is."""
     told = [parts_text(parts)] if parts.parts else ["A sheet to cut."]
     if parts.parts:
-        mass = total_mass(parts.parts)
+        mass = total_mass(parts)
         told.append(f"Together {mass_text(mass)}." if mass is not None else "Of a material the density is not known.")
     return " ".join(told)
 
@@ -128,17 +129,18 @@ def _moving_note(parts: PartSet, record: Record | None) -> str:
 
 def _bill(parts: PartSet) -> str:
     """Every part with what it is made of, in the order in which the script has them."""
+    masses = part_masses(parts)
     rows: list[list[str | Cell]] = [
         [
             Cell(text=part.name, note=f"{material_text(part)}{', bought' * (not part.printed)}, {size_text(part)} mm"),
             str(part.count),
-            mass_text(part.mass),
+            mass_text(masses[part.name]),
         ]
         for part in parts.parts
     ]
     if not rows:
         return ""
-    mass = total_mass(parts.parts)
+    mass = total_mass(parts)
     foot = paragraph(f"Mass of all: {mass_text(mass)}. Sizes are of parts as they lie on the printer.")
     bill = table("What to print, and what to buy", ("part", "count", "mass of one"), rows)
     return section("Bill of materials", bill, foot, name="bill")
