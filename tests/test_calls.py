@@ -110,6 +110,23 @@ def test_figures_are_drawn_of_whatever_a_call_hands_back(tmp_path, record):
         ff.save({}, tmp_path)
 
 
+def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
+    results = {
+        "landscape": ff.landscape("binder2025-joint"),
+        "assumptions": ff.assumptions(design, only=["timestep"]),
+        "parts": ff.make_parts("binder2025-joint"),
+    }
+    for name, result in results.items():
+        ff.page(result, tmp_path / f"{name}.html")
+        ff.save(result, tmp_path / name)
+        assert "</html>" in (tmp_path / f"{name}.html").read_text("utf-8")
+    # the page of a folder is the one in it
+    ff.page(tmp_path / "landscape", tmp_path / "again.html")
+    assert (tmp_path / "again.html").read_bytes() == (tmp_path / "landscape" / "report.html").read_bytes()
+    with pytest.raises(ff.InputError, match="need results of forficula or their folder, got a dict"):
+        ff.page({}, tmp_path / "none.html")
+
+
 def test_a_study_is_built_without_a_file(design):
     asked = ff.new_study(design, {"tendon.left.stiffness": "0.4..0.5 N/cm step 0.1"}, name="mine", source="own")
     assert (asked.name, asked.source, len(asked.points)) == ("mine", "own", 2)

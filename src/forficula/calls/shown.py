@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from forficula.dynamics import Record
-    from forficula.make.part import PartSet
 
 _WIDEST = 100  # inch, of a figure
 
@@ -80,38 +79,29 @@ def film(
     write_film(as_record(run), file, size=size, rate=fps, slowed=slower, strain=strain)
 
 
-def page(of: Record | Design | PartSet | AnyPath, path: AnyPath, *, engine: bool = True) -> None:
-    """Write a run, or parts to make with their checks, as one HTML file that plays in any browser without a network.
+def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
+    """Write a result as one HTML file that opens in any browser without a network.
 
     Args:
-        of: a record, the folder of a run, parts, or a design, whose structure a reader then moves, as `forficula open`
-            writes it.
+        of: a result, or the folder of one; a design is written as the page in which a reader moves its structure, as
+            `forficula open` writes it.
         path: of the page; must end with .html.
         engine: whether the simulator is in the page of a run, with which a reader moves the structure; it takes 3.5 MB.
 
     Raises:
-        InputError: no such run, another ending, or it cannot be written.
+        InputError: no result that has a page of its own, another ending, or it cannot be written.
 
     >>> ff.page(record, "run.html")
     """
-    from forficula.analysis import measure
-    from forficula.dynamics import as_record
-    from forficula.make.check_parts import check_parts
-    from forficula.make.part import PartSet
-    from forficula.show.page import write_run_page
+    from forficula.show.folder.presentation import write_page
     from forficula.show.page.bench_page import write_bench_page
     from forficula.show.page.page import page_path
-    from forficula.show.page.parts_page import write_parts_page
 
     file = page_path(path)
-    if isinstance(of, PartSet):
-        write_parts_page(of, check_parts(of), file)
-        return
     if isinstance(of, Design):
         write_bench_page(of, file)
-        return
-    record = as_record(of)
-    write_run_page(record, measure(record), file, engine=engine)
+    else:
+        write_page(of, file, engine=engine)
 
 
 def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:

@@ -237,4 +237,5 @@ PRESENTATION = Presentation(
     cell=_cell,
     read=lambda folder: parts_drawings(read_parts(folder), read_checks(folder)),
     write=_write,
+    page=lambda parts, path, engine: write_parts_page(parts, check_parts(parts), path),  # noqa: ARG005
 )

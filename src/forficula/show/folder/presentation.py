@@ -8,8 +8,10 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
+from forficula.dynamics import as_record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
 from forficula.results import KINDS, Kind, kind_of_class, kinds_in
@@ -17,6 +19,8 @@ from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Draw
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+_PAGE = "report.html"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,6 +34,7 @@ class Presentation:
             all that the figures show.
         copied: where `read` is None, why figures are copied and not drawn again, for messages.
         write: writes a result to a folder as its command does; None where a command writes more than the result has.
+        page: writes a result as one HTML file, with the simulator or without; None where `write` writes it.
     """
 
     drawings: Callable[[Any], dict[str, Drawing]]
@@ -37,6 +42,7 @@ class Presentation:
     read: Callable[[Path], dict[str, Drawing]] | None = None
     copied: str = ""
     write: Callable[[Any, Path], None] | None = None
+    page: Callable[[Any, Path, bool], None] | None = None
 
 
 def presentation(kind: Kind) -> Presentation:
@@ -114,6 +120,38 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
         return
     drawings = folder_drawings(folder)
     save_figure(drawings[_known(kind, drawings, folder)](width or COLUMN_WIDTH), path)
+
+
+def write_page(result: object, path: Path, *, engine: bool = True) -> None:
+    """Write a result as one HTML file, or the page of a folder of results.
+
+    Args:
+        result: of any kind, or the folder of one.
+        path: of the page.
+        engine: whether the simulator is in the page of a run.
+
+    Raises:
+        InputError: it is no result of forficula or has no page, or the page cannot be written.
+    """
+    if isinstance(result, str | os.PathLike):
+        folder = Path(result)
+        if (folder / "record.nc").is_file() or not (folder / _PAGE).is_file():
+            result = as_record(folder)
+        else:
+            write_bytes(path, (folder / _PAGE).read_bytes())
+            return
+    kind = result_kind(result)
+    found = presentation(kind)
+    if found.page is not None:
+        found.page(result, path, engine)
+        return
+    if found.write is None:
+        raise InputError(f"a {kind.name} has its page in the folder that its command writes")
+    with TemporaryDirectory() as place:
+        found.write(result, Path(place))
+        if not (Path(place) / _PAGE).is_file():
+            raise InputError(f"{kind.name}: no page of their own; they are on the page of a run")
+        write_bytes(path, (Path(place) / _PAGE).read_bytes())
 
 
 def read_dataset(path: Path) -> Dataset:

@@ -112,4 +112,5 @@ PRESENTATION = Presentation(
     cell=_cell,
     read=lambda folder: _drawings(read_run(folder)),
     write=lambda record, folder: write_run(record, measure(record), folder),
+    page=lambda record, path, engine: write_run_page(record, measure(record), path, engine=engine),
 )
