@@ -7,7 +7,8 @@ import pytest
 
 from forficula.make.mass_properties import mesh_properties, parts_properties
 from forficula.make.mesh import mesh_of, solid_of
-from forficula.make.solids import Rod, box, turn_about
+from forficula.make.solids import Rod, box
+from forficula.pattern.rotation import rotation_about
 
 DENSITY = 1270.0
 
@@ -17,7 +18,7 @@ def properties(solid):
 
 
 def test_a_box_has_the_inertia_of_its_closed_form_wherever_it_is():
-    sides, frame = np.array([12e-3, 5e-3, 40e-3]), turn_about(np.array([0.6, 0.0, 0.8]), 0.7)
+    sides, frame = np.array([12e-3, 5e-3, 40e-3]), rotation_about(np.array([0.6, 0.0, 0.8]), 0.7)
     origin = np.array([0.3, -0.1, 0.05])
     found = properties(box((0, 0, 0), tuple(sides), origin, frame))
     mass = DENSITY * sides.prod()

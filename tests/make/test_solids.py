@@ -7,10 +7,11 @@ import pytest
 
 from forficula.make.elastica import elastica
 from forficula.make.mesh import mesh_of, solid_of
-from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, band, box, moved, turn_about
+from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, band, box, moved
+from forficula.pattern.rotation import rotation_about
 
 AT = np.array([0.01, -0.02, 0.03])
-TURN = turn_about(np.array([2.0, 3.0, 6.0]) / 7, 1.1)
+TURN = rotation_about(np.array([2.0, 3.0, 6.0]) / 7, 1.1)
 
 
 def rod(length=0.05, diameter=0.004):

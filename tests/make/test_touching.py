@@ -13,8 +13,8 @@ from forficula.make.make_parts import make_parts
 from forficula.make.mesh import placed
 from forficula.make.motion_checks import built_checks, motion_checks, root_angles, root_moments
 from forficula.make.poses import poses_of, telling_rows
-from forficula.make.solids import turn_about
 from forficula.make.touching import touches
+from forficula.pattern.rotation import rotation_about
 from forficula.structure import built_points
 
 # short straps, far from those of the next vein
@@ -76,7 +76,7 @@ def test_a_planted_collision_is_found_when_it_happens(parts):
     moving = [half(parts, body) for body in (0, 1)]
 
     def touch(row):
-        frame = turn_about(np.array([0.0, 0.0, 1.0]), math.radians(40) * float(record.time[row]))
+        frame = rotation_about(np.array([0.0, 0.0, 1.0]), math.radians(40) * float(record.time[row]))
         swept = [placed(each, frame, origin - frame @ origin) for each in moving]
         return any((here ^ there).volume() > 1e-2 for here in swept for there in others)
 

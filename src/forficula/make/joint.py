@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from forficula.make.joint_layout import Arm, JointLayout
-from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid, box, joined, turn_about
+from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid, box, joined
+from forficula.pattern.rotation import rotation_about
 from forficula.structure.parts import Array
 
 # of a peg's diameter: the head that keeps straps on it
@@ -91,7 +92,7 @@ def turned(layout: JointLayout, angle: float) -> tuple[Array, Array]:
     Returns:
         A rotation, (3, 3), and what is added after it, m, (3,).
     """
-    frame = turn_about(-layout.frame[:, 1], angle)
+    frame = rotation_about(-layout.frame[:, 1], angle)
     return frame, layout.origin - frame @ layout.origin
 
 

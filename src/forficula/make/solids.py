@@ -5,7 +5,6 @@ Lengths in m. It is told once, so that two kernels can make the same of it and b
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -126,11 +125,3 @@ def moved(solid: Solid, frame: Array, origin: Array) -> Solid:
         case Cut():
             taken = tuple(moved(each, frame, origin) for each in solid.taken)
             return Cut(solid=moved(solid.solid, frame, origin), taken=taken)
-
-
-def turn_about(axis: Array, angle: float) -> Array:
-    """The rotation by an angle about a unit vector (Rodrigues), (3, 3)."""
-    x, y, z = axis
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    turned: Array = np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
-    return turned

@@ -15,6 +15,7 @@ from forficula.make.regions import distance_to
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.cut_open import cut_open
+from forficula.pattern.rotation import rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
 
 Array = NDArray[np.float64]
@@ -125,7 +126,7 @@ def _laid(pattern: CreasePattern) -> tuple[Array, Array]:
         if link.closes:
             continue
         if link.parent is None:
-            turns[face] = _smallest_turn(normals[face])
+            turns[face] = rotation_to_z(normals[face])
             shifts[face] = -turns[face] @ pattern.vertices_coords[pattern.faces_vertices[face][0]]
             continue
         tail, head = pattern.vertices_coords[[link.tail, link.head]]
@@ -188,15 +189,6 @@ def _normals(pattern: CreasePattern) -> Array:
             )
         normals.append(normal)
     return np.array(normals)
-
-
-def _smallest_turn(normal: Array) -> Array:
-    """The rotation about an axis across both that brings a direction to +z (Rodrigues 1840)."""
-    x, y, z = normal.tolist()
-    if z < -1 + 1e-12:
-        return np.diag([1.0, -1.0, -1.0])
-    across = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
-    return np.asarray(np.eye(3) + across + across @ across / (1 + z))
 
 
 def _seams(pattern: CreasePattern, turns: Array, shifts: Array) -> list[int]:

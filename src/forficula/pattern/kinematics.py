@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.earwig import EarwigFan, earwig_pattern
+from forficula.pattern.rotation import rotation_about
 from forficula.pattern.shared_edges import shared_edges
 
 Mode = Literal["earwig", "miura"]
@@ -207,18 +208,9 @@ def _across(placement: _Placement, hinge: _Hinge, coords: NDArray[np.float64]) -
     """Place the neighbour beyond a hinge: turn it about the shared edge, then move it along with the face."""
     axis = coords[hinge.head] - coords[hinge.tail]
     # the neighbour lies to the right of the side; turning it up, towards +z, is negative about the side's direction
-    turn = _rotation(axis / np.linalg.norm(axis), -hinge.fold_angle)
+    turn = rotation_about(axis / np.linalg.norm(axis), -hinge.fold_angle)
     shift = coords[hinge.tail] - turn @ coords[hinge.tail]
     return _Placement(placement.rotation @ turn, placement.rotation @ shift + placement.shift)
-
-
-def _rotation(axis: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
-    """Turn about a unit vector (Rodrigues' formula), shape (3, 3)."""
-    x, y, z = axis.tolist()
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    # the double half sine keeps the digits that 1 - cos loses at small angles
-    matrix: NDArray[np.float64] = np.eye(3) + math.sin(angle) * cross + 2 * math.sin(angle / 2) ** 2 * cross @ cross
-    return matrix
 
 
 def _check_closes(

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.pattern.rotation import rotation_to_z
+
 _FLAT = 1e-6  # share of the sheet's size that vertices may lie off its plane: single precision is good to 1e-7
 
 
@@ -61,7 +63,7 @@ def sheet_plane(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> 
     areas = np.array([_area_vector(points[list(face)]) @ normal for face in faces])
     if len(areas) and (areas < 0).all():
         normal = -normal
-    rotation = _smallest_turn(normal)
+    rotation = rotation_to_z(normal)
     return SheetPlane(rotation=rotation, height=float((points @ rotation[2]).mean()))
 
 
@@ -69,11 +71,3 @@ def _area_vector(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     """Twice the area of a face along the direction from which it runs counterclockwise (Newell)."""
     around: NDArray[np.float64] = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return around
-
-
-def _smallest_turn(normal: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rotation about an axis across both that brings a direction to z (Rodrigues 1840)."""
-    x, y, z = normal.tolist()
-    across = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
-    turn: NDArray[np.float64] = np.eye(3) + across + across @ across / (1 + z)
-    return turn
