@@ -227,3 +227,14 @@ def test_only_reading_a_drawing_imports_ezdxf():
         "sys.exit('ezdxf' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_layers_are_named_in_the_code_page_of_the_file(tmp_path):
+    path = dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)), [(0, "LINE"), (8, "grün"), (62, 4), *crease()[3:]])
+    text = path.read_text(encoding="utf-8").replace(
+        "  9\n$INSUNITS", "  9\n$DWGCODEPAGE\n  3\nANSI_1252\n  9\n$INSUNITS"
+    )
+    for encoding in ("utf-8", "cp1252"):
+        path.write_text(text, encoding=encoding)
+        _, remarks = read_drawing(path)
+        assert remarks[0].endswith('1 of layer "grün", colour #00ffff')

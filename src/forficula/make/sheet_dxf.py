@@ -84,7 +84,7 @@ def _draw(sheet: CutSheet, space: Modelspace) -> None:
 
 @contextmanager
 def _fixed_dates(options: Options) -> Iterator[None]:
-    """Let ezdxf write the same bytes for the same drawing."""
+    """Make ezdxf write fixed dates, so that the same drawing gives the same bytes."""
     before = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
     try:
@@ -94,10 +94,10 @@ def _fixed_dates(options: Options) -> Iterator[None]:
 
 
 def _millimetres(metres: ArrayLike) -> Any:
-    """Millimetres to the nanometre, without a minus before nothing, as numbers of Python in lists."""
+    """Return lengths in millimetres, rounded to the nanometre and without negative zeros, as lists of numbers."""
     return (np.round(MILLIMETRES * np.asarray(metres), 6) + 0.0).tolist()
 
 
 def _ascii(text: str) -> str:
-    """A text as release 12 has it: letters beyond ASCII by their numbers."""
+    """Return a text in ASCII, as release 12 needs it: other letters by their numbers."""
     return "".join(each if " " <= each <= "~" else f"\\U+{ord(each):04X}" for each in text)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import codecs
 import colorsys
+import io
 import itertools
 import logging
 import math
 import re
-import tempfile
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,7 +21,7 @@ from forficula.pattern.edge_names import letter_of_name
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
-    import ezdxf.document
+    from ezdxf.document import Drawing as Document
     from ezdxf.entities.dxfgfx import DXFGraphic
     from ezdxf.entities.layer import Layer
 
@@ -63,6 +63,7 @@ _COLOURS = {
     9: (0.75, 0.75, 0.75),
 }
 _BINARY = b"AutoCAD Binary DXF"
+_BEGINNING = re.compile(rb"(999\n.*\n)*0\nSECTION\n")
 _LONGEST_REASON = 160
 
 logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # otherwise its warnings go to the terminal
@@ -91,7 +92,7 @@ def read_dxf(file: Path) -> Drawing:
         if kind not in (*_LINES, *_CURVES, _BLOCK):
             continue
         seen[kind] += 1
-        # ezdxf numbers what the file does not
+        # ezdxf gives a handle to entities that have none in the file
         name = f"{kind} {seen[kind]}" + (f" (handle {handle})" if handle.encode() in handles else "")
         try:
             lines += _drawn_lines(entity, layers.get(entity.dxf.layer.lower()), left_out, name)
@@ -104,9 +105,9 @@ def read_dxf(file: Path) -> Drawing:
 
 
 def _insert_units(content: bytes) -> int:
-    """The number of the unit in the header of a text; 0 where it has none.
+    """Return the number of the unit in the header of a text, 0 where the header has no unit.
 
-    Not from ezdxf, which takes 5.7 as 5, and metres where there is no header.
+    ezdxf reads 5.7 as 5, and returns metres where the file has no header.
     """
     if (unit := _INSERT_UNITS.search(content)) is None:
         return 0
@@ -116,27 +117,27 @@ def _insert_units(content: bytes) -> int:
     return int(float(unit[1]))
 
 
-def _document(content: bytes) -> tuple[ezdxf.document.Drawing, list[str]]:
-    """Read a DXF file, and list the repairs without which ezdxf could not read it."""
+def _document(content: bytes) -> tuple[Document, list[str]]:
+    """Read a DXF document, and list the repairs without which ezdxf could not read it."""
     from ezdxf import recover
-    from ezdxf.filemanagement import readfile
+    from ezdxf.document import Drawing as Document
+    from ezdxf.lldxf.tagger import binary_tags_loader
 
-    with tempfile.TemporaryDirectory(prefix="forficula-") as folder:
-        copy = Path(folder, "drawing.dxf")  # of what `read_bytes` allows
-        copy.write_bytes(_with_markers(content))
-        try:
-            return readfile(copy, _encoding(content)), []
-        except OSError:
-            raise InputError("need a DXF drawing, got a file that does not begin with a section") from None
-        except Exception as error:  # a damaged file may break any part of the library
-            if content.startswith(_BINARY):
-                raise InputError(f"need a DXF drawing, got a damaged binary one: {_reason(error)}") from None
+    binary = content.startswith(_BINARY)
+    if not (binary or _BEGINNING.match(content)):
+        raise InputError("need a DXF drawing, got a file that does not begin with a section")
+    try:
+        if binary:
+            return Document.load(binary_tags_loader(content)), []
+        return Document.read(io.StringIO(_text(_with_markers(content)))), []
+    except Exception as error:  # a damaged file may break any part of the library
+        if binary:
+            raise InputError(f"need a DXF drawing, got a damaged binary one: {_reason(error)}") from None
+    try:
         # errors name the lines of the file itself; without an end, its last section is lost
-        copy.write_bytes(content + b"0\nEOF\n")
-        try:
-            document, audit = recover.readfile(copy)
-        except Exception as error:
-            raise InputError(f"need a DXF drawing, got a damaged one: {_reason(error)}") from None
+        document, audit = recover.read(io.BytesIO(content + b"0\nEOF\n"))
+    except Exception as error:
+        raise InputError(f"need a DXF drawing, got a damaged one: {_reason(error)}") from None
     if audit.errors:
         raise InputError(f"need a DXF drawing, got a damaged one: {_reason(audit.errors[0].message)}")
     repairs = Counter(_reason(fix.message) for fix in audit.fixes)
@@ -144,7 +145,7 @@ def _document(content: bytes) -> tuple[ezdxf.document.Drawing, list[str]]:
 
 
 def _with_markers(content: bytes) -> bytes:
-    """Mark what ezdxf would not read or read in part: LWPOLYLINE in a file of release 12, or without its markers."""
+    """Add what ezdxf needs to read LWPOLYLINE: a release of 2000 or later, and markers of subclasses."""
     if b"LWPOLYLINE" not in content:
         return content
     content = _OLD_RELEASE.sub(rb"\g<1>AC1015", content, count=1)
@@ -153,25 +154,27 @@ def _with_markers(content: bytes) -> bytes:
     return _LWPOLYLINE.sub(rb"\g<1>100\nAcDbEntity\n\g<2>100\nAcDbPolyline\n", content)
 
 
-def _encoding(content: bytes) -> str | None:
-    """UTF-8 where the file is; otherwise None, and its header says it."""
+def _text(content: bytes) -> str:
+    """Decode a text: as UTF-8 where possible, otherwise by the code page of the header."""
+    from ezdxf.filemanagement import dxf_stream_info
+
     try:
-        content.decode()
+        return content.decode()
     except UnicodeDecodeError:
-        return None
-    return "utf-8"
+        header = dxf_stream_info(io.StringIO(content.decode(errors="ignore")))
+        return content.decode(header.encoding, errors="surrogateescape")
 
 
 def _reason(error: object) -> str:
-    """What ezdxf says, on one short line."""
+    """Return the reason that ezdxf gives, on one short line."""
     text = one_line(str(error))
     return text if len(text) <= _LONGEST_REASON else f"{text[:_LONGEST_REASON]}..."
 
 
 def _index_colour(index: int) -> Colour:
-    """A colour of AutoCAD's index: from 10 on, 24 hues by 10, each in 5 shades; greys from 250 on.
+    """Return a colour of AutoCAD's index: from 10 on, 24 hues by 10, each in 5 shades; greys from 250 on.
 
-    The table of ezdxf 1.4 has other dark shades, such as 88 in place of 38 for blue in 159 to 209.
+    The table of ezdxf 1.4 deviates in dark shades: a channel is 88 instead of 38 in 109, 159 to 249 and others.
     """
     if index in _COLOURS:
         return _COLOURS[index]
@@ -185,20 +188,22 @@ def _index_colour(index: int) -> Colour:
 
 
 def _colour(drawn: DXFGraphic | Layer) -> Colour:
-    """The colour of an entity or a layer: written out, or of the index."""
+    """Return the colour of an entity or a layer: its true colour, or that of its index."""
     if (rgb := drawn.rgb) is not None:
         return rgb[0] / 255, rgb[1] / 255, rgb[2] / 255
     return _index_colour(abs(drawn.dxf.color))
 
 
 def _drawn_lines(entity: DXFGraphic, layer: Layer | None, left_out: Counter[str], name: str) -> list[DrawnLine]:
-    """The lines of an entity that are part of a sheet; count one that means nothing."""
+    """Return the lines of an entity that are part of a sheet; count an entity without a meaning."""
     kind, layer_name = entity.dxftype(), entity.dxf.layer
     hidden = entity.dxf.invisible == 1 or (layer is not None and (layer.is_off() or layer.is_frozen()))
     if hidden:
         return []
     if kind == "LWPOLYLINE" and entity.doc is not None and entity.doc.dxfversion <= "AC1009":
-        raise InputError("need a file of release 2000 or later ($ACADVER), got release 12; save it once more as that")
+        raise InputError(
+            "need release 2000 or later ($ACADVER) for LWPOLYLINE, got release 12; save the drawing as R2000 DXF"
+        )
     if kind == _BLOCK:
         raise InputError("need lines themselves, got a block; explode it in a drawing program")
     by_layer = entity.rgb is None and entity.dxf.color in (_BY_LAYER, _BY_BLOCK)
@@ -217,7 +222,7 @@ def _drawn_lines(entity: DXFGraphic, layer: Layer | None, left_out: Counter[str]
 
 
 def _points(entity: DXFGraphic) -> list[Point]:
-    """The corners of a line or polyline from below, the first once more where it closes."""
+    """Return the corners of a line or polyline in world coordinates; a closed one ends at its first corner."""
     from ezdxf.entities.lwpolyline import LWPolyline
     from ezdxf.entities.polyline import Polyline
 
