@@ -1,3 +1,7 @@
+import subprocess
+import sys
+
+import ezdxf
 import numpy as np
 import pytest
 
@@ -88,7 +92,8 @@ def test_a_unit_is_needed_where_the_header_has_none(tmp_path):
 
 def test_a_polyline_seen_from_below_is_mirrored(tmp_path):
     """Its corners are in a system of its own, with x the other way where its normal is -z (AutoCAD)."""
-    below = [(0, "LWPOLYLINE"), (8, "M"), (90, 2), (70, 0), (230, -1), (10, -130), (20, 100), (10, -130), (20, 160)]
+    below = [(0, "LWPOLYLINE"), (8, "M"), (90, 2), (70, 0), (10, -130), (20, 100), (10, -130), (20, 160)]
+    below += [(210, 0), (220, 0), (230, -1)]
     pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", RIM, below))
     assert len(pattern.faces_vertices) == 2
 
@@ -105,10 +110,9 @@ def test_a_polyline_seen_from_below_is_mirrored(tmp_path):
             [(0, "LWPOLYLINE"), (8, "M"), (10, 100), (20, 100), (42, 0.5), (10, 160), (20, 160)],
             r"LWPOLYLINE 2: need straight lines, got an arc in a polyline \(bulge, code 42\)",
         ),
-        ([(0, "LINE"), (8, "M"), (10, 1), (20, 1), (11, 2)], "LINE 1: need a coordinate, code 21, got none"),
-        ([(0, "LINE"), (8, "M"), (10, "x")], 'LINE 1: need a finite number, got "x"'),
+        (dxf_line(1, 2, "nan", 4, (62, 1)), r"LINE 1 \(handle 1F\): need finite numbers, got nan"),
         (
-            [(0, "LWPOLYLINE"), (8, "M"), (210, 1), (230, 0), (10, 100), (20, 100), (10, 160), (20, 160)],
+            [(0, "LWPOLYLINE"), (8, "M"), (210, 1), (220, 0), (230, 0), (10, 100), (20, 100), (10, 160), (20, 160)],
             "LWPOLYLINE 2: need a polyline in the plane of the drawing",
         ),
     ],
@@ -120,11 +124,28 @@ def test_what_is_no_straight_line_is_refused_with_its_name(tmp_path, entity, mes
 
 
 @pytest.mark.parametrize(
+    ("entity", "message"),
+    [
+        ([(0, "LINE"), (8, "M"), (10, 1), (20, 1), (11, 2)], "LINE 1: need coordinates of its end, got none"),
+        (dxf_line(1, 2, "x", 4), "need a DXF drawing, got a damaged one: Invalid floating point values near line: 94"),
+        (dxf_line(1, 2, "3,5", 4), 'need a DXF drawing, .*: recovered invalid floating point value "3,5" near line 94'),
+    ],
+)
+def test_a_damaged_file_is_refused_with_its_line(tmp_path, entity, message):
+    with pytest.raises(InputError, match=rf"sheet\.dxf: {message}"):
+        read_drawing(dxf(tmp_path / "sheet.dxf", OLD_RIM, entity))
+
+
+@pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"AutoCAD Binary DXF\r\n\x1a\x00", "need DXF as text, got binary DXF; save it as ASCII DXF"),
-        (b"0\nSECTION\nx\ny\n", 'need DXF text, pairs of lines with a number first, got "x" in line 3'),
-        (b"0\nEOF\n", "need a DXF drawing as text, got no section ENTITIES"),
+        (
+            b"AutoCAD Binary DXF\r\n\x1a\x00",
+            "need a DXF drawing, got a damaged binary one: DXFStructureError: missing EOF",
+        ),
+        (b"0\nSECTION\nx\ny\n", 'need a DXF drawing, got a damaged one: Invalid group code "x" at line 3'),
+        (b"0\nEOF\n", "need a DXF drawing, got a file that does not begin with a section"),
+        (b"\x89PNG\r\n\x1a\n", "need a DXF drawing, got a file that does not begin with a section"),
         (b"0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n", "need lines in red .*, got none"),
     ],
 )
@@ -145,3 +166,75 @@ def test_a_unit_of_the_header_that_is_none_is_refused_with_its_line_and_name(tmp
     with pytest.raises(InputError, match=rf'line 12: \$INSUNITS: need a whole number from 0 on, got "{units}"$'):
         read_drawing(path)
     assert path.read_text().splitlines()[11] == units
+
+
+def document(version):
+    """A square with a mountain across it, as ezdxf writes it."""
+    drawing = ezdxf.new(version)
+    space = drawing.modelspace()
+    corners = [(100, 100), (160, 100), (160, 160), (100, 160)]
+    add = space.add_polyline2d if version == "R12" else space.add_lwpolyline
+    add(corners, close=True, dxfattribs={"layer": "border"})
+    space.add_line((130, 100), (130, 160), dxfattribs={"color": 1})
+    return drawing
+
+
+@pytest.mark.parametrize("version", ["R12", "R2000", "R2010", "R2018"])
+@pytest.mark.parametrize("kind", ["asc", "bin"])
+def test_every_release_is_read_as_text_and_binary(tmp_path, version, kind):
+    drawing = document(version)
+    drawing.header["$INSUNITS"] = 5
+    drawing.saveas(tmp_path / "sheet.dxf", fmt=kind)
+    unit = 0.01 if version == "R12" else None  # ezdxf writes no unit in files of release 12
+    pattern, remarks = read_drawing(tmp_path / "sheet.dxf", unit=unit)
+    assert remarks == ["faces found between the lines, 2"]
+    assert np.ptp(pattern.vertices_coords, axis=0) == pytest.approx([0.6, 0.6, 0])
+
+
+def test_a_file_without_a_header_has_no_unit(tmp_path):
+    dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)))
+    text = (tmp_path / "sheet.dxf").read_text()
+    (tmp_path / "sheet.dxf").write_text(text[text.index("  0\nSECTION\n  2\nTABLES") :])
+    with pytest.raises(InputError, match="unit: need the length of the drawing's unit, got none in the file"):
+        read_drawing(tmp_path / "sheet.dxf")
+
+
+def test_polylines_of_later_releases_keep_their_layer_and_close_in_a_file_of_release_12(tmp_path):
+    border = [*RIM[:1], (100, "AcDbEntity"), RIM[1], (100, "AcDbPolyline"), *RIM[2:]]
+    pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", border, crease((62, 1))))
+    assert sorted(pattern.edges_assignment) == sorted("BBBBBBM")
+
+
+def test_a_file_that_breaks_off_is_repaired_and_this_is_told(tmp_path, capfd):
+    path = dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)))
+    path.write_text(path.read_text().removesuffix("  0\nENDSEC\n  0\nEOF\n"))
+    pattern, remarks = read_drawing(path)
+    assert len(pattern.faces_vertices) == 2
+    assert remarks[0].startswith("damaged file repaired: ")
+    assert capfd.readouterr() == ("", "")
+
+
+def test_coordinates_are_read_in_any_order(tmp_path):
+    line = [(0, "LINE"), (8, "M"), (10, 130), (11, 130), (20, 100), (21, 160)]
+    pattern, _ = read_drawing(dxf(tmp_path / "sheet.dxf", OLD_RIM, line))
+    assert len(pattern.faces_vertices) == 2
+
+
+def test_only_reading_a_drawing_imports_ezdxf():
+    code = (
+        "import sys, forficula, forficula.cli, forficula.commands.runs, forficula.show.folder.parts_folder\n"
+        "forficula.load_design('letter-fold')\n"
+        "sys.exit('ezdxf' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_layers_are_named_in_the_code_page_of_the_file(tmp_path):
+    path = dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)), [(0, "LINE"), (8, "grün"), (62, 4), *crease()[3:]])
+    text = path.read_text(encoding="utf-8").replace(
+        "  9\n$INSUNITS", "  9\n$DWGCODEPAGE\n  3\nANSI_1252\n  9\n$INSUNITS"
+    )
+    for encoding in ("utf-8", "cp1252"):
+        path.write_text(text, encoding=encoding)
+        _, remarks = read_drawing(path)
+        assert remarks[0].endswith('1 of layer "grün", colour #00ffff')

@@ -60,7 +60,7 @@ export function makeWing(set, run) {
     const picture = make("div");
     element.replaceChildren(make("div", { className: "offer" }, why, button), picture, ...toKnow(warnings));
     const begun = look ?? { ...firstLook(), following: false };
-    const { stage } = mountStill(picture, [clip], makePoseClock(clip), { ...bench, text: bench.text.replace("which moves with the time", "where it starts") }, begun);
+    const { stage } = mountStill(picture, [clip], makePoseClock(clip), { ...bench, text: `${bench.shape}, where it starts.` }, begun);
     picture.setAttribute("aria-label", `the ${bench.whole} where it starts`);
     still = stage;
     look = stage?.eye.look ?? look;

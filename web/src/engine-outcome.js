@@ -2,12 +2,14 @@
 
 import { within } from "./engine-protocol.js";
 import { summed } from "./engine-wing.js";
+import { filled } from "./format.js";
 
 const FIRST_STEP = 1.5; // steps
 
 /** What a way through a protocol came to, by the stages that took place; `widest`: how far closed loops came apart. */
 export function outcomeOf(live, ends, divergedAt, widest) {
-  const { course, protocol } = live;
+  const { course, protocol, texts } = live;
+  const { endings } = texts;
   const ways = course.transitions.map((transition) => wayOf(live, ends, divergedAt, transition));
   const missedEnd = missed(live, ends, ways);
   const apart = widest > protocol.largestGap;
@@ -16,14 +18,14 @@ export function outcomeOf(live, ends, divergedAt, widest) {
   const way = told && wayAt(protocol, ways, told);
   const transition = way?.transition ?? null;
   const reading = tells(verdict) && way?.state ? furthest(live, transition, way.state.coordinates) : null;
-  const why = verdict === "not held" && early(protocol, missedEnd) ? `the goal of stage "${protocol.stages[missedEnd.stage].name}" holds before it begins` : "";
-  const short = verdict === "moving" && (missedEnd.atGoal ? "at its goal for too short a time when its stage was over" : missedEnd.atRest && "at rest under a torque that still rose when its stage was over");
+  const why = verdict === "not held" && early(protocol, missedEnd) ? filled(endings["not held, early"], { stage: protocol.stages[missedEnd.stage].name }) : "";
+  const short = verdict === "moving" && (missedEnd.atGoal ? endings["moving, too short"] : missedEnd.atRest && endings["moving, torque rises"]);
   const ending = { verdict, transition, reading, time: divergedAt, why: apart ? apartText(live, widest) : why || short || "" };
   return {
     verdict,
     status: endingText(live, ending),
-    word: endingWord(ending),
-    advice: adviceOf(ending),
+    word: endingWord(live, ending),
+    advice: texts.advice[verdict] ?? "",
     transitions: ways.map((each) => transitionOf(protocol, each)),
     states: course.states.map((state) => stateOf(course, ends, ways, state)),
   };
@@ -32,8 +34,8 @@ export function outcomeOf(live, ends, divergedAt, widest) {
 /** Whether a verdict says something of the structure, rather than of the computation. */
 export const tells = (verdict) => verdict !== "diverged" && verdict !== "untrusted";
 
-function apartText({ size }, widest) {
-  return `creases that close loops come apart by ${Number((widest / size).toPrecision(2))} of its size: a shorter timestep closes them`;
+function apartText({ size, texts }, widest) {
+  return filled(texts.apart, { share: Number((widest / size).toPrecision(2)) });
 }
 
 function wayOf({ course, protocol }, ends, divergedAt, transition) {
@@ -127,32 +129,20 @@ function readingText(live, { kind }, reading) {
 /** In a few words, as a summary's status. */
 function endingText(live, ending) {
   const { verdict, transition, reading, time, why } = ending;
-  if (verdict === "untrusted") return `not to be trusted: ${why}`;
-  if (verdict === "diverged") return `diverged at t = ${Number(time.toPrecision(4))} s`;
-  if (transition === null) return "settled";
-  const { words } = transition;
-  if (verdict === "reached") return words.done;
+  const { endings } = live.texts;
+  if (verdict === "untrusted") return filled(endings["untrusted, why"], { why });
+  if (verdict === "diverged") return filled(endings["diverged, time"], { time: Number(time.toPrecision(4)) });
+  if (transition === null || verdict === "reached") return endingWord(live, ending);
   if (why) return why;
-  if (verdict === "stuck") return underWay(ending) ? `stuck at ${readingText(live, transition, reading)}` : `did not ${words.verb}`;
-  if (verdict === "not held") return `did not stay ${words.stays}`;
-  const at = transition.begun !== null && reading !== null ? ` at ${readingText(live, transition, reading)}` : "";
-  return `still moving${at} when its time to ${words.verb} was over`;
+  const fields = { ...transition.words, reading: reading === null ? "" : readingText(live, transition, reading) };
+  if (verdict === "moving") return filled(endings[transition.begun !== null && reading !== null ? "moving, reading" : "moving, limit"], fields);
+  return verdict === "stuck" && underWay(ending) ? filled(endings["stuck, reading"], fields) : endingWord(live, ending);
 }
 
 /** The same without its numbers: what many have in common. */
-function endingWord(ending) {
+function endingWord({ texts: { endings } }, ending) {
   const { verdict, transition } = ending;
-  if (verdict === "diverged") return "diverged";
-  if (verdict === "untrusted") return "not to be trusted";
-  if (transition === null) return "settled";
-  const { words } = transition;
-  if (verdict === "reached") return words.done;
-  if (verdict === "moving") return `still ${words.doing}`;
-  if (verdict === "stuck") return underWay(ending) ? "stuck on the way" : `did not ${words.verb}`;
-  return `did not stay ${words.stays}`;
-}
-
-/** What is known to help without statics, which the page has not: less than what a run says. */
-function adviceOf({ verdict }) {
-  return verdict === "diverged" || verdict === "untrusted" ? "Take a shorter timestep." : "";
+  if (!tells(verdict)) return endings[verdict];
+  if (transition === null) return endings.settled;
+  return filled(endings[verdict === "stuck" && underWay(ending) ? "stuck, under way" : verdict], transition.words);
 }

@@ -1,6 +1,7 @@
 /** The least values that bring a structure to its states; as in forficula.study.search, without its halvings. */
 
 import { tells } from "./engine-outcome.js";
+import { filled } from "./format.js";
 
 /** search: the steps with their values; runUntil: takes values by key through the protocol up to a stage. */
 export function leastValues(search, runUntil) {
@@ -41,13 +42,16 @@ const reaches = (outcome, transition) => Boolean(outcome.transitions.find(({ nam
 const numbers = (outcome, { transition }) => outcome.transitions.filter(({ name }) => name === transition);
 
 /** What a point is said to have come to: where some value does the first transition, what became of the second. */
-function ending({ first, second, referenceText }, { outcome: done, last }, { outcome: next, last: lastNext }) {
-  const { status, word, verdict, advice } = done;
-  const torque = first.texts && tells(verdict) ? ` (${first.transition} with ${first.texts[last]})` : "";
-  if (!next) return { status: `${status}${torque}`, word, verdict, advice };
-  if (!reaches(done, first.transition)) return { status: `${status}; with ${referenceText}: ${next.status}`, word, verdict, advice };
-  const torques = first.texts ? ` (${first.transition} with ${referenceText}, ${second.transition} with ${second.texts[lastNext]})` : "";
-  if (reaches(next, first.transition)) return { status: `${next.status}${torques}`, word: next.word, verdict: next.verdict, advice: next.advice };
-  const said = { status: `with ${referenceText}: ${next.status}`, verdict: next.verdict, advice: next.advice };
-  return { ...said, word: tells(next.verdict) ? `${next.word} with ${referenceText}` : next.word };
+function ending({ first, second, referenceText: value, texts }, { outcome: done, last }, { outcome: next, last: lastNext }) {
+  const { status: text, word, verdict, advice } = done;
+  const named = (transition, at) => filled(texts.with, { text: transition, value: at });
+  const used = (status, ...values) => filled(texts.used, { text: status, used: values.join(", ") });
+  if (!next) return { status: first.texts && tells(verdict) ? used(text, named(first.transition, first.texts[last])) : text, word, verdict, advice };
+  if (!reaches(done, first.transition)) return { status: filled(texts.then, { text, value, next: next.status }), word, verdict, advice };
+  if (reaches(next, first.transition)) {
+    const status = first.texts ? used(next.status, named(first.transition, value), named(second.transition, second.texts[lastNext])) : next.status;
+    return { status, word: next.word, verdict: next.verdict, advice: next.advice };
+  }
+  const said = { status: filled(texts.failed, { value, next: next.status }), verdict: next.verdict, advice: next.advice };
+  return { ...said, word: tells(next.verdict) ? named(next.word, value) : next.word };
 }

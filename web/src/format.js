@@ -9,6 +9,11 @@ export function fixed(value, digits) {
   return (Number(text) === 0 ? (0).toFixed(digits) : text).replace("-", "\u2212");
 }
 
+/** A sentence that Python hands over, with its fields in braces filled in. */
+export function filled(text, fields) {
+  return text.replace(/\{(\w+)\}/g, (_, name) => fields[name]);
+}
+
 /** Four significant digits at most, without zeros at the end. */
 export function short(value) {
   const text = Number(value.toPrecision(4));

@@ -153,7 +153,7 @@ function numberRows(model, point) {
 }
 
 function whyNotKept(model, point) {
-  if (!model.study.built[point]) return `There is nothing to play: this ${model.study.noun} cannot be built.`;
+  if (!model.study.built[point]) return model.study.unbuilt;
   return `This run was not kept, so it cannot be played here. ${model.study.keeps}`;
 }
 

@@ -98,7 +98,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   panel.begin = () => {
     // framed so that all that the run shows is in the picture; where it begins alone, with room to move
     const look = seen ?? { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
-    const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: data.text.replace("which moves with the time", "live") }, look);
+    const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: `${data.shape}, live.` }, look);
     panel.stage = stage;
     mountReadout(readout, live.clip, live.clock, data.energy);
     watchTables(panel.element);

@@ -32,6 +32,7 @@ from forficula.structure import (
 # [chosen] how many times the allowed residual tells nothing of the timestep that would do
 _FAR_OFF = 20
 AUTO = 'protocol.timestep = "auto" chooses one'
+SHORTER_STEP = f"Take a shorter timestep: {AUTO}."
 # [chosen] by how much a time limit, and a hold before a release, are raised
 _LONGER, _HELD = 4.0, 10.0
 # [chosen] how much more than the least slowly growing torque is advised
@@ -215,7 +216,7 @@ def _least_torques(designs: Sequence[Design], transition: Transition) -> list[fl
 def _shorter_step(ending: Ending, design: Design) -> Advice:
     """The timestep that would do: what is missing falls with it at least in proportion."""
     limit, timestep = design.protocol.residual_limit, design.protocol.timestep
-    auto = Advice(kind="timestep auto", text=f"Take a shorter timestep: {AUTO}.", values={"protocol.timestep": "auto"})
+    auto = Advice(kind="timestep auto", text=SHORTER_STEP, values={"protocol.timestep": "auto"})
     if ending.verdict is Verdict.DIVERGED or ending.why:
         return auto
     allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from forficula.analysis.advice import NOTHING, Advice, edge_advice, run_advice
 from forficula.analysis.confirmation import Confirmation, StateValues, Values, confirm, undecided, undecided_text
 from forficula.analysis.resolution import unresolved_stops
-from forficula.analysis.verdict import Ending, Verdict, ending_text
+from forficula.analysis.verdict import ENDING_TEXTS, Ending, Verdict, ending_text
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
@@ -36,8 +36,6 @@ Array = NDArray[np.float64]
 
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole
-_TOO_SHORT = "at its goal for too short a time when its stage was over"
-_RISING = "at rest under a torque that still rose when its stage was over"
 _SHOWN = 1e-3  # of a reading, of which half its range is told
 _FIRST_STEP = 1.5  # timesteps, for times are multiples of it up to rounding
 
@@ -368,7 +366,7 @@ def early_goal(record: Record, end: StageEnd) -> str:
     ):
         return ""
     early = end.goal_time - end.start <= _FIRST_STEP * float(record.design.protocol.timestep)
-    return f'the goal of stage "{end.stage.name}" holds before it begins' if early else ""
+    return ENDING_TEXTS["not held, early"].format(stage=end.stage.name) if early else ""
 
 
 def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
@@ -382,8 +380,8 @@ def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
     if verdict is Verdict.NOT_HELD:
         return early_goal(record, missed)
     if missed.at_goal:
-        return _TOO_SHORT
-    return _RISING if missed.at_rest else ""
+        return ENDING_TEXTS["moving, too short"]
+    return ENDING_TEXTS["moving, torque rises"] if missed.at_rest else ""
 
 
 def _way(record: Record, transition: Transition) -> _Way:

@@ -31,11 +31,29 @@ class Verdict(StrEnum):
 SETTLED = "settled"
 # why a run at the shortest timestep that was tried is not to be trusted though its energy balances
 UNSETTLED = "its outcome still changes with the timestep"
-_SILENT = {
-    Verdict.DIVERGED: "diverged",
-    Verdict.UNDECIDED: "undecided",
-    Verdict.UNTRUSTED: "not to be trusted",
-    Verdict.NOT_BUILT: "cannot be built",
+# The only definition of these sentences: pages get them as data and fill in the same fields. A key is a verdict, or a
+# verdict with more that is known; "done", "doing", "verb" and "stays" are of a transition's wording.
+ENDING_TEXTS = {
+    "settled": SETTLED,
+    "reached": "{done}",
+    "moving": "still {doing}",
+    "moving, limit": "still moving when its time to {verb} was over",
+    "moving, reading": "still moving at {reading} when its time to {verb} was over",
+    "moving, too short": "at its goal for too short a time when its stage was over",
+    "moving, torque rises": "at rest under a torque that still rose when its stage was over",
+    "stuck": "did not {verb}",
+    "stuck, under way": "stuck on the way",
+    "stuck, reading": "stuck at {reading}",
+    "not held": "did not stay {stays}",
+    "not held, early": 'the goal of stage "{stage}" holds before it begins',
+    "diverged": "diverged",
+    "diverged, time": "diverged at t = {time} s",
+    "undecided": "undecided",
+    "undecided, why": "undecided: {why}",
+    "untrusted": "not to be trusted",
+    "untrusted, why": "not to be trusted: {why}",
+    "not built": "cannot be built",
+    "not built, why": "cannot be built: {why}",
 }
 
 
@@ -72,25 +90,26 @@ def ending_text(ending: Ending) -> str:
     """What became of a structure, in a few words."""
     match ending.verdict:
         case Verdict.DIVERGED:
-            return "diverged" if ending.time is None else f"diverged at t = {ending.time:.4g} s"
-        case Verdict.UNDECIDED if ending.why:
-            return f"undecided: {ending.why}"
-        case Verdict.UNTRUSTED if ending.why:
-            return f"not to be trusted: {ending.why}"
+            if ending.time is None:
+                return ENDING_TEXTS["diverged"]
+            return ENDING_TEXTS["diverged, time"].format(time=f"{ending.time:.4g}")
+        case Verdict.UNDECIDED | Verdict.UNTRUSTED if ending.why:
+            return ENDING_TEXTS[f"{ending.verdict}, why"].format(why=ending.why)
         case Verdict.UNTRUSTED if ending.residual is not None:
             share = f"{100 * ending.residual:.2g} %" if ending.residual < 1 else "more than was exchanged"
-            return f"not to be trusted: the energy balance misses {share}"
+            return ENDING_TEXTS["untrusted, why"].format(why=f"the energy balance misses {share}")
         case Verdict.NOT_BUILT:
-            return f"cannot be built: {ending.why}"
+            return ENDING_TEXTS["not built, why"].format(why=ending.why)
         case Verdict.STUCK if _on_the_way(ending) and ending.reading is not None:
-            return f"stuck at {_reading_text(ending.transition, ending.reading)}"
+            return ENDING_TEXTS["stuck, reading"].format(reading=_reading_text(ending.transition, ending.reading))
         case Verdict.MOVING | Verdict.NOT_HELD if ending.why:
             return ending.why
         case Verdict.MOVING if ending.transition is not None:
-            at = ""
-            if ending.transition.begun is not None and ending.reading is not None:
-                at = f" at {_reading_text(ending.transition, ending.reading)}"
-            return f"still moving{at} when its time to {ending.transition.wording.verb} was over"
+            verb = ending.transition.wording.verb
+            if ending.transition.begun is None or ending.reading is None:
+                return ENDING_TEXTS["moving, limit"].format(verb=verb)
+            reading = _reading_text(ending.transition, ending.reading)
+            return ENDING_TEXTS["moving, reading"].format(reading=reading, verb=verb)
         case _:
             return ending_word(ending)
 
@@ -110,18 +129,11 @@ def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool =
         under_way: whether it had begun for good.
     """
     if not verdict.tells:
-        return _SILENT[verdict]
+        return ENDING_TEXTS[verdict]
     if wording is None:
-        return SETTLED
-    match verdict:
-        case Verdict.REACHED:
-            return wording.done
-        case Verdict.MOVING:
-            return f"still {wording.doing}"
-        case Verdict.STUCK:
-            return "stuck on the way" if under_way else f"did not {wording.verb}"
-        case _:
-            return f"did not stay {wording.stays}"
+        return ENDING_TEXTS["settled"]
+    key = "stuck, under way" if verdict is Verdict.STUCK and under_way else verdict
+    return ENDING_TEXTS[key].format_map(vars(wording))
 
 
 def _reading_text(transition: Transition | None, reading: float) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.dynamics.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
-from forficula.dynamics.closures import LARGEST_GAP
+from forficula.dynamics.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.energy import state_energies, state_series
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
@@ -189,7 +189,7 @@ class Recorder:
         gap, span = account.get("closure_gap", 0.0), self.model.structure.span
         if gap <= LARGEST_GAP * span:
             return ""
-        return f"creases that close loops come apart by {gap / span:.2g} of its size: a shorter timestep closes them"
+        return APART_TEXT.format(share=f"{gap / span:.2g}")
 
     def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
         """The account, with the works and powers of all motors as one array each, (row, motor)."""

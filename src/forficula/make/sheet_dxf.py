@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
+import io
+import logging
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
 from forficula.files import write_text
-from forficula.make.cut_lines import LAYERS, CutHole, CutLabel, CutLine, CutSheet, layer_texts
+from forficula.make.cut_lines import LAYERS, CutSheet, layer_texts
 from forficula.make.regions import MILLIMETRES
 from forficula.make.sheet_notes import legend_lines
 
-# of AutoCAD's index: white or black, magenta, red, blue, grey; as origami programs read creases
-_COLOURS = {"cut": 7, "score": 6, "mountain": 1, "valley": 5, "mark": 8}
-_NOTE, _NOTE_COLOUR = "NOTE", 9
-_LETTERS, _BELOW = 3.0, 6.0  # mm: height of the legend's letters, and of its lines
-_CLOSED, _MILLIMETRE_UNITS, _MIDDLE = 1, 4, 1
+if TYPE_CHECKING:
+    from ezdxf._options import Options
+    from ezdxf.layouts.layout import Modelspace
 
-Pair = tuple[int, object]
-Array = NDArray[np.float64]
+# of AutoCAD's index: white or black, magenta, red, blue, grey; as origami programs read creases
+_COLOURS = {"CUT": 7, "SCORE": 6, "MOUNTAIN": 1, "VALLEY": 5, "MARK": 8, "NOTE": 9}
+_LETTERS, _BELOW = 3.0, 6.0  # mm: height of the legend's letters, and of its lines
+# ezdxf leaves units out of files of release 12
+_RELEASE, _UNIT = "  9\n$ACADVER\n  1\nAC1009\n", "  9\n$INSUNITS\n 70\n4\n  9\n$MEASUREMENT\n 70\n1\n"
+
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # otherwise its warnings go to the terminal
 
 
 def write_sheet_dxf(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
@@ -38,75 +45,59 @@ def write_sheet_dxf(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    low, high = MILLIMETRES * sheet.corners
-    used = [*(layer.upper() for layer in layer_texts(sheet)), _NOTE]
-    header: list[Pair] = [(9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, _MILLIMETRE_UNITS)]
-    header += [(9, "$MEASUREMENT"), (70, 1), (9, "$EXTMIN"), *_place(low), (9, "$EXTMAX"), *_place(high)]
-    pairs = [*_section("HEADER", header), *_section("TABLES", [*_line_types(), *_layers(used)])]
-    entities: list[Pair] = []
+    from ezdxf import _options
+    from ezdxf.filemanagement import new
+
+    with _fixed_dates(_options.options):
+        document = new("R12")
+        document.layers.remove("Defpoints")
+        for name in (*(layer.upper() for layer in layer_texts(sheet)), "NOTE"):
+            document.layers.add(name, color=_COLOURS[name])
+        _draw(sheet, document.modelspace())
+        stream = io.StringIO()
+        document.write(stream)
+    write_text(Path(path), stream.getvalue().replace(_RELEASE, _RELEASE + _UNIT, 1))
+
+
+def _draw(sheet: CutSheet, space: Modelspace) -> None:
+    """Draw the lines, holes and labels of a sheet, layer by layer, and its legend."""
+    low, high = _millimetres(sheet.corners)
+    space.reset_extents((*low, 0.0), (*high, 0.0))
     for layer in LAYERS:
-        for line in sheet.lines:
-            entities += _line(line) if line.layer == layer else []
+        on_layer = {"layer": layer.upper()}
+        for line in (line for line in sheet.lines if line.layer == layer):
+            points = _millimetres(line.points)
+            if line.closed:
+                space.add_polyline2d(points, close=True, dxfattribs=on_layer)
+            else:
+                space.add_line(points[0], points[1], dxfattribs=on_layer)
         for hole in sheet.holes if layer == "cut" else ():
-            entities += _circle(hole)
+            space.add_circle(_millimetres(hole.place), _millimetres(hole.diameter / 2), dxfattribs=on_layer)
         for label in sheet.labels if layer == "mark" else ():
-            entities += _label(label)
+            place = _millimetres(label.place)
+            middle = {**on_layer, "insert": place, "align_point": place, "halign": 1, "valign": 2}
+            space.add_text(_ascii(label.text), height=_millimetres(label.height), dxfattribs=middle)
     for row, text in enumerate(legend_lines(sheet)):
-        entities += _text(_NOTE, text, (low[0], low[1] - (row + 2) * _BELOW), _LETTERS)
-    pairs += [*_section("ENTITIES", entities), (0, "EOF")]
-    write_text(Path(path), "".join(f"{code:>3}\n{_written(value)}\n" for code, value in pairs))
+        place = (low[0], low[1] - (row + 2) * _BELOW)
+        space.add_text(_ascii(text), height=_LETTERS, dxfattribs={"layer": "NOTE", "insert": place})
 
 
-def _written(value: object) -> str:
-    """A number to the nanometre, without a minus before nothing; a text as R12 holds it."""
-    if isinstance(value, float):
-        return f"{round(value, 6) + 0.0:.6f}"
-    # release 12 knows no letters beyond ASCII but by their numbers
-    return "".join(each if " " <= each <= "~" else f"\\U+{ord(each):04X}" for each in str(value))
+@contextmanager
+def _fixed_dates(options: Options) -> Iterator[None]:
+    """Make ezdxf write fixed dates, so that the same drawing gives the same bytes."""
+    before = options.write_fixed_meta_data_for_testing
+    options.write_fixed_meta_data_for_testing = True
+    try:
+        yield
+    finally:
+        options.write_fixed_meta_data_for_testing = before
 
 
-def _section(name: str, pairs: Sequence[Pair]) -> list[Pair]:
-    return [(0, "SECTION"), (2, name), *pairs, (0, "ENDSEC")]
+def _millimetres(metres: ArrayLike) -> Any:
+    """Return lengths in millimetres, rounded to the nanometre and without negative zeros, as lists of numbers."""
+    return (np.round(MILLIMETRES * np.asarray(metres), 6) + 0.0).tolist()
 
 
-def _line_types() -> list[Pair]:
-    """The one that all lines have: dashes would be cut as such by some programs."""
-    solid: list[Pair] = [(0, "LTYPE"), (2, "CONTINUOUS"), (70, 0), (3, "Solid line"), (72, 65), (73, 0), (40, 0.0)]
-    return [(0, "TABLE"), (2, "LTYPE"), (70, 1), *solid, (0, "ENDTAB")]
-
-
-def _layers(names: Sequence[str]) -> list[Pair]:
-    rows: list[Pair] = [(0, "TABLE"), (2, "LAYER"), (70, len(names) + 1)]
-    for name in ("0", *names):
-        colour = {**{layer.upper(): its for layer, its in _COLOURS.items()}, _NOTE: _NOTE_COLOUR}.get(name, 7)
-        rows += [(0, "LAYER"), (2, name), (70, 0), (62, colour), (6, "CONTINUOUS")]
-    return [*rows, (0, "ENDTAB")]
-
-
-def _place(place: Sequence[float] | Array, first: int = 10) -> list[Pair]:
-    """x, y and z, mm."""
-    return [(first, float(place[0])), (first + 10, float(place[1])), (first + 20, 0.0)]
-
-
-def _line(line: CutLine) -> list[Pair]:
-    layer, points = line.layer.upper(), MILLIMETRES * line.points
-    if not line.closed:
-        return [(0, "LINE"), (8, layer), *_place(points[0]), *_place(points[1], 11)]
-    pairs: list[Pair] = [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0, 0)), (70, _CLOSED)]
-    for point in points:
-        pairs += [(0, "VERTEX"), (8, layer), *_place(point)]
-    return [*pairs, (0, "SEQEND"), (8, layer)]
-
-
-def _circle(hole: CutHole) -> list[Pair]:
-    return [(0, "CIRCLE"), (8, "CUT"), *_place(MILLIMETRES * hole.place), (40, float(MILLIMETRES * hole.diameter / 2))]
-
-
-def _label(label: CutLabel) -> list[Pair]:
-    place, height = MILLIMETRES * label.place, MILLIMETRES * label.height
-    middle: list[Pair] = [(72, _MIDDLE), (73, 2), *_place(place, 11)]
-    return [*_text("MARK", label.text, place, height), *middle]
-
-
-def _text(layer: str, text: str, place: Sequence[float] | Array, height: float) -> list[Pair]:
-    return [(0, "TEXT"), (8, layer), *_place(place), (40, float(height)), (1, text)]
+def _ascii(text: str) -> str:
+    """Return a text in ASCII, as release 12 needs it: other letters by their numbers."""
+    return "".join(each if " " <= each <= "~" else f"\\U+{ord(each):04X}" for each in text)

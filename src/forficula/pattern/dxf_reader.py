@@ -1,25 +1,32 @@
-"""The straight lines of a DXF drawing (text form), with the kinds of creases that their layers or colours mean."""
+"""The straight lines of a DXF drawing, with the kinds of creases that their layers or colours mean."""
 
 from __future__ import annotations
 
+import codecs
 import colorsys
+import io
 import itertools
+import logging
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from forficula.errors import InputError
 from forficula.files import read_bytes
+from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
 from forficula.pattern.edge_names import letter_of_name
 from forficula.quantities import as_written
 
-Pair = tuple[int, str]
-Entity = list[Pair]
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing as Document
+    from ezdxf.entities.dxfgfx import DXFGraphic
+    from ezdxf.entities.layer import Layer
+
 Point = tuple[float, float]
+Colour = tuple[float, float, float]
 
 # m by $INSUNITS (Autodesk, DXF reference, header variables); 0 is "no unit"
 _METRES = {
@@ -35,8 +42,14 @@ _METRES = {
     13: 1e-6,
     14: 0.1,
 }
+_INSERT_UNITS = re.compile(rb"^\$INSUNITS\n70\n(.*)$", re.MULTILINE)
+_HANDLES = re.compile(rb"^5\n([0-9A-F]+)$", re.MULTILINE)
+_OLD_RELEASE = re.compile(rb"^(\$ACADVER\n1\n)AC10(06|09)$", re.MULTILINE)
+# its type, what it shares with other entities, and the first code of its own
+_LWPOLYLINE = re.compile(rb"^(0\nLWPOLYLINE\n)((?:(?!0\n).*\n.*\n)*?)(?=(?:10|38|39|43|70|90|210)\n)", re.MULTILINE)
+_LINES = {"LINE", "LWPOLYLINE", "POLYLINE"}
 _CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX"}
-_COPIES = {"INSERT"}
+_BLOCK = "INSERT"
 _BY_LAYER, _BY_BLOCK = 256, 0
 _COLOURS = {
     1: (1.0, 0.0, 0.0),
@@ -49,14 +62,11 @@ _COLOURS = {
     8: (0.5, 0.5, 0.5),
     9: (0.75, 0.75, 0.75),
 }
+_BINARY = b"AutoCAD Binary DXF"
+_BEGINNING = re.compile(rb"(999\n.*\n)*0\nSECTION\n")
+_LONGEST_REASON = 160
 
-
-@dataclass(frozen=True, kw_only=True)
-class _Layer:
-    """A layer: its colour, and whether it is shown."""
-
-    colour: tuple[float, float, float]
-    shown: bool
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # otherwise its warnings go to the terminal
 
 
 def read_dxf(file: Path) -> Drawing:
@@ -66,122 +76,106 @@ def read_dxf(file: Path) -> Drawing:
     (5) valley, black or white (7) border, green (3) cut, yellow (2) and greys flat, magenta (6) unassigned.
 
     Raises:
-        InputError: the file cannot be read, is no DXF text, or has curves or blocks among its creases.
+        InputError: the file cannot be read, is no DXF drawing, or has curves or blocks among its creases.
     """
-    pairs = _pairs(file)
-    sections = _sections(pairs)
-    if "ENTITIES" not in sections:
-        raise InputError("need a DXF drawing as text, got no section ENTITIES")
-    layers = _layers(sections.get("TABLES", []))
-    left_out, seen, lines = Counter[str](), Counter[str](), list[DrawnLine]()
-    for entity in _with_vertices(_entities(sections["ENTITIES"])):
-        kind = entity[0][0][1]
-        seen[kind] += 1
-        handle = next((f" (handle {value})" for code, value in entity[0] if code == 5), "")
-        try:
-            lines += _drawn_lines(entity, layers, left_out, f"{kind} {seen[kind]}{handle}")
-        except InputError as error:
-            raise InputError(f"{kind} {seen[kind]}{handle}: {error}") from None
-    remarks = check_some(lines, left_out)
-    unit = _METRES.get(_insert_units(pairs, sections.get("HEADER", [])))
-    return Drawing(lines=tuple(lines), unit=unit, assumed_unit=None, title="", remarks=remarks)
-
-
-def _pairs(file: Path) -> list[Pair]:
-    """The group codes and values of a file."""
     content = read_bytes(file)
-    if content.startswith(b"AutoCAD Binary DXF"):
-        raise InputError("need DXF as text, got binary DXF; save it as ASCII DXF")
-    rows = content.decode("utf-8-sig", errors="replace").splitlines()
-    pairs: list[Pair] = []
-    for row in range(0, len(rows) - 1, 2):
-        try:
-            pairs.append((int(rows[row]), rows[row + 1].strip()))
-        except ValueError:
-            raise InputError(
-                f"need DXF text, pairs of lines with a number first, got {as_written(rows[row])} in line {row + 1}"
-            ) from None
-    return pairs
-
-
-def _sections(pairs: Sequence[Pair]) -> dict[str, list[Pair]]:
-    """What lies between SECTION and ENDSEC, by name."""
-    sections: dict[str, list[Pair]] = {}
-    inside: list[Pair] | None = None
-    for place, pair in enumerate(pairs):
-        if pair == (0, "SECTION") and place + 1 < len(pairs):
-            inside = sections.setdefault(pairs[place + 1][1], [])
-        elif pair == (0, "ENDSEC"):
-            inside = None
-        elif inside is not None:
-            inside.append(pair)
-    return sections
-
-
-def _entities(pairs: Sequence[Pair]) -> list[Entity]:
-    """What begins with a code 0, each with its pairs."""
-    entities: list[Entity] = []
-    for pair in pairs:
-        if pair[0] == 0:
-            entities.append([pair])
-        elif entities:
-            entities[-1].append(pair)
-    return entities
-
-
-def _with_vertices(entities: Sequence[Entity]) -> Iterator[list[Entity]]:
-    """Every entity, a POLYLINE with its vertices behind it."""
-    waiting: list[Entity] = []
-    for entity in entities:
-        kind = entity[0][1]
-        if waiting and kind == "VERTEX":
-            waiting.append(entity)
+    binary = content.startswith(_BINARY)
+    if not binary:
+        content = b"\n".join([line.strip() for line in content.removeprefix(codecs.BOM_UTF8).splitlines()]) + b"\n"
+    unit = 0 if binary else _insert_units(content)
+    document, repairs = _document(content)
+    layers = {layer.dxf.name.lower(): layer for layer in document.layers}
+    left_out, seen, lines = Counter[str](), Counter[str](), list[DrawnLine]()
+    handles = set(_HANDLES.findall(content))
+    for entity in document.modelspace():
+        kind, handle = entity.dxftype(), str(entity.dxf.handle)
+        if kind not in (*_LINES, *_CURVES, _BLOCK):
             continue
-        if waiting:
-            yield waiting
-            waiting = []
-        if kind == "POLYLINE":
-            waiting = [entity]
-        elif kind != "SEQEND":
-            yield [entity]
-    if waiting:
-        yield waiting
+        seen[kind] += 1
+        # ezdxf gives a handle to entities that have none in the file
+        name = f"{kind} {seen[kind]}" + (f" (handle {handle})" if handle.encode() in handles else "")
+        try:
+            lines += _drawn_lines(entity, layers.get(entity.dxf.layer.lower()), left_out, name)
+        except InputError as error:
+            raise InputError(f"{name}: {error}") from None
+    if binary and b"$INSUNITS" in content:
+        unit = document.header.get("$INSUNITS", 0)
+    remarks = (*repairs, *check_some(lines, left_out))
+    return Drawing(lines=tuple(lines), unit=_METRES.get(unit), assumed_unit=None, title="", remarks=remarks)
 
 
-def _insert_units(pairs: Sequence[Pair], header: Sequence[Pair]) -> int:
-    """The number of the drawing's unit; 0 where it has none."""
-    for (code, name), (_, value) in itertools.pairwise(header):
-        if name == "$INSUNITS":
-            if not re.fullmatch(r"\+?[0-9]{1,9}(\.0*)?", value):
-                line = 2 * pairs.index((code, name)) + 4  # two lines a pair
-                raise InputError(f"line {line}: $INSUNITS: need a whole number from 0 on, got {as_written(value)}")
-            return int(float(value))
-    return 0
+def _insert_units(content: bytes) -> int:
+    """Return the number of the unit in the header of a text, 0 where the header has no unit.
+
+    ezdxf reads 5.7 as 5, and returns metres where the file has no header.
+    """
+    if (unit := _INSERT_UNITS.search(content)) is None:
+        return 0
+    if not re.fullmatch(rb"\+?[0-9]{1,9}(\.0*)?", unit[1]):
+        line, value = content.count(b"\n", 0, unit.start(1)) + 1, unit[1].decode(errors="replace")
+        raise InputError(f"line {line}: $INSUNITS: need a whole number from 0 on, got {as_written(value)}")
+    return int(float(unit[1]))
 
 
-def _layers(tables: Sequence[Pair]) -> dict[str, _Layer]:
-    """The layers of a drawing, by name."""
-    layers: dict[str, _Layer] = {}
-    for entity in _entities(tables):
-        if entity[0][1] == "LAYER":
-            of = dict(entity)
-            number = int(_number(of.get(62, "7")))
-            frozen = int(_number(of.get(70, "0"))) & 1
-            colour = _true_colour(of) or _index_colour(abs(number))
-            layers[of.get(2, "")] = _Layer(colour=colour, shown=number >= 0 and not frozen)
-    return layers
+def _document(content: bytes) -> tuple[Document, list[str]]:
+    """Read a DXF document, and list the repairs without which ezdxf could not read it."""
+    from ezdxf import recover
+    from ezdxf.document import Drawing as Document
+    from ezdxf.lldxf.tagger import binary_tags_loader
+
+    binary = content.startswith(_BINARY)
+    if not (binary or _BEGINNING.match(content)):
+        raise InputError("need a DXF drawing, got a file that does not begin with a section")
+    try:
+        if binary:
+            return Document.load(binary_tags_loader(content)), []
+        return Document.read(io.StringIO(_text(_with_markers(content)))), []
+    except Exception as error:  # a damaged file may break any part of the library
+        if binary:
+            raise InputError(f"need a DXF drawing, got a damaged binary one: {_reason(error)}") from None
+    try:
+        # errors name the lines of the file itself; without an end, its last section is lost
+        document, audit = recover.read(io.BytesIO(content + b"0\nEOF\n"))
+    except Exception as error:
+        raise InputError(f"need a DXF drawing, got a damaged one: {_reason(error)}") from None
+    if audit.errors:
+        raise InputError(f"need a DXF drawing, got a damaged one: {_reason(audit.errors[0].message)}")
+    repairs = Counter(_reason(fix.message) for fix in audit.fixes)
+    return document, [f"damaged file repaired: {message}" for message in repairs]
 
 
-def _true_colour(of: dict[int, str]) -> tuple[float, float, float] | None:
-    """A colour that is written out, code 420."""
-    if 420 not in of:
-        return None
-    number = int(_number(of[420]))
-    return (number >> 16 & 255) / 255, (number >> 8 & 255) / 255, (number & 255) / 255
+def _with_markers(content: bytes) -> bytes:
+    """Add what ezdxf needs to read LWPOLYLINE: a release of 2000 or later, and markers of subclasses."""
+    if b"LWPOLYLINE" not in content:
+        return content
+    content = _OLD_RELEASE.sub(rb"\g<1>AC1015", content, count=1)
+    if b"AcDbPolyline" in content:
+        return content
+    return _LWPOLYLINE.sub(rb"\g<1>100\nAcDbEntity\n\g<2>100\nAcDbPolyline\n", content)
 
 
-def _index_colour(index: int) -> tuple[float, float, float]:
-    """A colour of AutoCAD's index: from 10 on, 24 hues by 10, each in 5 shades; greys from 250 on."""
+def _text(content: bytes) -> str:
+    """Decode a text: as UTF-8 where possible, otherwise by the code page of the header."""
+    from ezdxf.filemanagement import dxf_stream_info
+
+    try:
+        return content.decode()
+    except UnicodeDecodeError:
+        header = dxf_stream_info(io.StringIO(content.decode(errors="ignore")))
+        return content.decode(header.encoding, errors="surrogateescape")
+
+
+def _reason(error: object) -> str:
+    """Return the reason that ezdxf gives, on one short line."""
+    text = one_line(str(error))
+    return text if len(text) <= _LONGEST_REASON else f"{text[:_LONGEST_REASON]}..."
+
+
+def _index_colour(index: int) -> Colour:
+    """Return a colour of AutoCAD's index: from 10 on, 24 hues by 10, each in 5 shades; greys from 250 on.
+
+    The table of ezdxf 1.4 deviates in dark shades: a channel is 88 instead of 38 in 109, 159 to 249 and others.
+    """
     if index in _COLOURS:
         return _COLOURS[index]
     if not 10 <= index <= 255:
@@ -193,69 +187,57 @@ def _index_colour(index: int) -> tuple[float, float, float]:
     return colorsys.hsv_to_rgb((index // 10 - 1) / 24, 0.5 if index % 2 else 1.0, shade)
 
 
-def _drawn_lines(
-    entity: Sequence[Entity], layers: dict[str, _Layer], left_out: Counter[str], name: str
-) -> list[DrawnLine]:
-    """The lines of an entity that are part of a sheet; count one that means nothing."""
-    of, kind = dict(entity[0]), entity[0][0][1]
-    layer_name = of.get(8, "0")
-    layer = layers.get(layer_name, _Layer(colour=_COLOURS[7], shown=True))
-    drawn = kind in ("LINE", "LWPOLYLINE", "POLYLINE", *_CURVES, *_COPIES)
-    if of.get(67, "0") == "1" or of.get(60, "0") == "1" or not layer.shown or not drawn:
+def _colour(drawn: DXFGraphic | Layer) -> Colour:
+    """Return the colour of an entity or a layer: its true colour, or that of its index."""
+    if (rgb := drawn.rgb) is not None:
+        return rgb[0] / 255, rgb[1] / 255, rgb[2] / 255
+    return _index_colour(abs(drawn.dxf.color))
+
+
+def _drawn_lines(entity: DXFGraphic, layer: Layer | None, left_out: Counter[str], name: str) -> list[DrawnLine]:
+    """Return the lines of an entity that are part of a sheet; count an entity without a meaning."""
+    kind, layer_name = entity.dxftype(), entity.dxf.layer
+    hidden = entity.dxf.invisible == 1 or (layer is not None and (layer.is_off() or layer.is_frozen()))
+    if hidden:
         return []
-    if kind in _COPIES:
+    if kind == "LWPOLYLINE" and entity.doc is not None and entity.doc.dxfversion <= "AC1009":
+        raise InputError(
+            "need release 2000 or later ($ACADVER) for LWPOLYLINE, got release 12; save the drawing as R2000 DXF"
+        )
+    if kind == _BLOCK:
         raise InputError("need lines themselves, got a block; explode it in a drawing program")
-    index = int(_number(of.get(62, str(_BY_LAYER))))
-    own = _true_colour(of) or (_index_colour(index) if index not in (_BY_LAYER, _BY_BLOCK) else layer.colour)
-    letter = letter_of_name(layer_name) or letter_of_colour(*own)
+    by_layer = entity.rgb is None and entity.dxf.color in (_BY_LAYER, _BY_BLOCK)
+    colour = _colour(entity) if not by_layer else _COLOURS[7] if layer is None else _colour(layer)
+    letter = letter_of_name(layer_name) or letter_of_colour(*colour)
     if letter is None:
-        red, green, blue = (round(255 * share) for share in own)
+        red, green, blue = (round(255 * share) for share in colour)
         left_out[f"layer {as_written(layer_name)}, colour #{red:02x}{green:02x}{blue:02x}"] += 1
         return []
     if kind in _CURVES:
         raise InputError("need straight lines, got a curve; draw it as short straight lines")
-    points, closed = _points(entity)
-    if any(code == 42 and _number(value) != 0 for part in entity for code, value in part):
-        raise InputError("need straight lines, got an arc in a polyline (bulge, code 42)")
-    ends = list(itertools.pairwise(points))
-    if closed and len(points) > 2:
-        ends.append((points[-1], points[0]))
-    return [DrawnLine(start, end, letter, math.nan, name) for start, end in ends]
+    points = _points(entity)
+    if bad := [value for point in points for value in point if not math.isfinite(value)]:
+        raise InputError(f"need finite numbers, got {bad[0]}")
+    return [DrawnLine(start, end, letter, math.nan, name) for start, end in itertools.pairwise(points)]
 
 
-def _points(entity: Sequence[Entity]) -> tuple[list[Point], bool]:
-    """The corners of a line or polyline, and whether it closes."""
-    first, *vertices = entity
-    of = dict(first)
-    if of[0] == "LINE":
-        return [(_at(of, 10), _at(of, 20)), (_at(of, 11), _at(of, 21))], False
-    normal = [_number(of.get(code, default)) for code, default in ((210, "0"), (220, "0"), (230, "1"))]
-    if normal[:2] != [0, 0] or normal[2] == 0:
+def _points(entity: DXFGraphic) -> list[Point]:
+    """Return the corners of a line or polyline in world coordinates; a closed one ends at its first corner."""
+    from ezdxf.entities.lwpolyline import LWPolyline
+    from ezdxf.entities.polyline import Polyline
+
+    if not isinstance(entity, LWPolyline | Polyline):
+        for end in ("start", "end"):
+            if not entity.dxf.hasattr(end):
+                raise InputError(f"need coordinates of its {end}, got none")
+        return [(end.x, end.y) for end in (entity.dxf.start, entity.dxf.end)]
+    normal = entity.dxf.extrusion
+    if normal.x or normal.y:
         raise InputError("need a polyline in the plane of the drawing, got one that stands on it (codes 210 to 230)")
-    sense = math.copysign(1.0, normal[2])  # seen from below, x is counted the other way
-    closed = bool(int(_number(of.get(70, "0"))) & 1)
-    if of[0] == "POLYLINE":
-        return [(sense * _at(dict(vertex), 10), _at(dict(vertex), 20)) for vertex in vertices], closed
-    across = [sense * _number(value) for code, value in first if code == 10]
-    upwards = [_number(value) for code, value in first if code == 20]
-    if len(across) != len(upwards):
-        raise InputError(f"need x and y for every corner, got {len(across)} x (code 10) and {len(upwards)} y (code 20)")
-    return list(zip(across, upwards, strict=True)), closed
-
-
-def _at(of: dict[int, str], code: int) -> float:
-    """A coordinate."""
-    if code not in of:
-        raise InputError(f"need a coordinate, code {code}, got none")
-    return _number(of[code])
-
-
-def _number(text: str) -> float:
-    """A finite number."""
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        raise InputError(f"need a finite number, got {as_written(text)}")
-    return number
+    if entity.has_arc:
+        raise InputError("need straight lines, got an arc in a polyline (bulge, code 42)")
+    if isinstance(entity, Polyline) and not all(vertex.dxf.hasattr("location") for vertex in entity.vertices):
+        raise InputError("need coordinates of every corner, got one without")
+    corners = entity.points_in_wcs() if isinstance(entity, Polyline) else entity.vertices_in_wcs()
+    points = [(corner.x, corner.y) for corner in corners]
+    return [*points, points[0]] if entity.is_closed and len(points) > 2 else points

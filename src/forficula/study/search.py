@@ -15,6 +15,13 @@ from forficula.study.search_steps import Search, SearchStep
 
 Rows = Mapping[str, Row]
 
+# how a status names the values that were tried; pages fill in the same fields
+SEARCH_TEXTS = {
+    "with": "{text} with {value}",
+    "used": "{text} ({used})",
+    "then": "{text}; with {value}: {next}",
+    "failed": "with {value}: {next}",
+}
 _NUMBERS = {"time": "s", "work": "J"}
 
 
@@ -140,12 +147,17 @@ def _used(
     if first.unit is not TORQUE:  # the value of another key is in the row itself
         return "", ""
     last = least_first if least_first is not None else next(reversed(list(tried)), None)
-    one = "" if last is None else f"{first.transition} with {show_quantity(last, first.unit)}"
+    one = "" if last is None else _with_value(first.transition, show_quantity(last, first.unit))
     if second is None or not later:
         return one, ""
     value = least_second if least_second is not None else list(later)[-1]
     large = show_quantity(search.reference, first.unit)
-    return one, f"{first.transition} with {large}, {second.transition} with {show_quantity(value, second.unit)}"
+    last_of_second = show_quantity(value, second.unit)
+    return one, f"{_with_value(first.transition, large)}, {_with_value(second.transition, last_of_second)}"
+
+
+def _with_value(text: str, value: str) -> str:
+    return SEARCH_TEXTS["with"].format(text=text, value=value)
 
 
 def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) -> dict[str, Any]:
@@ -165,15 +177,16 @@ def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) ->
     large = show_quantity(search.reference, search.first.unit)
     if told is done:
         if next_done:
-            ending["status"] += f"; with {large}: {next_done['status']}"
+            ending["status"] = SEARCH_TEXTS["then"].format(text=told["status"], value=large, next=next_done["status"])
         elif used[0] and Verdict(told["verdict"]).tells:
-            ending["status"] += f" ({used[0]})"
+            ending["status"] = SEARCH_TEXTS["used"].format(text=told["status"], used=used[0])
     elif next_done[state]:
-        ending["status"] += f" ({used[1]})" if used[1] else ""
+        if used[1]:
+            ending["status"] = SEARCH_TEXTS["used"].format(text=told["status"], used=used[1])
     else:
-        ending["status"] = f"with {large}: {next_done['status']}"
+        ending["status"] = SEARCH_TEXTS["failed"].format(value=large, next=next_done["status"])
         if Verdict(next_done["verdict"]).tells:
-            ending["outcome"] = f"{told['outcome']} with {large}"
+            ending["outcome"] = _with_value(told["outcome"], large)
     return ending
 
 

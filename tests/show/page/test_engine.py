@@ -14,18 +14,23 @@ import numpy as np
 import pytest
 
 from forficula.analysis import measure
+from forficula.analysis.advice import SHORTER_STEP
+from forficula.analysis.verdict import ENDING_TEXTS
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate, with_timestep
+from forficula.dynamics.closures import APART_TEXT
 from forficula.show.page.live_data import live_data, shown_measures
 from forficula.show.page.page import built
 from forficula.show.page.shape_mesh import shape_mesh
 from forficula.show.page.study_live import study_live
 from forficula.structure import structure_of
 from forficula.study.runs import run
+from forficula.study.search import SEARCH_TEXTS
 from tests.plate_sheets import miura, plates, vertex
 from tests.show.page.live_wing import check_as_recorded
 
 BUILT = resources.files("forficula.show.page") / "built"
+WEB = Path(__file__).parents[3] / "web" / "src"
 TIME = 1e-4  # s, of a record's
 
 
@@ -155,8 +160,7 @@ def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_
     (found,) = outcomes(run_in_page(design, [{}]))
     assert found["verdict"] == "untrusted"
     # it stands on no edge, from which one could move away
-    assert found["advice"] == "Take a shorter timestep."
-    assert measure(record).advice.startswith("Take a shorter timestep: ")
+    assert found["advice"] == measure(record).advice != ""
     check_as_recorded(found, record)
 
 
@@ -241,3 +245,14 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
     for name in ("least_fold_torque", "least_unfold_torque"):
         own = [None if np.isnan(value) else value for value in table[name].values.ravel().tolist()]
         assert [row["least"][name] for row in rows] == pytest.approx(own)
+
+
+@pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
+def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
+    """Each is handed over as data, with its fields in braces: copies drift."""
+    sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
+    texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "which moves with the time"]
+    pieces = {piece.strip() for text in texts for piece in re.split(r"\{\w+\}", text)}
+    long = {piece for piece in pieces if piece.count(" ") > 1}
+    assert len(long) > 8
+    assert [piece for piece in sorted(long) if piece in sources] == []

@@ -18,7 +18,7 @@ from forficula.show.page.live_data import live_data
 from forficula.show.page.page import page_html
 from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip, whole_of
 from forficula.show.page.run_page import repeat
-from forficula.show.page.words import structure_text
+from forficula.show.page.words import shape_text, structure_text
 from forficula.structure import structure_warnings
 
 _STEPS = 2  # that it is drawn after
@@ -80,4 +80,5 @@ def bench_data(clip: Clip) -> dict[str, Any]:
         "energy": {"unit": unit, "factor": factor, "largest_J": largest},
         "legend": legend_data([clip]),
         "text": structure_text(clip.structure),
+        "shape": shape_text(clip.structure),
     }

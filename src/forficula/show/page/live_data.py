@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from forficula.analysis.advice import SHORTER_STEP
+from forficula.analysis.verdict import ENDING_TEXTS
 from forficula.design import Design, design_text, key_quantity, with_values
 from forficula.dynamics import (
     Knob,
@@ -20,6 +22,7 @@ from forficula.dynamics import (
     stepped_protocol,
     why_not_portable,
 )
+from forficula.dynamics.closures import APART_TEXT
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
 from forficula.show.page.design_rows import key_meanings
@@ -61,6 +64,12 @@ def live_data(
         "readings": [_reading(model.structure, measure) for measure in shown],
         "protocol": _protocol_data(protocol),
         "course": _course_data(model),
+        "texts": {
+            "endings": ENDING_TEXTS,
+            "apart": APART_TEXT,
+            # without statics and an energy balance a page knows less to advise than a run
+            "advice": {"diverged": SHORTER_STEP, "untrusted": SHORTER_STEP},
+        },
         "knobs": knobs,
         "design": {"name": design.name, "text": design_text(design)},
     }

@@ -21,7 +21,7 @@ from forficula.show.page.page import page_html
 from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
 from forficula.show.page.plots import energy_plot, plot_data, reading_plot
 from forficula.show.page.time_spans import run_spans, span_data
-from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, structure_text
+from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, shape_text, structure_text
 from forficula.structure import structure_warnings
 
 # bytes of a clip in a page that has the engine, so that all of it stays below 5 MB
@@ -102,6 +102,7 @@ def playback_data(clip: Clip) -> dict[str, Any]:
         "energy": energy_scale([clip]),
         "legend": legend_data([clip]),
         "text": structure_text(clip.structure),
+        "shape": shape_text(clip.structure),
     }
 
 

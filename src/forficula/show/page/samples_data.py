@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from forficula.quantities import Unit, parse_quantity
 from forficula.show.page.outcome_words import Signs, Words
 from forficula.show.page.study_data import factor_data, rounded
+from forficula.show.page.words import unbuilt_text
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -87,6 +88,7 @@ def samples_data(samples: Samples) -> dict[str, Any]:
         "noun": samples.noun,
         "file": samples.file,
         "keeps": samples.keeps,
+        "unbuilt": unbuilt_text(samples.noun),
         "points": len(verdicts),
         "sampled": True,
         "search": False,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
 from forficula.show.page.outcome_words import Words, signs_of
+from forficula.show.page.words import unbuilt_text
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
 from forficula.study import Study
@@ -76,6 +77,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "noun": "point",
         "file": "table.csv",
         "keeps": "The study keeps the runs of as many points as --keep says.",
+        "unbuilt": unbuilt_text("point"),
         "design": study.base.name,
         "points": len(study.points),
         "sampled": study.sampled,

@@ -12,6 +12,7 @@ from forficula.quantities import show_quantity
 from forficula.show.page.bench_page import at_start, bench_data
 from forficula.show.page.live_data import live_data
 from forficula.study import Study
+from forficula.study.search import SEARCH_TEXTS
 from forficula.study.search_steps import Search, SearchStep
 
 
@@ -75,6 +76,7 @@ def _search(search: Search, stages: Sequence[Stage]) -> dict[str, Any]:
         "second": None if second is None else _step(second, last),
         "release": (_first_driven(stages, search.next_drive or "") or last + 1) - 1 if cut else None,
         "reference": search.reference,
+        "texts": SEARCH_TEXTS,
         "referenceText": show_quantity(search.reference, search.first.unit),
     }
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, TransitionOutcome
 from forficula.analysis.confirmation import confirmation_text
+from forficula.analysis.verdict import ENDING_TEXTS
 from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
@@ -83,9 +84,19 @@ def outcome_remarks(record: Record, outcome: Outcome) -> list[str]:
     return remarks
 
 
+def unbuilt_text(noun: str) -> str:
+    """Return why a point, a sample or a design of a page has no run to play."""
+    return f"There is nothing to play: this {noun} {ENDING_TEXTS['not built']}."
+
+
 def structure_text(structure: Structure) -> str:
     """What the picture of a structure shows."""
-    return f"{structure.appearance.text or _counted_parts(structure)}, which moves with the time."
+    return f"{shape_text(structure)}, which moves with the time."
+
+
+def shape_text(structure: Structure) -> str:
+    """Return what the picture of a structure shows, without the end of the sentence."""
+    return structure.appearance.text or _counted_parts(structure)
 
 
 def _counted_parts(structure: Structure) -> str:
