@@ -153,12 +153,14 @@ def _free_step(
     values, axes = np.linalg.eigh(_without(curvature, held))
     # last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
-    step = np.clip(np.where(held, to_bound, free), *room)
+    step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
     return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
 def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
     """Curvatures of the free coordinates; the held ones get the largest of all, on their own."""
+    if not held.any():
+        return curvature
     free = ~held
     kept = curvature * (free[:, :, None] & free[:, None, :])
     diagonal = np.arange(curvature.shape[1])
@@ -173,20 +175,22 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
     Where the step is longer than the ball, Newton's method on 1 / length looks for the damping that shortens it; from
     below it rises to it (Conn, Gould and Toint 2000, section 7.3).
     """
+    # ufuncs by name are several times as fast as the same by functions and methods, and most calls have few cases
+    add, largest = np.add.reduce, np.maximum.reduce
     along = (down[:, None] @ axes)[:, 0]
-    least = np.maximum(0.0, -values[:, 0]) + 1e-12 * np.abs(values).max(axis=1) + 1e-300
+    least = np.maximum(0.0, -values[:, 0]) + 1e-12 * largest(np.abs(values), axis=1) + 1e-300
     # no component may be longer than the ball
-    damping = np.maximum(least, np.max(np.abs(along) / radius[:, None] - values, axis=1))
+    damping = np.maximum(least, largest(np.abs(along) / radius[:, None] - values, axis=1))
     for _ in range(_NEWTON_STEPS):
         shifted = values + damping[:, None]
         step = along / shifted
-        squares = step**2
-        square = squares.sum(axis=1)
+        squares = step * step
+        square = add(squares, axis=1)
         longer = np.sqrt(square) / radius
         beyond = longer > 1
-        if not beyond.any():  # further ones would change nothing
+        if not np.logical_or.reduce(beyond):  # further ones would change nothing
             break
-        rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=beyond)
+        rise = np.divide(square, add(squares / shifted, axis=1), out=np.zeros(len(square)), where=beyond)
         damping = damping + rise * (longer - 1)
     else:
         step = along / (values + damping[:, None])
