@@ -88,8 +88,8 @@ def descend(
         at, down = position[rows], -slope[rows]
         least, most = lower[rows], upper[rows]
         step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
-        quiet = np.maximum(force, _NOISE * np.abs(curvature[rows]).max(axis=(1, 2)))[:, None]
-        rests[rows] = ((np.abs(down) <= quiet) | (held & (step == 0))).all(axis=1)
+        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(curvature[rows]), axis=(1, 2)))[:, None]
+        rests[rows] = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
         going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
         if not going.all():
             moving = rows = moving[going]
@@ -101,7 +101,7 @@ def descend(
         new_value, new_slope, new_curvature = energy(tried, moving)
         better = _better(new_value, new_slope * free, value[rows], down * free)
         wider = np.minimum(2 * radius[rows], longest_step)
-        narrower = np.minimum(radius[rows], np.linalg.norm(step, axis=1)) / 4
+        narrower = np.minimum(radius[rows], _lengths(step)) / 4
         radius[rows] = np.where(better, wider, narrower)
         if better.all():
             position[rows], value[rows], slope[rows], curvature[rows] = tried, new_value, new_slope, new_curvature
@@ -116,8 +116,13 @@ def descend(
 
 def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> NDArray[np.bool_]:
     """Whether the energy falls, (case,); where it stays to rounding, whether the slope does."""
-    flatter = np.linalg.norm(new_slope, axis=1) < np.linalg.norm(slope, axis=1)
+    flatter = _lengths(new_slope) < _lengths(slope)
     return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
+
+
+def _lengths(vectors: Array) -> Array:
+    """Return the lengths of vectors, (case, coordinate)."""
+    return np.asarray(np.sqrt(np.add.reduce(vectors * vectors, axis=1)))
 
 
 def _step_within(
@@ -163,9 +168,9 @@ def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
         return curvature
     free = ~held
     kept = curvature * (free[:, :, None] & free[:, None, :])
-    diagonal = np.arange(curvature.shape[1])
-    largest = np.abs(curvature).max(axis=(1, 2), keepdims=True)[:, 0]
-    kept[:, diagonal, diagonal] += np.where(held, np.maximum(largest, 1e-300), 0.0)
+    largest = np.maximum.reduce(np.abs(curvature), axis=(1, 2))[:, None]
+    diagonal = np.einsum("...ii->...i", kept)
+    diagonal += np.where(held, np.maximum(largest, 1e-300), 0.0)
     return np.asarray(kept)
 
 
