@@ -63,6 +63,9 @@ def ramp(design, stages, **torques):
         with_values(
             design,
             {
+                # steps and stops of test_statics_and_simulation.py but for a fifth, which fans without more damping need
+                "protocol.timestep": 4e-4,
+                "stops.time_constant": 2e-3,
                 "protocol.rise": RISE,
                 "protocol.least_hold": 0.0,
                 "protocol.sample_interval": 0.02,
