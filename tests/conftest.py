@@ -1,11 +1,13 @@
 """What several test modules need: the reference run, and one tendon across one hinge."""
 
 import gc
+import io
 import math
 import os
 import pickle
 import tempfile
 from collections.abc import Callable, Mapping
+from contextlib import redirect_stderr
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -55,7 +57,8 @@ def once(tmp_path_factory):
 
     def shared(name: str, compute: Callable[[], T]) -> T:
         path = folder / f"once-{name}.pickle"
-        with held(path.with_suffix(".lock")):
+        # who waits for a lock says so, which tests of commands would read
+        with redirect_stderr(io.StringIO()), held(path.with_suffix(".lock")):
             if path.exists():
                 return pickle.loads(path.read_bytes())
             computed = compute()
