@@ -1,10 +1,17 @@
 """What several test modules need: the reference run, and one tendon across one hinge."""
 
 import gc
+import io
 import math
 import os
-from collections.abc import Mapping
+import pickle
+import tempfile
+from collections.abc import Callable, Mapping
+from contextlib import redirect_stderr
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 import pytest
@@ -13,8 +20,13 @@ from hypothesis import settings
 import forficula as ff
 from forficula.design import Design, with_values
 from forficula.dynamics import Model, Record, simulate
+from forficula.lock import held
+from forficula.statics import EnergyLandscape, energy_landscape
 from forficula.structure.veins import structure_of_veins
+from tests.landscapes import design_of
 from tests.structures import compiled, straight_vein
+
+T = TypeVar("T")
 
 # thousands of tests and what they import stay to the end: garbage is not looked for among them
 gc.disable()
@@ -31,6 +43,59 @@ settings.register_profile("forficula", deadline=None)
 # more.
 settings.register_profile("repeatable", deadline=None, derandomize=True, max_examples=30)
 settings.load_profile("repeatable" if os.environ.get("FORFICULA_REPEATABLE") else "forficula")
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory):
+    """Compute a result once in a session, whichever worker needs it first; every worker gets a copy.
+
+    Results are pickled. Tests whose claim is that a result is reproducible compute the result themselves.
+    """
+    own = tmp_path_factory.getbasetemp()
+    # each worker has a folder in that of the session; without workers the folder above is that of all sessions
+    folder = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+
+    def shared(name: str, compute: Callable[[], T]) -> T:
+        path = folder / f"once-{name}.pickle"
+        # who waits for a lock says so, which tests of commands would read
+        with redirect_stderr(io.StringIO()), held(path.with_suffix(".lock")):
+            if path.exists():
+                return pickle.loads(path.read_bytes())
+            computed = compute()
+            with tempfile.NamedTemporaryFile(dir=folder, delete=False) as unfinished:
+                unfinished.write(pickle.dumps(computed))
+            Path(unfinished.name).replace(path)
+            return computed
+
+    known: dict[str, object] = {}
+
+    def once(name: str, compute: Callable[[], T]) -> T:
+        if name not in known:
+            known[name] = shared(name, compute)
+        return known[name]
+
+    return once
+
+
+@pytest.fixture(scope="session")
+def landscape_of(once):
+    """Return the landscape of a design, computed once in a session."""
+
+    def landscape_of(design: Design, points: int = 61) -> EnergyLandscape:
+        return once(f"landscape-{design.name}-{design.hash}-{points}", lambda: energy_landscape(design, points))
+
+    return landscape_of
+
+
+@pytest.fixture(scope="session")
+def surveyed(landscape_of, tmp_path_factory):
+    """Return the landscape of a design by its name in tests/landscapes.py, computed once in a session."""
+
+    @cache
+    def surveyed(name: str) -> EnergyLandscape:
+        return landscape_of(design_of(name, tmp_path_factory.mktemp("designs")))
+
+    return surveyed
 
 
 @pytest.fixture(scope="session")

@@ -11,6 +11,7 @@ import forficula as ff
 import forficula.analysis.json_schemas
 import forficula.calls
 from forficula.design import with_values
+from tests.letters import QUICK
 
 
 @pytest.fixture(scope="module")
@@ -24,9 +25,9 @@ def record(letter_run):
 
 
 @pytest.mark.usefixtures("no_column_figures")
-def test_every_example_is_true(tmp_path, monkeypatch, design, record):
+def test_every_example_is_true(tmp_path, monkeypatch, record):
     monkeypatch.chdir(tmp_path)
-    known = {"ff": ff, "design": design, "record": record}
+    known = {"ff": ff, "design": ff.load_design("letter-fold", QUICK), "record": record}
     parts = ("goals", "patterns", "runs", "shown", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
     modules = (*calls, forficula.analysis.json_schemas)

@@ -63,8 +63,9 @@ def test_the_summary_of_a_sheet_of_bars_is_valid():
 
 
 @pytest.mark.parametrize("name", ["letter-fold", "binder2025"])
-def test_a_landscape_is_valid(name):
-    valid("landscape", json.loads(json.dumps(landscape_summary(ff.landscape(name)), allow_nan=False)))
+def test_a_landscape_is_valid(name, landscape_of):
+    landscape = landscape_of(ff.load_design(name))
+    valid("landscape", json.loads(json.dumps(landscape_summary(landscape), allow_nan=False)))
 
 
 def test_a_row_of_a_study_is_valid(tmp_path):

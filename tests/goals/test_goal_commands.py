@@ -6,6 +6,8 @@ from contextlib import suppress
 import pytest
 
 from forficula.cli import main
+from forficula.design import load_design, save_design
+from tests.letters import QUICK
 
 GOAL = """
 design = "binder2025-joint"
@@ -21,7 +23,7 @@ runs = 16
 batch = 16
 """
 SEEN = """
-design = "letter-fold"
+design = "letter.toml"
 [unknown]
 "tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]
 [sampling]
@@ -37,6 +39,7 @@ until = "close"
 @pytest.fixture
 def called(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
+    save_design(load_design("letter-fold", QUICK), tmp_path / "letter.toml")
     for name in ("one", "other"):
         (tmp_path / f"{name}.toml").write_text(GOAL, "utf-8")
         (tmp_path / f"seen-{name}.toml").write_text(SEEN, "utf-8")
@@ -56,7 +59,7 @@ def called(tmp_path, monkeypatch, capsys):
         (("optimise", "one.toml"), {"goal": "one", "most_designs": 16, "neighbours": 0}),
         (("identify", "seen-one.toml"), {"name": "seen-one", "samples": 2, "runs": 2}),
         (
-            ("tolerance", "letter-fold", "--tolerance", "facet.thickness=1 %", "--minutes", "0.01"),
+            ("tolerance", "letter.toml", "--tolerance", "facet.thickness=1 %", "--minutes", "0.01"),
             {"design": "letter-fold", "values": ["facet.thickness"], "points": 16, "most_runs": 17},
         ),
     ],

@@ -12,10 +12,11 @@ from forficula.goals.tolerance import assess_tolerance
 from forficula.goals.tolerance.question_file import question_of
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.study import dask_cluster
+from tests.letters import QUICK
 
 distributed = pytest.importorskip("distributed", reason="Dask is not installed: pip install 'forficula[cluster]'")
 
-DESIGN = load_design("letter-fold", {"protocol.timestep": "0.3 ms"})
+DESIGN = load_design("letter-fold", QUICK)
 STIFFNESS = {"tendon.left.stiffness": {"low": "0.4 N/cm", "high": "0.6 N/cm"}}
 
 

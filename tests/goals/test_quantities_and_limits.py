@@ -40,8 +40,8 @@ def test_static_quantities_are_those_of_the_landscape():
     assert values["mass"] == pytest.approx(1270 * math.pi * 0.00275**2 * 0.22 + 1200 * 5e-6 * 0.06, rel=1e-9)
 
 
-def test_barriers_along_the_fold_are_those_of_the_landscape():
-    landscape = energy_landscape(WING)
+def test_barriers_along_the_fold_are_those_of_the_landscape(landscape_of):
+    landscape = landscape_of(WING)
     values = static_values(WING, ["fold"])
     assert values["barrier"] == pytest.approx(landscape.fold_barrier, rel=1e-3)
     assert values["opening_barrier"] == pytest.approx(landscape.unfold_barrier, rel=1e-3)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from functools import cache
 
 import numpy as np
 import pytest
@@ -18,15 +17,15 @@ from forficula.structure import structure_of
 SLACK_WITHOUT_HUB = {"pattern.hub_radius": "0 cm", "tendon.rest_length": "12 cm"}
 
 
-@cache
-def surveyed(settings=()):
-    """Of the reference with some settings, pairs of a key and a value; once for all that ask for the same."""
-    return ff.energy_landscape(ff.load_design("binder2025", dict(settings)), points=61)
+@pytest.fixture(scope="module")
+def landscape(surveyed):
+    return surveyed("reference")
 
 
 @pytest.fixture(scope="module")
-def landscape(reference):
-    return ff.energy_landscape(reference, points=61)
+def landscape_with(landscape_of):
+    """Return the landscape of the reference with some settings."""
+    return lambda settings: landscape_of(ff.load_design("binder2025", settings))
 
 
 def test_the_reference_is_bistable_pressed_flat_and_slack_when_folded(landscape):
@@ -88,15 +87,15 @@ def test_levels_of_independent_tendons_are_those_of_the_paper():
         ({"tendon.stiffness": "60 N/cm"}, ["no slowly growing torque up to 50 N cm folds it"]),
     ],
 )
-def test_what_does_not_exist_is_a_sentence_and_no_nan(settings, sentences):
-    found = surveyed(tuple(settings.items()))
+def test_what_does_not_exist_is_a_sentence_and_no_nan(landscape_with, settings, sentences):
+    found = landscape_with(settings)
     for sentence in sentences:
         assert any(sentence in remark for remark in found.remarks), sentence
     json.dumps(landscape_summary(found), allow_nan=False)
 
 
-def test_a_wing_whose_veins_stop_early_is_never_called_folded():
-    names = [state.name for state in ff.stable_states(surveyed((("hinge.turn_limit", "60 deg"),)))]
+def test_a_wing_whose_veins_stop_early_is_never_called_folded(landscape_with):
+    names = [state.name for state in ff.stable_states(landscape_with({"hinge.turn_limit": "60 deg"}))]
     assert names == ["flat", "partly folded"]
 
 
@@ -105,9 +104,10 @@ def test_a_state_that_is_none_is_told_with_the_nearest(landscape):
         ff.barrier(landscape, "flat", "foldd")
 
 
-def test_a_path_without_a_barrier_says_why():
+def test_a_path_without_a_barrier_says_why(landscape_with):
+    landscape = landscape_with(SLACK_WITHOUT_HUB)
     with pytest.raises(InputError, match="hub_radius is 0"):
-        ff.barrier(surveyed(tuple(SLACK_WITHOUT_HUB.items())), "flat", "folded")
+        ff.barrier(landscape, "flat", "folded")
 
 
 def test_the_summary_has_units_in_its_keys(landscape):

@@ -22,8 +22,8 @@ from forficula.structure import structure_of
 
 
 @pytest.fixture(scope="module")
-def landscape():
-    return ff.energy_landscape(ff.load_design("letter-fold"), points=61)
+def landscape(surveyed):
+    return surveyed("plates")
 
 
 def test_it_rests_flat_closed_and_opened(landscape):

@@ -16,7 +16,6 @@ from forficula.design import load_design, with_values
 from forficula.material import ElasticLaw
 from forficula.statics import (
     TendonHinge,
-    energy_landscape,
     final_speed,
     fold_time,
     growth_rate,
@@ -178,8 +177,8 @@ def test_a_top_beyond_the_overbend_is_said():
     assert any("is not beyond it, so there is no barrier" in remark for remark in hinge_remarks(hinge))
 
 
-def test_a_wing_whose_tendons_stand_off_climbs_their_barriers():
-    landscape = energy_landscape(standing_off(0.002), points=61)
+def test_a_wing_whose_tendons_stand_off_climbs_their_barriers(landscape_of):
+    landscape = landscape_of(standing_off(0.002))
     one = landscape.tendons[0].barrier
     assert landscape.tendons[0].barrier_angle == pytest.approx(-4.2 * DEGREE, abs=0.2 * DEGREE)
     assert one > 5 * tendon_landscapes(structure_of(REFERENCE), 11)[0][0].barrier

@@ -9,8 +9,11 @@ from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.show.page.study_data import study_data
 from forficula.study import load_study, run_study, table_csv
+from tests.letters import LONG_STEPS
 
-HEAD = 'design = "letter-fold"\nask = "least-torques"\n[factors]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
+STEPS = "".join(f'"{key}" = "{value}"\n' for key, value in LONG_STEPS.items())
+FACTORS = '"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
+HEAD = f'design = "letter-fold"\nask = "least-torques"\n[settings]\n{STEPS}[factors]\n{FACTORS}'
 TORQUES = (
     '[search]\nclose_torques = "0.1..0.7 N cm step 0.1"\nclose_with = "3 N cm"\nopen_torques = "0.5..3 N cm step 0.5"\n'
 )

@@ -16,6 +16,7 @@ import pytest
 
 import forficula as ff
 from forficula.design import load_design, with_values
+from forficula.dynamics import compile_model, simulate
 from forficula.statics.lines import line_energy
 from forficula.statics.potential import ensemble_of, rest
 from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state
@@ -29,26 +30,28 @@ def stage(name, drive, until, time_limit):
     return {"name": name, "drive": drive, "until": until, "hold": 0.0, "time_limit": time_limit}
 
 
-def damped(reference, stages, damping, timestep=5e-4, **torques):
-    """A run without inertia to speak of."""
-    return ff.run(
-        with_values(
-            reference,
-            {
-                "hinge.damping": damping,
-                "tendon.damping": 0.0,
-                "membrane.damping": 1e-4,
-                "protocol.timestep": timestep,
-                "stops.time_constant": 2e-3,
-                "protocol.sample_interval": 0.1,
-                "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
-                "protocol.folded_angle": FOLDED,
-                "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
-                **{f"protocol.{name}": torque for name, torque in torques.items()},
-            },
-        ),
-        confirm=False,
+def damped_design(reference, stages, damping, timestep=5e-4, **torques):
+    """A design that moves without inertia to speak of."""
+    return with_values(
+        reference,
+        {
+            "hinge.damping": damping,
+            "tendon.damping": 0.0,
+            "membrane.damping": 1e-4,
+            "protocol.timestep": timestep,
+            "stops.time_constant": 2e-3,
+            "protocol.sample_interval": 0.1,
+            "protocol.rest_speed": 1e-5,  # slower than it creeps on its way
+            "protocol.folded_angle": FOLDED,
+            "protocol.stages": [stage("settle", "none", "time", 1.0), *stages],
+            **{f"protocol.{name}": torque for name, torque in torques.items()},
+        },
     )
+
+
+def damped(reference, stages, damping, timestep=5e-4, **torques):
+    """A run of a damped design."""
+    return ff.run(damped_design(reference, stages, damping, timestep, **torques), confirm=False)
 
 
 def end_of(run, number):
@@ -164,9 +167,11 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
     folded = angles(damped(reference, [fold], 0.03, fold_torque=0.06), -1)
     assert rings(wings, folded).max() < -math.radians(159)
     least = least_at_once(wings, folded, "unfold", "opened", 0.5)
-    below, above = (
-        damped(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
-    )
+    designs = [
+        damped_design(reference, opening, 0.03, fold_torque=0.06, unfold_torque=share * least) for share in (0.97, 1.03)
+    ]
+    # side by side, they fold once
+    below, above = simulate([compile_model(design) for design in designs])
     assert angles(below, end_of(below, 1)) == pytest.approx(folded, abs=1e-12)
     opened = angles(above, end_of(above, 2))
     assert gets_to(wings, "opened", opened)

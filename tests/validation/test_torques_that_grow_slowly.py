@@ -63,6 +63,9 @@ def ramp(design, stages, **torques):
         with_values(
             design,
             {
+                # a fan without more damping than its own takes steps of 0.4 ms, which these stops allow
+                "protocol.timestep": 4e-4,
+                "stops.time_constant": 2e-3,
                 "protocol.rise": RISE,
                 "protocol.least_hold": 0.0,
                 "protocol.sample_interval": 0.02,

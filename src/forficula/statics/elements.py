@@ -68,13 +68,14 @@ class Elements:
         tree: of bodies.
         carried: the points that everything hangs on.
         groups: of pieces.
-        blocks: by how many hinges they have: where in the curvature each block is, rows and columns.
+        blocks: by how many hinges they have: where in the curvature each block is, rows and columns, or all its numbers
+            in a curvature laid out row by row.
     """
 
     tree: Tree
     carried: Carried
     groups: tuple[Group, ...]
-    blocks: dict[int, tuple[tuple[Span, Span], ...]]
+    blocks: dict[int, tuple[tuple[Span, Span] | Indices, ...]]
 
 
 def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[Piece]) -> Elements:
@@ -98,7 +99,7 @@ def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[
         # pieces of a group have blocks of their own
         again = seen[shape, hinges] = seen.get((shape, hinges), -1) + 1
         shapes.setdefault((*shape, again), []).append(number)
-    blocks = {size: tuple(_rows(hinges) for hinges in of_size) for size, of_size in known.items()}
+    blocks = {size: tuple(_rows(hinges, tree.size) for hinges in of_size) for size, of_size in known.items()}
     groups = tuple(_group(carried, pieces, joined, numbers, known) for numbers in shapes.values())
     return Elements(tree=tree, carried=carried, groups=groups, blocks=blocks)
 
@@ -108,11 +109,11 @@ def _joined(tree: Tree, bodies: Sequence[int]) -> tuple[int, ...]:
     return tuple(sorted({hinge for body in bodies for hinge in tree.chain(body)}))
 
 
-def _rows(hinges: tuple[int, ...]) -> tuple[Span, Span]:
+def _rows(hinges: tuple[int, ...], count: int) -> tuple[Span, Span] | Indices:
     rows = span(hinges)
     if isinstance(rows, slice):
         return rows, rows
-    return rows[:, None], rows
+    return np.asarray(rows[:, None] * count + rows).ravel()
 
 
 def _group(
@@ -225,7 +226,11 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
         else:
             forces += on_points @ group.gathers
     slope, curvature = pulled(laid.tree, laid.carried, at, places, forces)
+    by_number = curvature.reshape(cases, -1)  # a view: it is in order of rows
     for size, rows in laid.blocks.items():
-        for number, (row, column) in enumerate(rows):
-            curvature[:, row, column] += blocks[size][:, number]
+        for number, where in enumerate(rows):
+            if isinstance(where, tuple):
+                curvature[:, where[0], where[1]] += blocks[size][:, number]
+            else:
+                by_number[:, where] += blocks[size][:, number].reshape(cases, size * size)
     return total, slope, curvature

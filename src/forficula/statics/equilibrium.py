@@ -88,8 +88,8 @@ def descend(
         at, down = position[rows], -slope[rows]
         least, most = lower[rows], upper[rows]
         step, held, stiffness[rows] = _step_within((least - at, most - at), down, curvature[rows], radius[rows])
-        quiet = np.maximum(force, _NOISE * np.abs(curvature[rows]).max(axis=(1, 2)))[:, None]
-        rests[rows] = ((np.abs(down) <= quiet) | (held & (step == 0))).all(axis=1)
+        quiet = np.maximum(force, _NOISE * np.maximum.reduce(np.abs(curvature[rows]), axis=(1, 2)))[:, None]
+        rests[rows] = np.logical_and.reduce((np.abs(down) <= quiet) | (held & (step == 0)), axis=1)
         going = ~rests[rows] & (radius[rows] > _SMALLEST_STEP)
         if not going.all():
             moving = rows = moving[going]
@@ -101,7 +101,7 @@ def descend(
         new_value, new_slope, new_curvature = energy(tried, moving)
         better = _better(new_value, new_slope * free, value[rows], down * free)
         wider = np.minimum(2 * radius[rows], longest_step)
-        narrower = np.minimum(radius[rows], np.linalg.norm(step, axis=1)) / 4
+        narrower = np.minimum(radius[rows], _lengths(step)) / 4
         radius[rows] = np.where(better, wider, narrower)
         if better.all():
             position[rows], value[rows], slope[rows], curvature[rows] = tried, new_value, new_slope, new_curvature
@@ -116,8 +116,13 @@ def descend(
 
 def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> NDArray[np.bool_]:
     """Whether the energy falls, (case,); where it stays to rounding, whether the slope does."""
-    flatter = np.linalg.norm(new_slope, axis=1) < np.linalg.norm(slope, axis=1)
+    flatter = _lengths(new_slope) < _lengths(slope)
     return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
+
+
+def _lengths(vectors: Array) -> Array:
+    """Return the lengths of vectors, (case, coordinate)."""
+    return np.asarray(np.sqrt(np.add.reduce(vectors * vectors, axis=1)))
 
 
 def _step_within(
@@ -153,17 +158,19 @@ def _free_step(
     values, axes = np.linalg.eigh(_without(curvature, held))
     # last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
-    step = np.clip(np.where(held, to_bound, free), *room)
+    step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
     return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
 def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
     """Curvatures of the free coordinates; the held ones get the largest of all, on their own."""
+    if not held.any():
+        return curvature
     free = ~held
     kept = curvature * (free[:, :, None] & free[:, None, :])
-    diagonal = np.arange(curvature.shape[1])
-    largest = np.abs(curvature).max(axis=(1, 2), keepdims=True)[:, 0]
-    kept[:, diagonal, diagonal] += np.where(held, np.maximum(largest, 1e-300), 0.0)
+    largest = np.maximum.reduce(np.abs(curvature), axis=(1, 2))[:, None]
+    diagonal = np.einsum("...ii->...i", kept)
+    diagonal += np.where(held, np.maximum(largest, 1e-300), 0.0)
     return np.asarray(kept)
 
 
@@ -173,20 +180,22 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
     Where the step is longer than the ball, Newton's method on 1 / length looks for the damping that shortens it; from
     below it rises to it (Conn, Gould and Toint 2000, section 7.3).
     """
+    # ufuncs by name are several times as fast as the same by functions and methods, and most calls have few cases
+    add, largest = np.add.reduce, np.maximum.reduce
     along = (down[:, None] @ axes)[:, 0]
-    least = np.maximum(0.0, -values[:, 0]) + 1e-12 * np.abs(values).max(axis=1) + 1e-300
+    least = np.maximum(0.0, -values[:, 0]) + 1e-12 * largest(np.abs(values), axis=1) + 1e-300
     # no component may be longer than the ball
-    damping = np.maximum(least, np.max(np.abs(along) / radius[:, None] - values, axis=1))
+    damping = np.maximum(least, largest(np.abs(along) / radius[:, None] - values, axis=1))
     for _ in range(_NEWTON_STEPS):
         shifted = values + damping[:, None]
         step = along / shifted
-        squares = step**2
-        square = squares.sum(axis=1)
+        squares = step * step
+        square = add(squares, axis=1)
         longer = np.sqrt(square) / radius
         beyond = longer > 1
-        if not beyond.any():  # further ones would change nothing
+        if not np.logical_or.reduce(beyond):  # further ones would change nothing
             break
-        rise = np.divide(square, (squares / shifted).sum(axis=1), out=np.zeros_like(square), where=beyond)
+        rise = np.divide(square, add(squares / shifted, axis=1), out=np.zeros(len(square)), where=beyond)
         damping = damping + rise * (longer - 1)
     else:
         step = along / (values + damping[:, None])

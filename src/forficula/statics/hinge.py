@@ -169,7 +169,7 @@ class TendonHinge:
         lever = _divide(2 * product * half_sine * half_cosine, length)
         energy, force, slope = self.law.expansion(length)
         # where the ends meet, force by length tends to the slope
-        by_length = np.where(length > 0, _divide(force, length), slope)
+        by_length = np.divide(force, length, out=np.array(slope), where=length > 0)
         turned = by_length * self.proximal_arm * self.distal_arm * (half_cosine**2 - half_sine**2)
         stiffness = np.asarray((slope - by_length) * lever**2 - turned)
         return np.asarray(energy), np.asarray(force * lever), stiffness
@@ -351,9 +351,10 @@ def released_energy(hinge: TendonHinge, start: float, further: ArrayLike) -> Arr
 def _half_angle(angle: ArrayLike) -> tuple[Array, Array]:
     """Sine and cosine of half an angle; the float pi is short of 180 deg, where the cosine is 0."""
     angle = np.asarray(angle, dtype=np.float64)
-    return np.sin(angle / 2), np.where(np.abs(angle) == math.pi, 0.0, np.cos(angle / 2))
+    half = angle / 2
+    return np.sin(half), np.where(np.abs(angle) == math.pi, 0.0, np.cos(half))
 
 
 def _divide(numerator: Array, denominator: Array) -> Array:
     """Divide; 0 where the denominator is 0."""
-    return np.asarray(np.divide(numerator, denominator, out=np.zeros_like(denominator), where=denominator > 0))
+    return np.asarray(np.divide(numerator, denominator, out=np.zeros(np.shape(denominator)), where=denominator > 0))

@@ -15,6 +15,10 @@ Indices = NDArray[np.int64]
 # numbers of parts, evenly spaced ones as a slice, which numpy takes without a copy
 Span = slice | Indices
 
+_UNIT = np.eye(3)
+# of the components of a cross product by coordinate: the factors' coordinates
+_NEXT, _AFTER_NEXT = [1, 2, 0], [2, 0, 1]
+
 
 @dataclass(frozen=True, kw_only=True)
 class Level:
@@ -184,11 +188,11 @@ def pose(tree: Tree, angles: Array) -> Pose:
     turns = _turned(tree, angles)
     # the last one is the ground, which has the number -1
     frames, origins = np.empty((cases, count, 3, 3)), np.zeros((cases, count, 3))
-    frames[:, GROUND] = np.eye(3)
+    frames[:, GROUND] = _UNIT
     after = np.empty_like(turns)
     for level in tree.levels:
         if level.parents is None:
-            current = np.eye(3) if level.frames is None else level.frames
+            current = _UNIT if level.frames is None else level.frames
             origins[:, level.bodies] = level.positions
         else:
             current = frames[:, level.parents]
@@ -213,12 +217,10 @@ def places_of(carried: Carried, at: Pose) -> Array:
 def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
     """Velocity of points by the speed of the hinges that move them, m, (3, case, pair)."""
     points, hinges = carried.pairs
-    axes, arms = at.axes[:, :, hinges], places[:, :, points] - at.pivots[:, :, hinges]
-    moves = np.empty_like(arms)
-    for one, other, last in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.multiply(axes[other], arms[last], out=moves[one])
-        moves[one] -= axes[last] * arms[other]
-    return moves
+    axes, arms = at.axes.take(hinges, axis=2), places.take(points, axis=2) - at.pivots.take(hinges, axis=2)
+    moves = axes[_NEXT] * arms[_AFTER_NEXT]
+    moves -= axes[_AFTER_NEXT] * arms[_NEXT]
+    return np.asarray(moves)
 
 
 def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array) -> tuple[Array, Array]:
@@ -246,14 +248,16 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
     sums = (parts.reshape(12 * cases, count) @ carried.moved).reshape(4, 3, cases, tree.size)
     k, axes = sums[:3] - at.pivots[:, None] * sums[3], at.axes
     slope = axes[0] * (k[1, 2] - k[2, 1]) + axes[1] * (k[2, 0] - k[0, 2]) + axes[2] * (k[0, 1] - k[1, 0])
-    bent = np.sum(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
+    bent = np.add.reduce(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
     turned = np.transpose(axes, (1, 2, 0)) @ np.transpose(bent, (1, 0, 2))
     # by pairs of an outer hinge and one that it turns, and the same the other way round
-    return np.asarray(slope), turned * tree.outer + np.swapaxes(turned * tree.further, 1, 2)
+    curvature = turned * tree.outer
+    curvature += np.swapaxes(turned * tree.further, 1, 2)
+    return np.asarray(slope), curvature
 
 
 def _turned(tree: Tree, angles: Array) -> Array:
     """Rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
     turned = angles - tree.built
     sine, half = np.sin(turned)[..., None, None], np.sin(turned / 2)[..., None, None]
-    return np.asarray(np.eye(3) + sine * tree.spins + 2 * half**2 * tree.squares)
+    return np.asarray(_UNIT + sine * tree.spins + 2 * half**2 * tree.squares)

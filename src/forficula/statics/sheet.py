@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 _LIMIT_STIFFNESS = 100.0
 # which of the stresses along, across and mixed belongs to two columns of a deformation gradient
 _BY_COLUMNS = np.array([[0, 2], [2, 1]])
+_UNIT = np.eye(3)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,21 +166,22 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     cases, count, volumes = len(gradient), gradient.shape[1], patch.volumes
     columns = gradient.reshape(cases, count, -1, 2, 3)
     # strains along, across, and twice the mixed one, and their slopes
-    squares = columns @ np.swapaxes(columns, 3, 4)
+    squares = (columns @ np.swapaxes(columns, 3, 4)).reshape(*columns.shape[:3], 4)
     strain = np.empty((*columns.shape[:3], 3))
-    np.subtract(squares[..., [0, 1], [0, 1]], 1, out=strain[..., :2])
-    np.multiply(squares[..., 0, 1], 2, out=strain[..., 2])
-    strain /= 2
+    np.subtract(squares[..., ::3], 1, out=strain[..., :2])
+    strain[..., :2] /= 2
+    strain[..., 2] = squares[..., 1]
     by_column = np.zeros((*columns.shape[:3], 3, 6))
-    by_column[..., 0, :3], by_column[..., 1, 3:] = columns[..., 0, :], columns[..., 1, :]
-    by_column[..., 2, :3], by_column[..., 2, 3:] = columns[..., 1, :], columns[..., 0, :]
+    halves = by_column.reshape(*columns.shape[:3], 6, 3)
+    # the first column moves the strain along, the second that across, and each with the other the mixed one
+    halves[..., :4:3, :], halves[..., 4:, :] = columns, columns[..., ::-1, :]
     stress = volumes * (strain @ patch.law)
     pull = stress[..., None, :] @ by_column
     curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
     # of one column by another, coordinate by coordinate
     blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
-    blocks += stress[..., _BY_COLUMNS, None]
-    energy = np.sum((stress * strain).reshape(cases, -1, 3), axis=(1, 2)) / 2
+    blocks += stress.take(_BY_COLUMNS, axis=3)[..., None]
+    energy = np.add.reduce((stress * strain).reshape(cases, -1, 3), axis=(1, 2)) / 2
     return energy, pull.reshape(cases, count, -1, 3), curvature
 
 
@@ -190,5 +192,5 @@ def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion:
     along = apart / distance[..., None]
     ratio = (beyond / distance)[..., None, None]
     outer = along[..., :, None] * along[..., None, :]
-    curvature = spring * ((beyond > 0)[..., None, None] * outer + ratio * (np.eye(3) - outer))
-    return spring / 2 * np.sum(beyond**2, axis=(1, 2)), spring * beyond[..., None] * along, curvature
+    curvature = spring * ((beyond > 0)[..., None, None] * outer + ratio * (_UNIT - outer))
+    return spring / 2 * np.add.reduce(beyond**2, axis=(1, 2)), spring * beyond[..., None] * along, curvature

@@ -9,6 +9,7 @@ import xarray
 
 import forficula as ff
 from forficula.cli import main
+from forficula.design import load_design, save_design
 from forficula.errors import InputError
 from forficula.goals.identify import observations_of
 from forficula.goals.identify.run_identify import identify
@@ -17,6 +18,7 @@ from forficula.show.goals.identify_text import together_sentences
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study.evaluate import stored_energy
 from tests.forks import forks
+from tests.letters import LONG_STEPS, QUICK
 
 # a sheet that closes and opens in a fraction of a second
 HIDDEN = {"tendon.left.stiffness": "0.5 N/cm", "crease.damping": "0.04 N m s/rad/m"}
@@ -29,7 +31,8 @@ UNKNOWN = {
 @pytest.fixture(scope="module")
 def planted():
     """Observations of a sheet whose values are hidden: when it closed, and what it stored while open."""
-    outcome = ff.measure(ff.run(ff.load_design("letter-fold", HIDDEN), confirm=False))
+    letter = load_design("letter-fold", LONG_STEPS)
+    outcome = ff.measure(ff.run(letter.with_values(HIDDEN), confirm=False))
     time, stored = outcome.transitions["close"].time, stored_energy(outcome.states["flat"])
     close = {"until": "close"}
     facts = [
@@ -38,7 +41,7 @@ def planted():
         {**close, "name": "stores as much", "quantity": "flat_energy", "absent": "0 J", "equals": f"{stored} J",
          "tolerance": "2 mJ"},
     ]  # fmt: skip
-    tables = {"name": "planted", "design": "letter-fold", "unknown": UNKNOWN, "fact": facts}
+    tables = {"name": "planted", "design": letter, "unknown": UNKNOWN, "fact": facts}
     return observations_of({**tables, "sampling": {"samples": 16, "directed": 24}})
 
 
@@ -80,7 +83,7 @@ def test_killed_and_taken_up_again_it_comes_to_the_same(planted, result, tmp_pat
 
 
 SEEN = """
-design = "letter-fold"
+design = "letter.toml"
 [unknown]
 "tendon.left.stiffness" = { distribution = "uniform", low = "0.2 N/cm", high = "1 N/cm" }
 "crease.damping" = { distribution = "log-uniform", low = "0.01 N m s/rad/m", high = "0.1 N m s/rad/m" }
@@ -114,6 +117,7 @@ IDENTIFY = "identify(load_observations(sys.argv[1]), sys.argv[2])"
 @pytest.mark.usefixtures("undrawn")
 def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(tmp_path):
     file, whole, out = tmp_path / "seen.toml", tmp_path / "whole", tmp_path / "killed"
+    save_design(load_design("letter-fold", QUICK), tmp_path / "letter.toml")
     file.write_text(SEEN, "utf-8")
     main(["identify", str(file), "--out", str(whole)])
     # among the drawn samples, and at the end of these or among the placed ones

@@ -68,7 +68,7 @@ def short_outcome(short_run):
 
 
 @pytest.fixture(scope="session")
-def searched(tmp_path_factory):
+def searched(once, tmp_path_factory):
     """A search of six tendons at a coarse step, of which some fold, one opens again and one sticks; and its table."""
     study = study_of(
         {
@@ -89,7 +89,7 @@ def searched(tmp_path_factory):
             },
         }
     )
-    return study, run_study(study, tmp_path_factory.mktemp("searched"))
+    return study, once("searched", lambda: run_study(study, tmp_path_factory.mktemp("searched")))
 
 
 def missing(what: str) -> None:
@@ -247,14 +247,17 @@ def watch_all(context):
 
 
 @pytest.fixture(scope="session")
-def goals(tmp_path_factory):
+def goals(once, tmp_path_factory):
     """What was tried for a goal, within tolerances and for an identification, with the page of each, by its kind."""
-    return write_pages_of_goals(tmp_path_factory.mktemp("goals"))
+    return once("goals", lambda: write_pages_of_goals(tmp_path_factory.mktemp("goals")))
 
 
 @pytest.fixture(scope="session")
-def pages(short_run, slow_run, surveyed, elastic_material, write_study_file, goals, tmp_path_factory):
+def pages(once, short_run, slow_run, surveyed, elastic_material, write_study_file, goals, tmp_path_factory):
     """A page of every kind, by its kind."""
-    folder = tmp_path_factory.mktemp("pages")
-    others = write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)
-    return others | {kind: path for kind, (_, path) in goals.items()}
+
+    def write():
+        folder = tmp_path_factory.mktemp("pages")
+        return write_pages(folder, short_run, slow_run, surveyed("reference"), elastic_material, write_study_file)
+
+    return once("pages", write) | {kind: path for kind, (_, path) in goals.items()}
