@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from forficula.analysis.verdict import Ending, Verdict
+from forficula.arrays import Array
 from forficula.dynamics import Check
 from forficula.names import listed
 from forficula.quantities import show_value
@@ -18,7 +19,6 @@ OTHER_START = "a slightly different start"
 # of a value: what differs by more between two timesteps has not settled
 SETTLED_WITHIN = 0.02
 
-Array = NDArray[np.float64]
 Values = Mapping[str, tuple[float, ...]]
 StateValues = Mapping[str, Array]
 

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.structure import Structure, facet_triangles
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _ROWS = 400  # of a record that are looked at, evenly
 _TOGETHER = 16  # rows whose boxes are compared at once
@@ -47,7 +44,7 @@ class _Pieces:
     half: Array
     owner: Indices
     names: tuple[str, ...]
-    joined: NDArray[np.bool_]
+    joined: Flags
 
 
 def facets_that_cross(record: Record) -> list[CrossingFacets]:
@@ -158,7 +155,7 @@ def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
     return np.array([one[which], other[which]]), row
 
 
-def _cross(corners: Array, normals: Array, half: Array) -> NDArray[np.bool_]:
+def _cross(corners: Array, normals: Array, half: Array) -> Flags:
     """Whether two facets cross, (case,), by corners, (2, case, corner, 3), normals and half thicknesses, (2, case)."""
     # over the other's plane
     height = np.einsum("pckx,pcx->pck", corners - corners[::-1, :, :1], normals[::-1])

@@ -8,14 +8,11 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record
 from forficula.structure import Structure
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # rows of a stage that are looked at, and then beside the deepest
 _DRIVEN, _OTHERS, _CLOSER = 32, 4, 16
@@ -56,13 +53,13 @@ class PanelMesh:
         return np.unique(self._sides.reshape(-1, 2), axis=0)
 
     @cached_property
-    def rims(self) -> NDArray[np.bool_]:
+    def rims(self) -> Flags:
         """Which sides of triangles are on the rim, from corner to next corner, (triangle, 3)."""
         _, which, count = np.unique(self._sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True)
         return np.asarray(count[which.ravel()] == 1).reshape(-1, 3)
 
     @cached_property
-    def on_rim(self) -> NDArray[np.bool_]:
+    def on_rim(self) -> Flags:
         """Whether each node is on the rim, (node,)."""
         return np.isin(np.arange(self.triangles.max() + 1), self._sides[self.rims])
 
@@ -237,7 +234,7 @@ def _reaches(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tup
         reach = further
 
 
-def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indices, NDArray[np.bool_]]:
+def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indices, Flags]:
     """Distances of points from a panel, m, sides, +-1, and whether it is before them and not beside, (row, point)."""
     corners, points = nodes[:, mesh.triangles], points[:, :, None]
     normals = _normals(corners)

@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
 from forficula.structure import Goal, Transition, goal_coordinates, goal_of, short_of
-
-Array = NDArray[np.float64]
 
 # what failed never looks as if it had just worked
 _LEAST_SHORT = 1e-3

@@ -9,12 +9,12 @@ from functools import cached_property, partial
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis.advice import NOTHING, Advice, edge_advice, run_advice
 from forficula.analysis.confirmation import Confirmation, StateValues, Values, confirm, undecided, undecided_text
 from forficula.analysis.resolution import unresolved_stops
 from forficula.analysis.verdict import ENDING_TEXTS, Ending, Verdict, ending_text
+from forficula.arrays import Array
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
@@ -31,8 +31,6 @@ from forficula.structure import (
     measure_of,
     state_of,
 )
-
-Array = NDArray[np.float64]
 
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole

@@ -6,12 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.structure import Structure, goal_coordinates, state_of
-
-Array = NDArray[np.float64]
 
 _FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
 _ALIKE = 1e-9  # of unit vectors

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis.arrival import TARGET, missed_targets, missed_text
 from forficula.analysis.crossing_facets import facets_that_cross
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.outcome import early_goal
 from forficula.analysis.strength import membrane_peaks, strain_peaks
+from forficula.arrays import Array
 from forficula.dynamics import Record, energy_balance
 from forficula.quantities import show_value
 from forficula.structure import goal_of
@@ -137,7 +137,7 @@ def _fast_tendons(record: Record) -> list[str]:
     return told
 
 
-def highest_strain_rates(record: Record) -> NDArray[np.float64]:
+def highest_strain_rates(record: Record) -> Array:
     """The highest rates at which taut tendons are strained or let go, 1/s, (tendon,).
 
     By the length that a law counts strain by, from one step to the next; of a record that does not say so, from one

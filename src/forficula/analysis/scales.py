@@ -7,11 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.structure import GROUND, Structure, ancestry, built_frames, built_points, hinge_groups, mass_of
-
-Array = NDArray[np.float64]
 
 # N m and kg m^2: within, ratios of them are numbers
 _LEAST, _MOST = 1e-150, 1e150

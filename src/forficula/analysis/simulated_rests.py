@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.statics import EnergyLandscape
 from forficula.statics.net.net_of import places as net_places
-
-Array = NDArray[np.float64]
 
 
 def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, float]:

@@ -7,17 +7,15 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis.outcome import measure
+from forficula.arrays import Array, Flags
 from forficula.design import Design, shortest_sample_interval, stage_drives, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
 from forficula.statics import TendonHinge, fold_time, folding_sense, ideal_hinges, tendon_hinge
 from forficula.statics.snap import FOLD_START, final_speed
 from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
-
-Array = NDArray[np.float64]
 
 _ROWS = 200  # that a fold should have in a record
 
@@ -141,7 +139,7 @@ def finely_sampled(design: Design) -> Design:
     return with_values(design, {"protocol.sample_interval": wanted})
 
 
-def folding_rows(record: Record, hinge: int) -> NDArray[np.bool_]:
+def folding_rows(record: Record, hinge: int) -> Flags:
     """Which rows of a record come before anything opens a hinge again, (row,)."""
     return np.asarray(record.time <= opening_time(record, hinge))
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis.outcome import Outcome
 from forficula.analysis.verdict import Verdict
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import show_duration, show_value
-
-Array = NDArray[np.float64]
 
 # of the largest pull of the run: a tendon that pulls less is slack
 _SLACK = 1e-3

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.structure import MembraneLaw, hinge_groups, springs_name
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

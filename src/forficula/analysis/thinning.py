@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Flags
 from forficula.dynamics import Record
 from forficula.structure import drawn_points
 
@@ -40,7 +40,7 @@ def thin_record(record: Record) -> Record:
     return replace(record, time=record.time[kept], series={name: rows[kept] for name, rows in record.series.items()})
 
 
-def _needed(record: Record) -> NDArray[np.bool_]:
+def _needed(record: Record) -> Flags:
     """The rows that states and transitions are read from, (time,)."""
     protocol = record.design.protocol
     half = float(protocol.timestep) / 2  # times are multiples of the timestep up to rounding

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design.sheet_parts import Crease, Facet, largest_extension
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.shared_edges import shared_edges
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from forficula.design.design import Design
 
 DesignOf = TypeVar("DesignOf", bound="Design")
-Array = NDArray[np.float64]
 
 # m/m, thickness by size of a facet: card of 0.2 mm has facets of 2 cm
 _SLENDER = 1 / 100

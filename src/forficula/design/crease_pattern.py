@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
 from forficula.design.joint import JointDesign
@@ -30,7 +30,7 @@ def design_pattern(design: Design) -> CreasePattern:
     raise InputError(f"{design.name}: has no crease pattern")
 
 
-def design_frames(design: Design) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
+def design_frames(design: Design) -> list[tuple[str, Array, Array]]:
     """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them.
 
     Each crease by the same share of its angle; none of a sheet that is not built flat, or cannot fold so.

@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design.sheet_creases import creases_between
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 from forficula.quantities import as_written
-
-Array = NDArray[np.float64]
 
 _NUMBER = r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)"
 _VERTEX = re.compile(r"vertex (\d{1,9})(?: of facet (\d{1,9}))?")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energy import LETTING_GO, branch_losses, letting_go_work
 from forficula.dynamics.explicit_work import explicit_works
@@ -16,9 +16,6 @@ from forficula.dynamics.stepper import energy_of
 from forficula.dynamics.steps import State, Steps
 from forficula.dynamics.stop_forces import stop_forces
 from forficula.structure import Motor
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # steps for which a stop's force goes on changing fast: four of its time constants
 _JUMP = 8

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.structure import Coupling, Structure, coupling_rows
-
-Array = NDArray[np.float64]
 
 # as hard as of closures; the angle over which it hardens is MuJoCo's default, which is small beside any turn
 _IMPEDANCE = (0.999, 0.999, 1e-3, 0.5, 2.0)

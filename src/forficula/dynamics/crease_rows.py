@@ -10,14 +10,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.model import Model
 from forficula.structure.flaps import cross, dot
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17

@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.model import Model
 from forficula.dynamics.placement import Placement
 from forficula.dynamics.steps import Steps
 from forficula.structure import Motor, Structure
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 def crease_works(

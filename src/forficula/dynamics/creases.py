@@ -10,16 +10,13 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.plate_angles import PRODUCTS, plate_directions
 from forficula.errors import InputError
 from forficula.material import CreaseLaw
 from forficula.structure import Structure, crease_flaps, crease_law
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _ROW = 17
 

@@ -8,13 +8,10 @@ from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.structure import Structure, gathered_mass
 from forficula.structure.flaps import cross, dot
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # of a thin plate square to a flow at Reynolds numbers beyond 1000: 1.98 of a long strip, 1.17 of a disc (Hoerner 1965,
 # Fluid-Dynamic Drag, chapter 3)

@@ -6,13 +6,11 @@ from collections.abc import Mapping
 from functools import reduce
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.couplings import coupling_energies
 from forficula.dynamics.membrane import stretch_energy
 from forficula.dynamics.model import Model
-
-Array = NDArray[np.float64]
 
 # of the engine's fields, what `letting_go_work` needs
 LETTING_GO = ("ten_length", "ten_velocity", "ten_J")
@@ -53,9 +51,7 @@ def letting_go_work(
     return -np.sum(damper * longer, axis=1), -np.sum(spared * longer, axis=1)
 
 
-def _letting_go(
-    model: Model, which: NDArray[np.int64], forces: Mapping[str, Array], activations: Array
-) -> tuple[Array, Array]:
+def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
     """What dampers of some tendons pull, and by how much more than its parts each tendon pulls, (step, tendon)."""
     length = forces["ten_length"][:, model.tendons]
     laws = [model.in_units.tendons[tendon].law for tendon in which]

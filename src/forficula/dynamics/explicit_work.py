@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics.steps import Steps
-
-Array = NDArray[np.float64]
 
 
 def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:

@@ -6,15 +6,12 @@ from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.placement import Placement, placement_of
 from forficula.dynamics.plate_angles import PlateAngles, plate_angles
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
 from forficula.structure.flaps import cross, dot
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True, kw_only=True)

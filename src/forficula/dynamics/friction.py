@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics.model import Model
-
-Array = NDArray[np.float64]
 
 # share of the friction by which the engine's solver and this computation may differ
 _ROUNDING = 1e-6

@@ -12,17 +12,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.design import Design, key_quantity, key_value, with_values
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.portable_model import model_numbers
 from forficula.dynamics.timestep import stable_timestep
 from forficula.errors import InputError
 from forficula.quantities import Unit
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # keys that may be such; and by what their values are multiplied at the ends of their ranges
 _FACTORS = {

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.structure import Membrane, MembraneLaw, Structure
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,10 +24,10 @@ class Mesh:
         law: of all of it; None where there is none.
     """
 
-    bodies: NDArray[np.int64]
+    bodies: Indices
     places: Array
     built: Array
-    triangles: NDArray[np.int64]
+    triangles: Indices
     law: MembraneLaw | None
 
 
@@ -115,7 +113,7 @@ def _in_plane(edges: Array) -> Array:
     return upper
 
 
-def _edges(nodes: Array, triangles: NDArray[np.int64]) -> Array:
+def _edges(nodes: Array, triangles: Indices) -> Array:
     """Two edge vectors of each triangle as columns, (..., triangle, 3, 2)."""
     corners = nodes[..., triangles, :]
     return np.stack([corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :]], axis=-1)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
 from forficula.dynamics.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.closures import add_closures, gap_name
@@ -25,9 +25,6 @@ from forficula.dynamics.units import ModelUnits, design_in_model_units, model_un
 from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
 from forficula.structure import Measure, Structure, structure_of
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # a step of more takes tens of milliseconds and gigabytes
 _MOST_BODIES = 2002
@@ -98,7 +95,7 @@ class Model:
     sites: Indices
     carriers: Indices
     elastic: ElasticLaw
-    lets_go: NDArray[np.bool_]
+    lets_go: Flags
 
     @property
     def explicit(self) -> bool:

@@ -7,11 +7,11 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigh
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import eigsh
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.drag import HELD
 from forficula.dynamics.folds import flap_turns
 from forficula.dynamics.placement import Placement, placement_of
@@ -25,9 +25,6 @@ from forficula.structure import (
     crease_numbers,
     mass_of,
 )
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # coordinates from which a shortened iteration is faster than all eigenvalues
 _FEW = 60

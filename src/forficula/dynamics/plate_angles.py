@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.structure.flaps import cross, dot
-
-Array = NDArray[np.float64]
 
 # products of a direction of the left plate and one of the right: normals 0, what is square to them and to the crease 1,
 # along the crease 2; the angle depends on all but the third

@@ -12,17 +12,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.crease_rows import without_jump
 from forficula.dynamics.folds import Folds
 from forficula.dynamics.model import Model
 from forficula.dynamics.placement import stacked
 from forficula.dynamics.plate_angles import PRODUCTS
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.model import Model
 from forficula.dynamics.stepper import start_position
-
-Array = NDArray[np.float64]
 
 # of options: those that are numbers with the same meaning in every version
 _OPTIONS = ("timestep", "impratio", "tolerance", "ls_tolerance", "ccd_tolerance", "gravity")
@@ -39,7 +38,7 @@ class PortableModel:
 
     source: str
     numbers: Mapping[str, Array]
-    layout: Mapping[str, NDArray[np.int64]]
+    layout: Mapping[str, Indices]
     options: Mapping[str, Array]
     start: Array
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.design import Design, Stage, design_from_text, design_text
 from forficula.displayed import Displayed
 from forficula.dynamics.membrane import joined_mesh
@@ -28,7 +28,6 @@ from forficula.structure import Structure, distances_of, hinges_of, measure_of, 
 if TYPE_CHECKING:
     import xarray
 
-Array = NDArray[np.float64]
 
 # name: (dimensions after time, unit, what it is)
 VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
@@ -192,7 +191,7 @@ class Record(Displayed):
         return sum((motors[:, motor] for motor in range(motors.shape[1])), np.zeros(len(self.time)))
 
     @cached_property
-    def triangles(self) -> NDArray[np.int64]:
+    def triangles(self) -> Indices:
         """The mesh of all membranes, (triangle, 3), indices of nodes."""
         return joined_mesh(self.structure.membranes).triangles
 

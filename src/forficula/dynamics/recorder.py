@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
 from forficula.dynamics.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.energy import state_energies, state_series
@@ -15,8 +15,6 @@ from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stage_plan import NEVER
 from forficula.dynamics.steps import State, Steps
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,9 +30,9 @@ class Chunk:
     """
 
     steps: Steps
-    first: NDArray[np.int64]
-    begins: NDArray[np.bool_]
-    taken: NDArray[np.int64]
+    first: Indices
+    begins: Flags
+    taken: Indices
     account: Mapping[str, Array]
 
 
@@ -42,7 +40,7 @@ class Chunk:
 class _Rows:
     """States that are kept, (row, ...), in the model's units, and the account until then, SI."""
 
-    number: NDArray[np.int64]
+    number: Indices
     angle: Array
     derived: Mapping[str, Array]
     account: Mapping[str, Array]
@@ -72,7 +70,7 @@ class Recorder:
         materials = [tendon.material for tendon in model.structure.tendons]
         tested = [material is not None and material.highest_strain_rate is not None for material in materials]
         self._fastest = None if sparse or not any(tested) else np.full(len(tested), np.nan)
-        self._last: tuple[Array, NDArray[np.bool_]] | None = None
+        self._last: tuple[Array, Flags] | None = None
         self._leaps = any(stage.wait for stage in protocol.stages)
 
     def fork(self, model: Model) -> Recorder:
@@ -255,9 +253,7 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
         recorders[place].add(rows, slice(bounds[place], bounds[place + 1]), chunk, place)
 
 
-def _angles(
-    recorders: Sequence[Recorder], steps: Steps, structure: NDArray[np.int64], before: NDArray[np.int64]
-) -> Array:
+def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, before: Indices) -> Array:
     """Angles of all hinges in the states that are kept, in own senses, rad, (row, hinge)."""
     positions = steps.states(structure, before, slice(1, 1 + steps.positions))
     if steps.angles is None:

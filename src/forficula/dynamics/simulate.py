@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics.account import Account
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import Record
@@ -20,7 +20,6 @@ from forficula.dynamics.steps import Steps
 from forficula.dynamics.waiting import Waits
 from forficula.errors import InputError
 
-Array = NDArray[np.float64]
 Progress = Callable[[str, float, float], None]
 
 # Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
@@ -106,7 +105,7 @@ def _records(
     held = set(following.values())
     waiting = followers(models, held)
     moving = np.array([row not in waiting and row not in held for row in range(len(models))])
-    under_way: deque[tuple[NDArray[np.int64], Array, Pending]] = deque()
+    under_way: deque[tuple[Indices, Array, Pending]] = deque()
     few = _FEW * stepper.threads * stepper.together
     while moving.any():
         while len(rows := _next_rows(moving & ~tracker.ended, [rows for rows, *_ in under_way], few)):
@@ -141,7 +140,7 @@ def _records(
                 moving[following[row]] = following[row] not in waiting
 
 
-def _next_rows(moving: NDArray[np.bool_], under_way: Sequence[NDArray[np.int64]], few: int) -> NDArray[np.int64]:
+def _next_rows(moving: Flags, under_way: Sequence[Indices], few: int) -> Indices:
     """Which of the moving structures to step next: half of them, so that Python can look at the others meanwhile.
 
     Fewer than `few` go all together, or some threads would have none.
@@ -160,7 +159,7 @@ def _advance(
     tracker: StageTracker,
     account: Account,
     recorders: Sequence[Recorder],
-    rows: NDArray[np.int64],
+    rows: Indices,
     torques: Array,
     steps: Steps,
 ) -> None:

@@ -10,11 +10,11 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from forficula.arrays import Array
 from forficula.design import Stage, stage_drives
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.structure import Goal, drive_of, goal_of, sums_of
 
-Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 Booleans = NDArray[np.bool_]
 

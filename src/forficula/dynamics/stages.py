@@ -7,9 +7,10 @@ from functools import reduce
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.dynamics.model import Model
 from forficula.dynamics.record import StageEnd
-from forficula.dynamics.stage_plan import Array, Booleans, Numbers, stage_plan, stage_torques
+from forficula.dynamics.stage_plan import Booleans, Numbers, stage_plan, stage_torques
 from forficula.dynamics.steps import Steps
 
 _AT_ONCE = 1e-9  # steps

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics.closures import LARGEST_GAP
 from forficula.dynamics.model import Model
 from forficula.dynamics.stage_plan import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
 from forficula.structure import Drive, Goal, drive_unit
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,17 +14,14 @@ from queue import SimpleQueue
 import mujoco
 import numpy as np
 from mujoco.batch import Batch
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_rows import CreaseRows, crease_rows, without_jump
 from forficula.dynamics.creases import engine_rows
 from forficula.dynamics.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.model import Model
 from forficula.dynamics.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.steps import State, Steps
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # all that the next step depends on, and of that what a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value

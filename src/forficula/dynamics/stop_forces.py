@@ -6,11 +6,9 @@ from collections.abc import Mapping
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics.model import Model, joint_ranges
-
-Array = NDArray[np.float64]
 
 
 def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> Array:

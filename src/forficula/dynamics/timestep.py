@@ -11,8 +11,8 @@ from typing import Any
 import mujoco
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import AnyDesign, Design, as_design, key_quantity, load_design, with_values
 from forficula.design.kinds import reference_of
 from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
@@ -22,8 +22,6 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import TendonBranch
 from forficula.quantities import show_quantity
 from forficula.structure import Structure, structure_of, tendon_arms
-
-Array = NDArray[np.float64]
 
 # Folding stretches the membrane and pleats the veins together: along the fold the limit was measured to fall to about
 # half of the flat wing's (reference design: 2.4 ms flat, 1.2 ms at the snap; seven veins, 5 MPa: 0.40 and 0.23 ms).

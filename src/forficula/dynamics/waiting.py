@@ -12,16 +12,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics.account import Account
 from forficula.dynamics.energy import branch_forces, branch_numbers
 from forficula.dynamics.model import Model
 from forficula.dynamics.stages import StageTracker
 from forficula.dynamics.stepper import Stepper
 from forficula.material.law.ageing import aged
-
-Array = NDArray[np.float64]
 
 # by the largest pull: how far the pull of branches may be off after a leap
 _ALLOWED = 1e-4

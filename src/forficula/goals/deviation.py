@@ -9,16 +9,14 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.errors import InputError
 from forficula.material.law.law_file import load_law
 from forficula.names import near_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
-
-Array = NDArray[np.float64]
 
 DEFAULT_SHARE = 0.1
 # what is done with a structure, how it is watched, and what changes nothing in it

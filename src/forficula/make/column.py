@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
+from forficula.arrays import Array
 from forficula.make.sections import Section
-from forficula.structure.parts import Array
 
 # along each of the two bars
 _PLACES = 33

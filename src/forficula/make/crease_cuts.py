@@ -7,12 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.design import MakeSection
 from forficula.make.regions import spans_within
-
-Array = NDArray[np.float64]
 
 # share of a whole cut: what is left of one at the end of a crease is left out if shorter
 _SHORTEST = 1 / 3
@@ -129,7 +127,7 @@ def _between_bisectors(crease: CreaseLine, offset: float, apart: float) -> tuple
 
 
 def crease_lines(
-    points: Array, edges: NDArray[np.int64], chosen: Sequence[int], others: Sequence[int]
+    points: Array, edges: Indices, chosen: Sequence[int], others: Sequence[int]
 ) -> Mapping[int, CreaseLine]:
     """The creases of a flat sheet with the angles between them.
 

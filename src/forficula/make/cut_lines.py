@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.make.check import Check
 from forficula.make.crease_cuts import CreaseLine
 from forficula.pattern import CreasePattern
-
-Array = NDArray[np.float64]
 
 Layer = Literal["cut", "score", "mountain", "valley", "mark"]
 # in the order in which files list them

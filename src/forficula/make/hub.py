@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
+from forficula.arrays import Array
 from forficula.design import MakeSection
 from forficula.make.joint import above_bed
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.solids import Cut, Joined, Prism, Rod, Solid
 from forficula.structure import GROUND, Structure
-from forficula.structure.parts import Array
 
 # how deep a rod sits at either end, by its diameter
 _DEEP = 2.0

@@ -11,10 +11,10 @@ import math
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid, box, joined
 from forficula.pattern.rotation import rotation_about
-from forficula.structure.parts import Array
 
 # of a peg's diameter: the head that keeps straps on it
 PEG_HEAD = 1.3

@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import Design, MakeSection
 from forficula.design.part import SMALL_LENGTH
 from forficula.errors import InputError
 from forficula.make.straps import Strap, strap_of
 from forficula.quantities import show_quantity
 from forficula.structure import Bar, Structure, built_frames, built_points, hinges_between
-from forficula.structure.parts import Array
 
 # of a bar's radius: above it a flat is cut, which lies on the printer's bed, so that nothing hangs further than 45 deg
 FLAT = math.sqrt(0.5)

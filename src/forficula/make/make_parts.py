@@ -6,6 +6,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import AnyDesign, Design, MakeSection, as_design
 from forficula.errors import InputError
 from forficula.make.hub import Root, hub_solid, rod_solid, roots_of, with_sleeve
@@ -18,7 +19,6 @@ from forficula.make.strap_shape import StrapPlace, bows_beside, made_strap, stra
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
 from forficula.structure import GROUND, Structure, structure_of
-from forficula.structure.parts import Array
 
 PartName = Literal["all", "sheet", "joint", "section"]
 

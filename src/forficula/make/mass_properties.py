@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part
-from forficula.structure.parts import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

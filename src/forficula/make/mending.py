@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Indices
 from forficula.design import key_value
 from forficula.design.part import SMALL_LENGTH
 from forficula.dynamics import Record
@@ -79,7 +79,7 @@ def _tried(parts: PartSet, record: Record, name: str, values: Mapping[str, str])
     """Parts in a recorded motion, and in the states that it comes to."""
     pieces = pieces_of(parts)
 
-    def met(rows: NDArray[np.int64] | None) -> tuple[Touch, ...]:
+    def met(rows: Indices | None) -> tuple[Touch, ...]:
         return touches(parts, record, rows, deepest=0, pieces=pieces)
 
     states = tuple(state for state, row in state_rows(record).items() if met(np.array([row])))

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import CrossSection, Manifold, OpType
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid
-from forficula.structure.parts import Array
 
 MILLIMETRES = 1e3
 # around a circle: 0.0016 of its radius is what corners stand out, for a polygon of its area
@@ -27,8 +26,8 @@ class Mesh:
         triangles: three points each, counterclockwise seen from outside, (triangle, 3).
     """
 
-    points: NDArray[np.float64]
-    triangles: NDArray[np.int64]
+    points: Array
+    triangles: Indices
 
 
 def solid_of(solid: Solid) -> Manifold:

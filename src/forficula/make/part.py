@@ -7,6 +7,7 @@ from functools import cached_property
 
 from manifold3d import Error, Manifold
 
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
@@ -18,7 +19,6 @@ from forficula.make.solids import Solid
 from forficula.make.stock import Stock
 from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure
-from forficula.structure.parts import Array
 
 # mm, volume by surface: what is thinner is lost in the single precision of meshes and their files
 _THINNEST = 1e-5

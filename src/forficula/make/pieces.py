@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from manifold3d import Manifold
 
+from forficula.arrays import Array
 from forficula.make.free_range import half
 from forficula.make.joint import PEG_HEAD
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.mesh import MILLIMETRES
 from forficula.make.part import PartSet
 from forficula.structure import GROUND
-from forficula.structure.parts import Array
 
 # beside a peg, what is still called so, m
 _BESIDE = 1e-3

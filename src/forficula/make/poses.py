@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics import Record, StageEnd
 from forficula.statics.pose import pose, tree_of
 from forficula.structure import built_frames
-from forficula.structure.parts import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -24,12 +23,12 @@ class Poses:
         origins: what is added after them, m, (row, body + 1, 3).
     """
 
-    rows: NDArray[np.int64]
+    rows: Indices
     frames: Array
     origins: Array
 
 
-def poses_of(record: Record, rows: Sequence[int] | NDArray[np.int64]) -> Poses:
+def poses_of(record: Record, rows: Sequence[int] | Indices) -> Poses:
     """How the bodies of a tree are placed in rows of a record, from the angles of its hinges."""
     structure = record.structure
     at = pose(tree_of(structure), record.series["hinge_angle"][np.asarray(rows)])
@@ -40,7 +39,7 @@ def poses_of(record: Record, rows: Sequence[int] | NDArray[np.int64]) -> Poses:
     return Poses(rows=np.asarray(rows, dtype=np.int64), frames=turns, origins=moves)
 
 
-def telling_rows(record: Record, most: int) -> NDArray[np.int64]:
+def telling_rows(record: Record, most: int) -> Indices:
     """Rows whose poses are furthest from one another: what moves to and fro is looked at once.
 
     From the first row on, always the row whose hinges are furthest from all that are taken (Gonzalez 1985).

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from manifold3d import Manifold, OpType
 
+from forficula.arrays import Array
 from forficula.make.check import Check, least_check
 from forficula.make.free_range import range_between
 from forficula.make.joint import bar_solid, turned
@@ -17,7 +18,6 @@ from forficula.make.mesh import MILLIMETRES, placed, solid_of
 from forficula.make.part import PartSet
 from forficula.make.strap_shape import StrapPlace, strap_along, strap_line
 from forficula.quantities import show_value
-from forficula.structure.parts import Array
 
 # of parts that would be drawn to touch where they are round, mm^3: a polygon has corners
 _TOUCH = 1e-2

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 from manifold3d import CrossSection, FillRule, JoinType, OpType
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array
+
 # a manifold3d.CrossSection, which has no types; it rounds coordinates to 1e-8 of its unit
 Region = Any
 

@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.make.joint import is_level, peg_flats
 from forficula.make.joint_layout import FLAT, Arm, JointLayout
-from forficula.structure.parts import Array
 
 # corners of an outline at which stress is looked at
 _CORNERS = 181

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import AnyDesign, MakeSection, as_design
 from forficula.errors import InputError
 from forficula.make.crease_cuts import crease_width
@@ -43,8 +43,6 @@ from forficula.names import listed
 from forficula.pattern.crease_pattern import face_area, face_sides
 from forficula.quantities import show_value
 from forficula.structure import structure_of
-
-Array = NDArray[np.float64]
 
 _ROUNDING = 1e-6  # share of the sheet's size, and of its area
 _LETTERS = 0.02  # height of a label by the sheet's size

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import MakeSection
 from forficula.make.check import Check, count_check, least_check
 from forficula.make.cut_lines import CutLine, CutSheet
@@ -28,8 +28,6 @@ from forficula.make.regions import (
 )
 from forficula.make.sheet_windows import LEAST_STRIP, Window
 from forficula.quantities import show_value
-
-Array = NDArray[np.float64]
 
 _PART = "sheet"
 # m: a cut without width parts nothing, so that it is given at least this

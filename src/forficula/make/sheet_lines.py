@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import MakeSection
 from forficula.make.crease_cuts import CreaseLine, crease_cuts, crease_lines
 from forficula.make.cut_lines import CutLine, Kind, Layer
@@ -32,8 +32,6 @@ from forficula.names import listed
 from forficula.pattern.crease_pattern import face_sides
 from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames
-
-Array = NDArray[np.float64]
 
 CREASE_LAYERS: dict[str, Layer] = {"M": "mountain", "V": "valley", "U": "score"}
 _ROUNDING = 1e-6  # share of the sheet's size, and of its area

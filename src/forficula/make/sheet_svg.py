@@ -7,8 +7,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.files import write_text
 from forficula.make.cut_lines import LAYERS, CutLine, CutSheet, Layer, layer_texts
 from forficula.make.regions import MILLIMETRES
@@ -55,7 +55,7 @@ def sheet_svg(sheet: CutSheet) -> str:
     ElementTree.SubElement(drawing, "title").text = printable(sheet.title or sheet.name)
     ElementTree.SubElement(drawing, "desc").text = printable(". ".join(legend_lines(sheet)) + ".")
 
-    def page(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def page(points: Array) -> Array:
         placed = MILLIMETRES * np.atleast_2d(points)
         return np.column_stack([placed[:, 0] - low[0] + _MARGIN, high[1] + _MARGIN - placed[:, 1]]) + 0.0
 
@@ -79,7 +79,7 @@ def sheet_svg(sheet: CutSheet) -> str:
     return ElementTree.tostring(drawing, encoding="unicode")
 
 
-def _draw(group: ElementTree.Element, line: CutLine, points: NDArray[np.float64], look: dict[str, str]) -> None:
+def _draw(group: ElementTree.Element, line: CutLine, points: Array, look: dict[str, str]) -> None:
     """A line of the cutter, on the page."""
     if line.closed:
         ways = " ".join(f"{x:.6f},{y:.6f}" for x, y in points)
@@ -90,7 +90,7 @@ def _draw(group: ElementTree.Element, line: CutLine, points: NDArray[np.float64]
     ElementTree.SubElement(group, "line", ends | look)
 
 
-def _write(group: ElementTree.Element, text: str, place: NDArray[np.float64], height: float, colour: str) -> None:
+def _write(group: ElementTree.Element, text: str, place: Array, height: float, colour: str) -> None:
     """A word on the page, filled: a program that takes only lines passes it over."""
     look = {"fill": colour, "stroke": "none", "font-size": f"{height:.6f}", "font-family": "sans-serif"}
     middle = {"text-anchor": "middle", "dominant-baseline": "central"}

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import Design, MakeSection
 from forficula.make.joint_layout import joint_layouts
 from forficula.make.regions import Region, distance_to, loops_of, region_of, rounded, sides_of
@@ -16,8 +16,6 @@ from forficula.make.straps import strap_of
 from forficula.make.unfolding import Unfolding, laid_place
 from forficula.pattern import CreasePattern
 from forficula.structure import Structure, Tendon, built_points
-
-Array = NDArray[np.float64]
 
 LEAST_STRIP = 2e-3  # m, of sheet between what is cut out of it
 

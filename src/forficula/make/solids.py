@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from forficula.structure.parts import Array
+from forficula.arrays import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -87,7 +86,7 @@ def box(low: Sequence[float], high: Sequence[float], origin: Array, frame: Array
     )
 
 
-def band(line: NDArray[np.float64], thickness: float) -> NDArray[np.float64]:
+def band(line: Array, thickness: float) -> Array:
     """The outline of a strip of even thickness along an open line in a plane, m, (2 corners of the line, 2).
 
     Args:

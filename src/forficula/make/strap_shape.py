@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.make.elastica import elastica
 from forficula.make.joint import turned
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.solids import Cut, Joined, Prism, Rod, Solid, band, box
 from forficula.make.straps import Strap
-from forficula.structure.parts import Array
 
 # shorter than this, seen along the hinge, a strap's ends have no direction to bow square to, m
 _NOWHERE = 1e-9

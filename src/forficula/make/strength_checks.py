@@ -12,6 +12,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.make.check import Check
 from forficula.make.column import Column, euler_load
 from forficula.make.joint import is_level, turned
@@ -22,7 +23,6 @@ from forficula.make.stock import Stock, stock_of
 from forficula.make.stop_load import StopLoad, stop_load
 from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure, built_frames
-from forficula.structure.parts import Array
 
 # what anything must bear, by what it has to; chosen
 SAFE = 2.0

@@ -7,15 +7,14 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.make.mesh import placed
 from forficula.make.part import PartSet
 from forficula.make.pieces import Piece, pieces_of
 from forficula.make.poses import Poses, poses_of, stage_at, telling_rows
 from forficula.structure import GROUND
-from forficula.structure.parts import Array
 
 # of a record that are looked at
 _ROWS = 80
@@ -55,7 +54,7 @@ class Touch:
 def touches(
     parts: PartSet,
     record: Record,
-    rows: NDArray[np.int64] | None = None,
+    rows: Indices | None = None,
     *,
     deepest: int = _DEEPEST,
     pieces: Sequence[Piece] | None = None,
@@ -142,7 +141,7 @@ def _volumes(one: Piece, other: Piece, poses: Poses, deepest: int) -> Array:
     return volumes
 
 
-def _boxes_meet(one: Piece, other: Piece, poses: Poses) -> NDArray[np.bool_]:
+def _boxes_meet(one: Piece, other: Piece, poses: Poses) -> Flags:
     """Whether the boxes of two pieces are not parted by a plane along a side of either, (row,)."""
     here, there = (poses.frames[:, each.body] @ each.frame for each in (one, other))
     middles = [

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.make.regions import distance_to
 from forficula.pattern import CreasePattern, central_facet, facet_tree
@@ -17,8 +17,6 @@ from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.cut_open import cut_open
 from forficula.pattern.rotation import rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
-
-Array = NDArray[np.float64]
 
 # share of the sheet's size: by which facets may be bent, and ends of a crease apart, as of what files round
 _ROUNDING = 1e-6
@@ -39,7 +37,7 @@ class Unfolding:
     """
 
     pattern: CreasePattern
-    edges: NDArray[np.int64]
+    edges: Indices
     seams: tuple[int, ...]
     turns: Array
     shifts: Array

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.make.joint import turned
 from forficula.make.joint_layout import JointLayout
@@ -16,7 +17,6 @@ from forficula.make.part import PartSet
 from forficula.make.strap_shape import StrapPlace
 from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames, gathered_mass, mass_of, structure_of
-from forficula.structure.parts import Array
 
 # angles of a hinge at which two straps are set beside one tendon
 _ANGLES = 181

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.fit.fit import LawFit, fit_law
@@ -157,7 +157,7 @@ def known_length(law: MaterialLaw) -> float | None:
     return next((parse_quantity(fact.value, LENGTH) for fact in law.facts if fact.what == SPECIMEN_LENGTH), None)
 
 
-def cycle_table(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float]) -> NDArray[np.float64]:
+def cycle_table(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float]) -> Array:
     """A value of the cycles that every specimen has, shape (specimen, cycle), nan where it is absent."""
     numbers = common_cycles(cycles)
     by_number = [{cycle.number: value(cycle) for cycle in own} for own in cycles]

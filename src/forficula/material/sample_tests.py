@@ -6,13 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.material.tensile.tensile_test import TensileTest
 
-Array = NDArray[np.float64]
 # stress of a strain, (sample,), in the cycle of that number, from 1; Pa
 Way = Callable[[Array, int], Array]
 

@@ -7,12 +7,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.triangulation import Triangulation
-
-Array = NDArray[np.float64]
 
 # share of the sheet's size: a place this near to a vertex or an edge is on it
 _NEAR = 1e-6
@@ -29,8 +27,8 @@ class AddedVertices(NamedTuple):
     """
 
     pattern: CreasePattern
-    facets: NDArray[np.int64]
-    sources: NDArray[np.int64]
+    facets: Indices
+    sources: Indices
     vertices: tuple[int, ...]
 
 

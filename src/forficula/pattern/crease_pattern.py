@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 
 ASSIGNMENTS = {"B": "border", "M": "mountain", "V": "valley", "F": "flat", "U": "unassigned", "C": "cut"}
@@ -32,10 +32,10 @@ class CreasePattern:
         title: what the sheet is.
     """
 
-    vertices_coords: NDArray[np.float64]
-    edges_vertices: NDArray[np.int64]
+    vertices_coords: Array
+    edges_vertices: Indices
     edges_assignment: tuple[str, ...]
-    edges_fold_angle: NDArray[np.float64]
+    edges_fold_angle: Array
     faces_vertices: tuple[tuple[int, ...], ...]
     edges_role: tuple[str, ...] = ()
     title: str = ""
@@ -65,7 +65,7 @@ class CreasePattern:
         object.__setattr__(self, "faces_vertices", _checked_faces(self.faces_vertices, len(coords), edges))
 
 
-def _real_array(values: object, key: str) -> NDArray[np.float64]:
+def _real_array(values: object, key: str) -> Array:
     """Copy to float64."""
     try:
         return np.array(values, dtype=np.float64)
@@ -73,7 +73,7 @@ def _real_array(values: object, key: str) -> NDArray[np.float64]:
         raise InputError(f"{key}: need an array of numbers, got {type(values).__name__} ({error})") from error
 
 
-def _checked_coords(values: object) -> NDArray[np.float64]:
+def _checked_coords(values: object) -> Array:
     """Copy the positions of the vertices."""
     coords = _real_array(values, "vertices_coords")
     if coords.ndim != 2 or coords.shape[1] != 3 or len(coords) == 0:
@@ -85,7 +85,7 @@ def _checked_coords(values: object) -> NDArray[np.float64]:
     return coords
 
 
-def check_edges(values: object, coords: NDArray[np.float64]) -> NDArray[np.int64]:
+def check_edges(values: object, coords: Array) -> Indices:
     """Copy the edges of a pattern and check them.
 
     Args:
@@ -137,9 +137,7 @@ def _check_letters(letters: Sequence[str], edge_count: int) -> None:
             raise InputError(f"edges_assignment[{edge}]: need one of {allowed}, got {letter!r}")
 
 
-def _checked_faces(
-    faces: Sequence[Sequence[int]], vertex_count: int, edges: NDArray[np.int64]
-) -> tuple[tuple[int, ...], ...]:
+def _checked_faces(faces: Sequence[Sequence[int]], vertex_count: int, edges: Indices) -> tuple[tuple[int, ...], ...]:
     """Copy the faces: existing vertices, every side an edge, nothing twice."""
     if len(faces) == 0:
         raise InputError("faces_vertices: need at least one face, got none")
@@ -169,7 +167,7 @@ def face_sides(face: Sequence[int]) -> list[tuple[int, int]]:
     return list(zip(face, [*face[1:], *face[:1]], strict=True))
 
 
-def face_area(points: NDArray[np.float64], face: Sequence[int]) -> float:
+def face_area(points: Array, face: Sequence[int]) -> float:
     """Measure the area of a face, positive where it runs counterclockwise (shoelace formula).
 
     Args:
@@ -210,7 +208,7 @@ def is_unfolded(pattern: CreasePattern) -> bool:
     return all(sum(x[a] * y[b] - x[b] * y[a] for a, b in face_sides(face)) > 0 for face in pattern.faces_vertices)
 
 
-def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
+def interior_vertices(pattern: CreasePattern) -> Indices:
     """Find the vertices that the sheet surrounds.
 
     These have edges, none of them border or cut, and every one of their edges lies between two faces.
@@ -231,7 +229,7 @@ def interior_vertices(pattern: CreasePattern) -> NDArray[np.int64]:
 
 
 @lru_cache(maxsize=4)  # each of the checks of a pattern begins with it
-def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, NDArray[np.int64]], ...]:
+def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, Indices], ...]:
     """List every interior vertex with the edges at it, flat ones left out.
 
     Args:
@@ -256,7 +254,7 @@ def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, NDArray[np.int64]
     )
 
 
-def _counterclockwise(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:
+def _counterclockwise(pattern: CreasePattern, vertex: int, edges: Indices) -> Indices:
     """Sort edges at a vertex counterclockwise, the lowest number first; they come in increasing order."""
     if len(edges) == 0:
         return edges
@@ -265,14 +263,14 @@ def _counterclockwise(pattern: CreasePattern, vertex: int, edges: NDArray[np.int
     return np.roll(counterclockwise, -int(np.argmin(counterclockwise)))
 
 
-def _away_from(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
+def _away_from(pattern: CreasePattern, vertex: int, edges: Indices) -> Array:
     """Vectors along the edges, pointing away from the vertex, m, shape (degree, 3)."""
     far_ends = pattern.edges_vertices[edges].sum(axis=1) - vertex
-    vectors: NDArray[np.float64] = pattern.vertices_coords[far_ends] - pattern.vertices_coords[vertex]
+    vectors: Array = pattern.vertices_coords[far_ends] - pattern.vertices_coords[vertex]
     return vectors
 
 
-def sectors_between(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64]) -> NDArray[np.float64]:
+def sectors_between(pattern: CreasePattern, vertex: int, edges: Indices) -> Array:
     """Measure the angles between neighbouring creases at a vertex.
 
     Each comes from the cross and the dot product of two edge vectors, so it is good to a few units in the last place
@@ -293,11 +291,11 @@ def sectors_between(pattern: CreasePattern, vertex: int, edges: NDArray[np.int64
     cross = away[:, 0] * following[:, 1] - away[:, 1] * following[:, 0]
     dot = away[:, 0] * following[:, 0] + away[:, 1] * following[:, 1]
     angles = np.arctan2(cross, dot)
-    turned: NDArray[np.float64] = np.where(angles < 0, angles + 2 * math.pi, angles)
+    turned: Array = np.where(angles < 0, angles + 2 * math.pi, angles)
     return turned
 
 
-def kawasaki_residuals(pattern: CreasePattern) -> NDArray[np.float64]:
+def kawasaki_residuals(pattern: CreasePattern) -> Array:
     """Measure how far every interior vertex is from folding flat on its own.
 
     The sectors around a vertex that folds flat sum to 180 deg over every second one (Kawasaki 1989; Justin 1986).
@@ -323,7 +321,7 @@ def kawasaki_residuals(pattern: CreasePattern) -> NDArray[np.float64]:
     return np.array(residuals, dtype=np.float64)
 
 
-def maekawa_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
+def maekawa_residuals(pattern: CreasePattern) -> Indices:
     """Count how far mountains and valleys at every interior vertex are from differing by two.
 
     In a vertex that folds flat the two numbers differ by exactly two (Maekawa; Justin 1986; proof in Hull 1994).
@@ -346,7 +344,7 @@ def maekawa_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
     return np.array(residuals, dtype=np.int64)
 
 
-def big_little_big_residuals(pattern: CreasePattern) -> NDArray[np.int64]:
+def big_little_big_residuals(pattern: CreasePattern) -> Indices:
     """Count the sectors of every interior vertex that would be trapped between two larger ones.
 
     A sector strictly smaller than both its neighbours needs one mountain and one valley as its sides, or the large

@@ -6,8 +6,8 @@ import dataclasses
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Indices
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 from forficula.pattern.shared_edges import shared_edges
 
@@ -21,7 +21,7 @@ class OpenSheet(NamedTuple):
     """
 
     pattern: CreasePattern
-    vertices: NDArray[np.int64]
+    vertices: Indices
 
 
 def cut_open(pattern: CreasePattern) -> OpenSheet:
@@ -71,7 +71,7 @@ def _corner_vertices(pattern: CreasePattern) -> dict[tuple[int, int], int]:
     return first
 
 
-def _with_faces(pattern: CreasePattern, faces: list[tuple[int, ...]], sources: NDArray[np.int64]) -> CreasePattern:
+def _with_faces(pattern: CreasePattern, faces: list[tuple[int, ...]], sources: Indices) -> CreasePattern:
     """The pattern with other vertices at its faces, and the edges along these."""
     sides: dict[frozenset[int], list[frozenset[int]]] = {}
     for face in faces:

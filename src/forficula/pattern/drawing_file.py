@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.files import shown_path
 from forficula.names import listed
@@ -123,7 +123,7 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
     return pattern, remarks
 
 
-def _in_order(edges: NDArray[np.int64]) -> list[int]:
+def _in_order(edges: Indices) -> list[int]:
     """The vertices of edges in order of appearance."""
     return list(dict.fromkeys(edges.ravel().tolist()))
 
@@ -143,7 +143,7 @@ def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
     return remarks
 
 
-def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: list[str]) -> NDArray[np.int64]:
+def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: list[str]) -> Indices:
     """Numbers of the edges without flat ones that end freely; raise InputError where others do, or lie apart."""
     edges, kept = network.edges, np.arange(len(network.edges))
     flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()], dtype=bool)
@@ -177,7 +177,7 @@ def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: lis
     return kept
 
 
-def _nearest_line(network: LineNetwork, kept: NDArray[np.int64], edge: int, end: int) -> float:
+def _nearest_line(network: LineNetwork, kept: Indices, edge: int, end: int) -> float:
     """How far a free end is from the nearest other line, m."""
     others = network.edges[kept[kept != edge]]
     starts, along = network.points[others[:, 0]], network.points[others[:, 1]] - network.points[others[:, 0]]
@@ -187,9 +187,7 @@ def _nearest_line(network: LineNetwork, kept: NDArray[np.int64], edge: int, end:
     return float(distances[~(others == network.edges[edge].sum() - end).any(axis=1)].min(initial=np.inf))
 
 
-def _faces(
-    points: NDArray[np.float64], edges: NDArray[np.int64], drawn: Sequence[DrawnLine], remarks: list[str]
-) -> list[list[int]]:
+def _faces(points: Array, edges: Indices, drawn: Sequence[DrawnLine], remarks: list[str]) -> list[list[int]]:
     """The faces between the edges, without holes."""
     lines = {frozenset(pair): line for pair, line in zip(edges.tolist(), drawn, strict=True)}
     found = faces_between(points, edges)
@@ -206,9 +204,7 @@ def _faces(
     return faces
 
 
-def _check_surrounded(
-    points: NDArray[np.float64], face: Sequence[int], lines: Mapping[frozenset[int], DrawnLine]
-) -> None:
+def _check_surrounded(points: Array, face: Sequence[int], lines: Mapping[frozenset[int], DrawnLine]) -> None:
     """Refuse a face that lines do not go around once."""
     if len(set(face)) == len(face):
         return
@@ -226,7 +222,7 @@ def _check_surrounded(
     )
 
 
-def _letters_by_faces(letters: Sequence[str], counts: NDArray[np.int64], remarks: list[str]) -> list[str]:
+def _letters_by_faces(letters: Sequence[str], counts: Indices, remarks: list[str]) -> list[str]:
     """Letters with border at the rim and nowhere else."""
     rim = Counter(
         letter for letter, count in zip(letters, counts.tolist(), strict=True) if count == 1 and letter != "B"

@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 
@@ -156,20 +156,20 @@ def _check_ring_folds(fan: EarwigFan) -> None:
             )
 
 
-def _azimuths(fan: EarwigFan, count: int) -> NDArray[np.float64]:
+def _azimuths(fan: EarwigFan, count: int) -> Array:
     """Polar angles of the radii to the ring vertices, rad, shape (count,), the middle vein at 0."""
     return np.array([(vein - int(fan.units)) * fan.sector_angle for vein in range(count)], dtype=np.float64)
 
 
-def _on_circle(radius: float, azimuths: NDArray[np.float64]) -> NDArray[np.float64]:
+def _on_circle(radius: float, azimuths: Array) -> Array:
     """Points around the origin at z = 0, shape (count, 3)."""
-    points: NDArray[np.float64] = np.zeros((len(azimuths), 3))
+    points: Array = np.zeros((len(azimuths), 3))
     points[:, 0] = radius * np.cos(azimuths)
     points[:, 1] = radius * np.sin(azimuths)
     return points
 
 
-def _layers(fan: EarwigFan, count: int) -> NDArray[np.int64]:
+def _layers(fan: EarwigFan, count: int) -> Indices:
     """How many folded layers lie inside every vein, (count,)."""
     veins = np.arange(count, dtype=np.int64)
     return veins if fan.tangent == "right" else 2 * int(fan.units) - veins
@@ -180,7 +180,7 @@ def _side(fan: EarwigFan) -> int:
     return 1 if fan.tangent == "right" else -1
 
 
-def hub_points(fan: EarwigFan) -> NDArray[np.float64]:
+def hub_points(fan: EarwigFan) -> Array:
     """Place the points where the proximal veins touch the hub.
 
     The radius to such a point is perpendicular to the tangent, so it stands 90 deg - epsilon beside the radius to the
@@ -192,7 +192,7 @@ def hub_points(fan: EarwigFan) -> NDArray[np.float64]:
     return _on_circle(fan.hub_radius, _azimuths(fan, fan.vein_count) - _side(fan) * (math.pi / 2 - fan.epsilon))
 
 
-def ring_vertices(fan: EarwigFan, continued: bool = False, fold: int = 0) -> NDArray[np.float64]:
+def ring_vertices(fan: EarwigFan, continued: bool = False, fold: int = 0) -> Array:
     """Place the points where the veins cross a ring fold, of a single one the middle one on +x.
 
     Args:
@@ -217,7 +217,7 @@ def ring_vertices(fan: EarwigFan, continued: bool = False, fold: int = 0) -> NDA
     return vertices + along * _on_circle(1.0, _beyond_ring(fan, azimuths))
 
 
-def _beyond_ring(fan: EarwigFan, azimuths: NDArray[np.float64]) -> NDArray[np.float64]:
+def _beyond_ring(fan: EarwigFan, azimuths: Array) -> Array:
     """Directions of veins beyond the ring fold, of those whose ring vertices have these polar angles, rad.
 
     A vein leaves its ring vertex at epsilon from the radius, on the other side than it arrives (the deflection
@@ -226,7 +226,7 @@ def _beyond_ring(fan: EarwigFan, azimuths: NDArray[np.float64]) -> NDArray[np.fl
     return azimuths - _side(fan) * fan.epsilon
 
 
-def ring_directions(fan: EarwigFan) -> NDArray[np.float64]:
+def ring_directions(fan: EarwigFan) -> Array:
     """Along what every vein folds at its ring folds, from its ring vertex to the next one of the pattern continued.
 
     With two ring folds, of the fan with one: a layer folds about lines of its own that are parallel to those of the
@@ -240,7 +240,7 @@ def ring_directions(fan: EarwigFan) -> NDArray[np.float64]:
     return np.array([crease / np.linalg.norm(crease) for crease in creases])
 
 
-def tips(fan: EarwigFan) -> NDArray[np.float64]:
+def tips(fan: EarwigFan) -> Array:
     """Place the outer ends of the distal veins.
 
     Returns:
@@ -250,7 +250,7 @@ def tips(fan: EarwigFan) -> NDArray[np.float64]:
     return ring_vertices(fan, fold=fan.ring_folds - 1) + _on_circle(fan.distal_length, directions)
 
 
-def vein_gaps(fan: EarwigFan, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+def vein_gaps(fan: EarwigFan, shares: Array) -> Array:
     """Measure how far the axis of a proximal vein is from that of its neighbour.
 
     Args:
@@ -271,7 +271,7 @@ def vein_gaps(fan: EarwigFan, shares: NDArray[np.float64]) -> NDArray[np.float64
     return np.asarray(np.minimum(*gaps))
 
 
-def _senses(fan: EarwigFan) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _senses(fan: EarwigFan) -> tuple[Indices, Indices]:
     """Senses of the veins (2 n + 1,) and of the ring creases (2 n,), +1 valley and -1 mountain.
 
     Neighbouring veins fold in opposite senses. The smallest sector of a ring vertex lies between the proximal crease

@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 
 Creases = dict[frozenset[int], tuple[str, str]]
@@ -15,7 +15,7 @@ FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}  # rad, where a crease goes tha
 
 
 def sheet_of_facets(
-    coords: NDArray[np.float64],
+    coords: Array,
     faces: Sequence[tuple[int, ...]],
     creases: Mapping[frozenset[int], tuple[str, str]],
     title: str,

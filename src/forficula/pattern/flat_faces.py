@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import face_area, face_sides
 from forficula.pattern.segments import crossings, points_on_segments
@@ -21,7 +21,7 @@ _TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at o
 _ON_EDGE = 1e-5  # rad off the direction of an edge; files of single precision are good to 1e-6 on most edges
 
 
-def parts_of(vertex_count: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:
+def parts_of(vertex_count: int, edges: Indices) -> Indices:
     """Number the parts that hang together by edges.
 
     Args:
@@ -36,7 +36,7 @@ def parts_of(vertex_count: int, edges: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.asarray(parts, dtype=np.int64)
 
 
-def next_sides(points: NDArray[np.float64], edges: NDArray[np.int64]) -> dict[Side, Side]:
+def next_sides(points: Array, edges: Indices) -> dict[Side, Side]:
     """Say along which side a face goes on: at every vertex it turns left as sharply as the edges allow.
 
     Args:
@@ -59,7 +59,7 @@ def next_sides(points: NDArray[np.float64], edges: NDArray[np.int64]) -> dict[Si
     return following
 
 
-def faces_between(points: NDArray[np.float64], edges: NDArray[np.int64]) -> list[list[int]]:
+def faces_between(points: Array, edges: Indices) -> list[list[int]]:
     """Find the faces of a flat sheet.
 
     Args:
@@ -84,7 +84,7 @@ def faces_between(points: NDArray[np.float64], edges: NDArray[np.int64]) -> list
     return [face for face in faces if face_area(points, face) > 0]
 
 
-def check_edges_apart(points: NDArray[np.float64], edges: NDArray[np.int64], numbers: NDArray[np.int64]) -> None:
+def check_edges_apart(points: Array, edges: Indices, numbers: Indices) -> None:
     """Refuse edges of a flat sheet that meet anywhere but at their vertices.
 
     Args:
@@ -119,7 +119,7 @@ def check_edges_apart(points: NDArray[np.float64], edges: NDArray[np.int64], num
         )
 
 
-def _check_places(points: NDArray[np.float64], edges: NDArray[np.int64], tolerance: float) -> None:
+def _check_places(points: Array, edges: Indices, tolerance: float) -> None:
     """Refuse two vertices at one place; those of very short edges are none."""
     used = np.unique(edges)
     pairs = used[scipy.spatial.cKDTree(points[used]).query_pairs(tolerance, output_type="ndarray")]
@@ -134,7 +134,7 @@ def _check_places(points: NDArray[np.float64], edges: NDArray[np.int64], toleran
                 )
 
 
-def check_face_sides(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> None:
+def check_face_sides(points: Array, faces: Sequence[Sequence[int]]) -> None:
     """Refuse faces that cross themselves, each seen straight on.
 
     Args:
@@ -159,7 +159,7 @@ def check_face_sides(points: NDArray[np.float64], faces: Sequence[Sequence[int]]
             )
 
 
-def _not_convex(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> list[int]:
+def _not_convex(points: Array, faces: Sequence[Sequence[int]]) -> list[int]:
     """List the faces that may cross themselves: those that do not turn to one side only, and once around."""
     sizes = np.array([len(face) for face in faces])
     found: list[int] = []
@@ -177,7 +177,7 @@ def _not_convex(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> 
     return sorted(found)
 
 
-def check_faces_apart(points: NDArray[np.float64], edges: NDArray[np.int64], faces: Sequence[Sequence[int]]) -> None:
+def check_faces_apart(points: Array, edges: Indices, faces: Sequence[Sequence[int]]) -> None:
     """Refuse faces of a flat sheet that overlap.
 
     Args:
@@ -208,7 +208,7 @@ def check_faces_apart(points: NDArray[np.float64], edges: NDArray[np.int64], fac
     _check_islands(points, edges, faces)
 
 
-def _check_islands(points: NDArray[np.float64], edges: NDArray[np.int64], faces: Sequence[Sequence[int]]) -> None:
+def _check_islands(points: Array, edges: Indices, faces: Sequence[Sequence[int]]) -> None:
     """Refuse parts of a sheet that lie inside a face of another part."""
     parts = parts_of(len(points), edges)
     found = set(parts[np.unique(edges)].tolist())
@@ -224,7 +224,7 @@ def _check_islands(points: NDArray[np.float64], edges: NDArray[np.int64], faces:
                 )
 
 
-def is_inside(point: NDArray[np.float64], corners: NDArray[np.float64]) -> bool:
+def is_inside(point: Array, corners: Array) -> bool:
     """Tell whether a point lies inside a polygon (even-odd rule).
 
     Args:

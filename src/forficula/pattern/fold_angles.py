@@ -6,8 +6,8 @@ import dataclasses
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.triangulation import triangulated
@@ -16,7 +16,7 @@ _ONTO_ITSELF = 1e-6  # rad from 180 deg; nearer, rounding may turn the sense aro
 _FLAT = 1e-9  # rad; what folds less is flat but for rounding
 
 
-def built_fold_angles(pattern: CreasePattern) -> NDArray[np.float64]:
+def built_fold_angles(pattern: CreasePattern) -> Array:
     """Measure the fold angle of every edge between two facets.
 
     With e along the edge, p in the facet to its left, q in that to its right, all from its tail, the fold angle is

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.files import shown_path
 from forficula.names import listed, one_line
@@ -47,8 +47,8 @@ class _Sheet:
     """A pattern and how it came from its frame: what was kept, how it was turned, what is to be said."""
 
     pattern: CreasePattern
-    vertices: NDArray[np.int64]  # numbers in the file
-    edges: NDArray[np.int64]
+    vertices: Indices  # numbers in the file
+    edges: Indices
     counts: tuple[int, int]  # of vertices and edges in the file
     plane: SheetPlane | None
     remarks: list[str]
@@ -201,7 +201,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
     return _without_loose_ends(whole, np.flatnonzero(counts > 0), plane, remarks)
 
 
-def _laid_flat(coords: NDArray[np.float64], plane: SheetPlane, remarks: list[str]) -> NDArray[np.float64]:
+def _laid_flat(coords: Array, plane: SheetPlane, remarks: list[str]) -> Array:
     """The vertices of a flat sheet at one z; those that are there already keep their bits."""
     if plane.rotation[2, 2] != 1:
         toward = listed(f"{share:.3g}" for share in plane.rotation[2].tolist())
@@ -214,7 +214,7 @@ def _laid_flat(coords: NDArray[np.float64], plane: SheetPlane, remarks: list[str
     return coords
 
 
-def _is_folded_flat(coords: NDArray[np.float64], faces: Sequence[Sequence[int]], frame: FoldFrame) -> bool:
+def _is_folded_flat(coords: Array, faces: Sequence[Sequence[int]], frame: FoldFrame) -> bool:
     """Whether a folded form lies flat, some faces turned over."""
     if "foldedForm" not in frame_classes(frame):
         return False
@@ -223,7 +223,7 @@ def _is_folded_flat(coords: NDArray[np.float64], faces: Sequence[Sequence[int]],
     return len(turned_over) == 2 and len(set(sides)) == len(sides)
 
 
-def _edges_that_close(edges: NDArray[np.int64], letters: Sequence[str] | None) -> NDArray[np.int64]:
+def _edges_that_close(edges: Indices, letters: Sequence[str] | None) -> Indices:
     """Numbers of the edges without flat ones that end freely; raise InputError where others do."""
     kept = np.arange(len(edges))
     while True:
@@ -253,9 +253,9 @@ def _edges_that_close(edges: NDArray[np.int64], letters: Sequence[str] | None) -
 def _found_faces(
     frames: Sequence[FoldFrame],
     number: int,
-    flat: NDArray[np.float64] | None,
-    edges: NDArray[np.int64],
-    kept: NDArray[np.int64],
+    flat: Array | None,
+    edges: Indices,
+    kept: Indices,
 ) -> list[list[int]]:
     """Faces between the edges of a flat sheet, or of a flat frame with the same edges."""
     if flat is not None:
@@ -280,7 +280,7 @@ def _found_faces(
     )
 
 
-def _with_cuts(letters: Sequence[str], counts: NDArray[np.int64], remarks: list[str]) -> list[str]:
+def _with_cuts(letters: Sequence[str], counts: Indices, remarks: list[str]) -> list[str]:
     """Letters with border between two faces as cuts, which FOLD knew no letter for before 1.2."""
     inside = [edge for edge, letter in enumerate(letters) if letter == "B" and counts[edge] > 1]
     if inside:
@@ -288,9 +288,7 @@ def _with_cuts(letters: Sequence[str], counts: NDArray[np.int64], remarks: list[
     return ["C" if letter == "B" and counts[edge] > 1 else letter for edge, letter in enumerate(letters)]
 
 
-def _check_geometry(
-    pattern: CreasePattern, kept: NDArray[np.int64], counts: NDArray[np.int64], *, lies_flat: bool
-) -> None:
+def _check_geometry(pattern: CreasePattern, kept: Indices, counts: Indices, *, lies_flat: bool) -> None:
     """Refuse what cannot be built."""
     coords, edges, faces = pattern.vertices_coords, pattern.edges_vertices, pattern.faces_vertices
     if (counts > 2).any():
@@ -305,9 +303,7 @@ def _check_geometry(
         check_faces_apart(coords[:, :2], edges[beside_faces], faces)
 
 
-def _without_loose_ends(
-    whole: CreasePattern, edges: NDArray[np.int64], plane: SheetPlane | None, remarks: list[str]
-) -> _Sheet:
+def _without_loose_ends(whole: CreasePattern, edges: Indices, plane: SheetPlane | None, remarks: list[str]) -> _Sheet:
     """Leave out edges without a face and vertices without an edge."""
     vertices = np.unique(whole.edges_vertices[edges])
     for what, all_of, kept in (

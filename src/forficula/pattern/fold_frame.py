@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import ASSIGNMENTS, check_vertex, face_sides
 from forficula.pattern.edge_names import letter_of_name
@@ -55,7 +55,7 @@ def metres_of(frame: FoldFrame, unit: float | None) -> float:
     return unit
 
 
-def coords_in_metres(frame: FoldFrame, unit: float | None) -> NDArray[np.float64]:
+def coords_in_metres(frame: FoldFrame, unit: float | None) -> Array:
     """Take the positions, m, shape (N, 3), z = 0 where there are two coordinates.
 
     Args:
@@ -76,7 +76,7 @@ def coords_in_metres(frame: FoldFrame, unit: float | None) -> NDArray[np.float64
     return coords * metres
 
 
-def coords_of(frame: FoldFrame) -> NDArray[np.float64]:
+def coords_of(frame: FoldFrame) -> Array:
     """Take the positions in the file's unit, shape (N, 3), z = 0 where there are two coordinates.
 
     Raises:
@@ -131,7 +131,7 @@ def vertex_lists(frame: FoldFrame, key: str, vertex_count: int) -> list[list[int
     return lists
 
 
-def edges_of(frame: FoldFrame, vertex_count: int) -> NDArray[np.int64]:
+def edges_of(frame: FoldFrame, vertex_count: int) -> Indices:
     """Take the edges, shape (E, 2); where the frame has none, they are the sides of its faces.
 
     Raises:
@@ -185,9 +185,7 @@ def values_of(frame: FoldFrame, key: str, edge_count: int) -> list[object]:
     return values
 
 
-def fold_angles_of(
-    frame: FoldFrame, edge_count: int, letters: Sequence[str] | None = None
-) -> tuple[NDArray[np.float64], list[str]]:
+def fold_angles_of(frame: FoldFrame, edge_count: int, letters: Sequence[str] | None = None) -> tuple[Array, list[str]]:
     """Take the fold angles.
 
     FOLD 1.0 calls them "edges_foldAngles"; under that name Origami Simulator wrote radians.
@@ -228,7 +226,7 @@ def fold_angles_of(
     return np.radians(np.array(values, dtype=np.float64)), remarks
 
 
-def letters_by_angle(fold_angles: NDArray[np.float64], rim: NDArray[np.bool_]) -> list[str]:
+def letters_by_angle(fold_angles: Array, rim: Flags) -> list[str]:
     """Choose letters where a file has none: by the sign of the fold angle, border on the rim, unassigned otherwise.
 
     Args:
@@ -241,7 +239,7 @@ def letters_by_angle(fold_angles: NDArray[np.float64], rim: NDArray[np.bool_]) -
     ]
 
 
-def target_angles(letters: Sequence[str], fold_angles: NDArray[np.float64]) -> NDArray[np.float64]:
+def target_angles(letters: Sequence[str], fold_angles: Array) -> Array:
     """Fill in fold angles by the letters: -180 deg on mountains, 180 deg on valleys, 0 on flat edges.
 
     Args:
@@ -253,5 +251,5 @@ def target_angles(letters: Sequence[str], fold_angles: NDArray[np.float64]) -> N
     """
     targets = np.array([_TARGETS.get(letter, math.nan) for letter in letters])
     folding = np.array([letter not in "BC" for letter in letters])
-    filled: NDArray[np.float64] = np.where(folding, np.where(np.isnan(fold_angles), targets, fold_angles), np.nan)
+    filled: Array = np.where(folding, np.where(np.isnan(fold_angles), targets, fold_angles), np.nan)
     return filled

@@ -9,14 +9,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.quantities import as_written
 
-Frame = tuple[str, NDArray[np.float64], NDArray[np.float64]]
+Frame = tuple[str, Array, Array]
 
 ROLES = "forficula:edges_role"
 
@@ -86,7 +86,7 @@ def _own_values(pattern: CreasePattern, key: str, values: Sequence[object]) -> l
     return list(values)
 
 
-def _degrees_or_null(angles: NDArray[np.float64]) -> list[float | None]:
+def _degrees_or_null(angles: Array) -> list[float | None]:
     """Fold angles as FOLD writes them."""
     return [None if math.isnan(angle) else _degrees(angle) for angle in angles.tolist()]
 
@@ -100,7 +100,7 @@ def _degrees(angle: float) -> float:
 
 
 def _folded_frame(
-    pattern: CreasePattern, number: int, title: str, coords: NDArray[np.float64], fold_angles: NDArray[np.float64]
+    pattern: CreasePattern, number: int, title: str, coords: Array, fold_angles: Array
 ) -> dict[str, object]:
     """A folded state that inherits the rest from the key frame."""
     if coords.shape != pattern.vertices_coords.shape or not np.isfinite(coords).all():

@@ -11,8 +11,9 @@ from collections import deque
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.earwig import EarwigFan, earwig_pattern
@@ -23,9 +24,7 @@ Mode = Literal["earwig", "miura"]
 _CLOSES = 1e-9  # share of the pattern's size by which two ways to the same vertex may differ
 
 
-def degree4_fold_angles(
-    alpha: float, beta: float, proximal_fold_angle: ArrayLike, mode: Mode = "earwig"
-) -> NDArray[np.float64]:
+def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLike, mode: Mode = "earwig") -> Array:
     """Solve a flat-foldable vertex of four creases for its fold angles.
 
     Around the vertex lie the proximal, the next ring, the distal and the previous ring crease, with the sectors alpha,
@@ -77,7 +76,7 @@ def degree4_fold_angles(
     return np.stack([proximal, ring, -proximal, ring])
 
 
-def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> NDArray[np.float64]:
+def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> Array:
     """Fold the whole fan the earwig's way, mode "earwig" at every ring vertex.
 
     All veins fold equally far and all ring creases, too, with the senses of `earwig_pattern`:
@@ -102,11 +101,11 @@ def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> NDArray[np.float64]:
     folds = degree4_fold_angles(square + fan.epsilon, square - fan.epsilon, pleat_angle, "earwig")
     pattern = earwig_pattern(fan)
     sizes = np.array([abs(folds[1]) if role == "ring" else abs(folds[0]) for role in pattern.edges_role])
-    signed: NDArray[np.float64] = np.sign(pattern.edges_fold_angle) * sizes
+    signed: Array = np.sign(pattern.edges_fold_angle) * sizes
     return signed
 
 
-def folded_frames(fan: EarwigFan) -> list[tuple[str, NDArray[np.float64], NDArray[np.float64]]]:
+def folded_frames(fan: EarwigFan) -> list[tuple[str, Array, Array]]:
     """Fold a fan in four steps, from half closed pleats to flat-folded.
 
     Returns:
@@ -134,15 +133,15 @@ class _Hinge(NamedTuple):
 class _Placement(NamedTuple):
     """Where a face goes: x -> rotation x + shift."""
 
-    rotation: NDArray[np.float64]
-    shift: NDArray[np.float64]
+    rotation: Array
+    shift: Array
 
-    def applied(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        moved: NDArray[np.float64] = points @ self.rotation.T + self.shift
+    def applied(self, points: Array) -> Array:
+        moved: Array = points @ self.rotation.T + self.shift
         return moved
 
 
-def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_face: int = 0) -> NDArray[np.float64]:
+def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_face: int = 0) -> Array:
     """Fold a pattern rigidly and say where its vertices go.
 
     From the fixed face on, every neighbour is turned about the shared edge by its fold angle; cut edges do not connect.
@@ -189,7 +188,7 @@ def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_fac
     return folded
 
 
-def _hinges(pattern: CreasePattern, fold_angles: NDArray[np.float64]) -> list[list[_Hinge]]:
+def _hinges(pattern: CreasePattern, fold_angles: Array) -> list[list[_Hinge]]:
     """List the neighbours of every face."""
     if fold_angles.shape != (len(pattern.edges_vertices),):
         raise InputError(f"fold_angles: need shape ({len(pattern.edges_vertices)},), got {fold_angles.shape}")
@@ -204,7 +203,7 @@ def _hinges(pattern: CreasePattern, fold_angles: NDArray[np.float64]) -> list[li
     return hinges
 
 
-def _across(placement: _Placement, hinge: _Hinge, coords: NDArray[np.float64]) -> _Placement:
+def _across(placement: _Placement, hinge: _Hinge, coords: Array) -> _Placement:
     """Place the neighbour beyond a hinge: turn it about the shared edge, then move it along with the face."""
     axis = coords[hinge.head] - coords[hinge.tail]
     # the neighbour lies to the right of the side; turning it up, towards +z, is negative about the side's direction
@@ -217,7 +216,7 @@ def _check_closes(
     pattern: CreasePattern,
     hinges: list[list[_Hinge]],
     placements: dict[int, _Placement],
-    folded: NDArray[np.float64],
+    folded: Array,
 ) -> None:
     """Compare every face, reached across every one of its hinges, with where its vertices were put."""
     size = float(np.linalg.norm(np.ptp(pattern.vertices_coords, axis=0)))

@@ -6,8 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_count, check_lengths
@@ -23,8 +24,8 @@ class KreslingLengths(NamedTuple):
         valley: of the valley creases, m.
     """
 
-    mountain: NDArray[np.float64]
-    valley: NDArray[np.float64]
+    mountain: Array
+    valley: Array
 
 
 class KreslingState(NamedTuple):

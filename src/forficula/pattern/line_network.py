@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import ASSIGNMENTS
 from forficula.pattern.drawing import DrawnLine
@@ -36,15 +36,15 @@ class LineNetwork:
         crossings: number of places where lines were split because they cross.
     """
 
-    points: NDArray[np.float64]
-    edges: NDArray[np.int64]
-    lines: NDArray[np.int64]
-    gaps: NDArray[np.float64]
+    points: Array
+    edges: Indices
+    lines: Indices
+    gaps: Array
     lost: int
     crossings: int
 
 
-def line_network(lines: Sequence[DrawnLine], ends: NDArray[np.float64], tolerance: float) -> LineNetwork:
+def line_network(lines: Sequence[DrawnLine], ends: Array, tolerance: float) -> LineNetwork:
     """Join, split and merge lines.
 
     Ends closer than the tolerance become one point, in their middle. A line is split at every point on it, within the
@@ -75,9 +75,7 @@ def line_network(lines: Sequence[DrawnLine], ends: NDArray[np.float64], toleranc
     return LineNetwork(points=points, edges=edges[kept], lines=numbers[kept], gaps=gaps, lost=lost, crossings=crossed)
 
 
-def joined_points(
-    points: NDArray[np.float64], tolerance: float
-) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+def joined_points(points: Array, tolerance: float) -> tuple[Indices, Array, Array]:
     """Join points that are closer than a tolerance.
 
     Args:
@@ -111,9 +109,7 @@ def joined_points(
     return labels, middles, widths[widths > _ROUNDING * tolerance]
 
 
-def _splits(
-    points: NDArray[np.float64], edges: NDArray[np.int64], tolerance: float
-) -> tuple[NDArray[np.float64], dict[int, set[int]], int]:
+def _splits(points: Array, edges: Indices, tolerance: float) -> tuple[Array, dict[int, set[int]], int]:
     """The points, with those where lines cross, and at which of them every edge is split; how many lines cross."""
     starts, ends = points[edges[:, 0]], points[edges[:, 1]]
     touching, _ = points_on_segments(points, starts, ends, tolerance)
@@ -136,8 +132,8 @@ def _splits(
 
 
 def _split_edges(
-    points: NDArray[np.float64], edges: NDArray[np.int64], numbers: NDArray[np.int64], splits: dict[int, set[int]]
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    points: Array, edges: Indices, numbers: Indices, splits: dict[int, set[int]]
+) -> tuple[Indices, Indices]:
     """Edges split at points on them, and the lines of the pieces."""
     pieces: list[tuple[int, int]] = []
     of: list[int] = []
@@ -151,9 +147,7 @@ def _split_edges(
     return np.array(pieces, dtype=np.int64).reshape(-1, 2), np.array(of, dtype=np.int64)
 
 
-def _each_once(
-    lines: Sequence[DrawnLine], points: NDArray[np.float64], edges: NDArray[np.int64], numbers: NDArray[np.int64]
-) -> NDArray[np.int64]:
+def _each_once(lines: Sequence[DrawnLine], points: Array, edges: Indices, numbers: Indices) -> Indices:
     """Numbers of the edges without those that repeat another; raise InputError where two do not agree."""
     kept: dict[tuple[int, int], int] = {}
     for edge, (tail, head) in enumerate(edges.tolist()):
@@ -168,7 +162,7 @@ def _each_once(
     return np.array(sorted(kept.values()), dtype=np.int64)
 
 
-def place_text(point: NDArray[np.float64]) -> str:
+def place_text(point: Array) -> str:
     """Say where a point is on the sheet."""
     x, y = (1e3 * point).tolist()
     return f"{x:.4g} mm right of and {y:.4g} mm above the drawing's lower left corner"

@@ -7,18 +7,16 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
 from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.vertex_closure import vertex_walk
 from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
-
-Array = NDArray[np.float64]
 
 _IN_LINE = 1e-6  # rad; what files with seven digits leave of a straight angle
 _START = math.radians(60)  # by which creases are folded before the sheet closes, at first all alike
@@ -28,7 +26,7 @@ _CLOSED = 1e-13  # largest entry of the walks around the vertices
 _LEAST_FOLD = math.radians(1)  # of a state that counts as folded
 
 
-def senses(pattern: CreasePattern) -> NDArray[np.int64]:
+def senses(pattern: CreasePattern) -> Indices:
     """The assigned sense of every edge: 1 valley, -1 mountain, 0 of any other, shape (E,)."""
     return np.array([{"V": 1, "M": -1}.get(letter, 0) for letter in pattern.edges_assignment], dtype=np.int64)
 
@@ -77,7 +75,7 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
     """
     _check_unfolded(pattern)
     signs = senses(pattern)
-    rows: list[tuple[Array, NDArray[np.int64]]] = []
+    rows: list[tuple[Array, Indices]] = []
     for each in vertex_creases(pattern):
         along = np.concatenate([[0.0], np.cumsum(each.sectors[:-1])]) if len(each.edges) else np.zeros(0)
         rows += [(np.cos(along), each.edges), (np.sin(along), each.edges)]
@@ -148,7 +146,7 @@ def _closed(around: Sequence[VertexCreases], angles: Array) -> Array | None:
 def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_array]:
     """By how much every vertex fails to close, three numbers each, and the slope by every fold angle."""
     gaps: list[Array] = []
-    rows: list[tuple[Array, NDArray[np.int64]]] = []
+    rows: list[tuple[Array, Indices]] = []
     for degree in sorted({len(each.edges) for each in around}):
         alike = [each for each in around if len(each.edges) == degree]
         edges = np.array([each.edges for each in alike])
@@ -159,7 +157,7 @@ def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_ar
     return np.concatenate(gaps) if gaps else np.zeros(0), _sparse(rows, len(angles))
 
 
-def _sparse(rows: Sequence[tuple[Array, NDArray[np.int64]]], columns: int) -> csr_array:
+def _sparse(rows: Sequence[tuple[Array, Indices]], columns: int) -> csr_array:
     """Rows given by values and columns."""
     numbers = np.repeat(np.arange(len(rows)), [len(values) for values, _ in rows]) if rows else np.zeros(0, dtype=int)
     values = np.concatenate([values for values, _ in rows]) if rows else np.zeros(0)

@@ -6,16 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csc_array, csr_array, eye_array
 from scipy.sparse.linalg import splu
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
 from forficula.pattern.triangulation import triangulated
-
-Array = NDArray[np.float64]
 
 _MOST_DENSE = 900  # columns; the singular values of as many take a second
 _LARGEST_ZERO = 1e-5  # of the largest singular value: what the seven digits of a file leave of a 0, and more
@@ -84,7 +82,7 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
     )
 
 
-def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64], Array]]:
+def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[Indices, Array]]:
     """Points and rows, (rows, points, 3), of every plate: all that is no rigid motion of it."""
     for plate in range(int(nodes.plates.max()) + 1):
         facets = np.flatnonzero(nodes.plates == plate)
@@ -97,7 +95,7 @@ def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64
         yield held, complete[:, 6:].T.reshape(-1, len(held), 3)
 
 
-def _bars(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64], Array]]:
+def _bars(nodes: FacetNodes, points: Array) -> Iterator[tuple[Indices, Array]]:
     """Points and rows, (1, 2, 3), of every side of a triangle."""
     sides = np.concatenate([[facet, np.roll(facet, -1)] for facet in nodes.facets], axis=1).T
     for bar in np.unique(np.sort(sides, axis=1), axis=0):
@@ -106,7 +104,7 @@ def _bars(nodes: FacetNodes, points: Array) -> Iterator[tuple[NDArray[np.int64],
         yield bar, np.stack([-along, along])[np.newaxis]
 
 
-def _matrix(blocks: list[tuple[NDArray[np.int64], Array]], columns: int) -> csr_array:
+def _matrix(blocks: list[tuple[Indices, Array]], columns: int) -> csr_array:
     """The rows of all blocks as one matrix."""
     values, across, count = [], [], []
     for held, rows in blocks:

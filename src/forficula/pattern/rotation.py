@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array
 
 
 def rotation_about(axis: Array, angle: float) -> Array:

@@ -6,18 +6,15 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Flags, Indices
 
 _CHUNK = 2_000_000  # pairs of boxes that are compared at a time
 _FEW = 10_000  # pairs of boxes that are compared without a grid
 _MOST_CELLS = 8  # a box reaches into, on average
 
 
-def crossings(
-    starts: NDArray[np.float64], ends: NDArray[np.float64], margin: float
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+def crossings(starts: Array, ends: Array, margin: float) -> tuple[Indices, Array]:
     """Find the segments that cross inside, away from their ends.
 
     Args:
@@ -44,9 +41,7 @@ def crossings(
     return pairs[crossing], starts[first[crossing]] + share[:, np.newaxis] * here[crossing]
 
 
-def points_on_segments(
-    points: NDArray[np.float64], starts: NDArray[np.float64], ends: NDArray[np.float64], tolerance: float
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+def points_on_segments(points: Array, starts: Array, ends: Array, tolerance: float) -> tuple[Indices, Array]:
     """Find the points that lie on a segment, further than the tolerance from its ends.
 
     Args:
@@ -70,11 +65,11 @@ def points_on_segments(
 
 
 def boxes_that_meet(
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
-    other_low: NDArray[np.float64],
-    other_high: NDArray[np.float64],
-) -> NDArray[np.int64]:
+    low: Array,
+    high: Array,
+    other_low: Array,
+    other_high: Array,
+) -> Indices:
     """Find the boxes of one list that touch those of another.
 
     Args:
@@ -109,7 +104,7 @@ def boxes_that_meet(
     return np.column_stack(np.divmod(np.unique(np.concatenate(found)), len(other_low)))
 
 
-def _cells_of_boxes(lists: Sequence[tuple[Array, Array]]) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
+def _cells_of_boxes(lists: Sequence[tuple[Array, Array]]) -> list[tuple[Indices, Indices]]:
     """Find the cells of a grid that boxes reach into.
 
     Args:
@@ -144,16 +139,16 @@ def _cells_of_boxes(lists: Sequence[tuple[Array, Array]]) -> list[tuple[NDArray[
     return found
 
 
-def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    product: NDArray[np.float64] = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+def _cross(one: Array, other: Array) -> Array:
+    product: Array = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
     return product
 
 
-def _length(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
+def _length(vectors: Array) -> Array:
     return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
 
 
-def _apart(one: NDArray[np.float64], other: NDArray[np.float64], margin: float) -> NDArray[np.bool_]:
+def _apart(one: Array, other: Array, margin: float) -> Flags:
     """Whether two distances from a line are on two sides of it."""
-    sides: NDArray[np.bool_] = (np.minimum(np.abs(one), np.abs(other)) > margin) & (one * other < 0)
+    sides: Flags = (np.minimum(np.abs(one), np.abs(other)) > margin) & (one * other < 0)
     return sides

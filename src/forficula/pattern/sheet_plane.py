@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.pattern.rotation import rotation_to_z
 
 _FLAT = 1e-6  # share of the sheet's size that vertices may lie off its plane: single precision is good to 1e-7
@@ -22,16 +22,16 @@ class SheetPlane:
         height: z of the plane once turned, m; the sheet is lowered by it.
     """
 
-    rotation: NDArray[np.float64]
+    rotation: Array
     height: float
 
-    def turned(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    def turned(self, points: Array) -> Array:
         """Turn points of the sheet, or of a folded state of it, m, shape (N, 3)."""
-        moved: NDArray[np.float64] = points @ self.rotation.T - np.array([0.0, 0.0, self.height])
+        moved: Array = points @ self.rotation.T - np.array([0.0, 0.0, self.height])
         return moved + 0.0  # no -0.0
 
 
-def sheet_plane(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> SheetPlane | None:
+def sheet_plane(points: Array, faces: Sequence[Sequence[int]]) -> SheetPlane | None:
     """Find the plane of a flat sheet and the side of it that is up.
 
     FOLD lists the vertices of a face counterclockwise as seen from above; where the faces agree, that side is up, and
@@ -67,7 +67,7 @@ def sheet_plane(points: NDArray[np.float64], faces: Sequence[Sequence[int]]) -> 
     return SheetPlane(rotation=rotation, height=float((points @ rotation[2]).mean()))
 
 
-def _area_vector(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+def _area_vector(corners: Array) -> Array:
     """Twice the area of a face along the direction from which it runs counterclockwise (Newell)."""
-    around: NDArray[np.float64] = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+    around: Array = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return around

@@ -8,8 +8,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
 from forficula.quantities import round_below
@@ -32,9 +32,7 @@ _DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm of a dot's radius, an
 _MILLIMETRES = 1e3
 
 
-def write_svg(
-    pattern: CreasePattern, path: str | os.PathLike[str], attachments: NDArray[np.float64] | None = None
-) -> None:
+def write_svg(pattern: CreasePattern, path: str | os.PathLike[str], attachments: Array | None = None) -> None:
     """Draw a flat pattern in true size, millimetres, y axis up.
 
     Mountains are red and dash-dotted, valleys blue and dashed, borders black and solid, cuts green, flat edges grey,

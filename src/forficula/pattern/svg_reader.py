@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import read_bytes
 from forficula.names import one_line
@@ -36,7 +36,7 @@ class _Place:
     """What the groups around a shape say of it."""
 
     style: Style
-    to_page: NDArray[np.float64]  # matrix, shape (3, 3)
+    to_page: Array  # matrix, shape (3, 3)
     letter: str | None
 
 
@@ -119,7 +119,7 @@ def _scale(root: ElementTree.Element) -> tuple[float | None, float | None, float
 
 
 def _shapes(
-    group: ElementTree.Element, above: _Place, rules: Rules, stretch: NDArray[np.float64] | None = None
+    group: ElementTree.Element, above: _Place, rules: Rules, stretch: Array | None = None
 ) -> Iterator[tuple[ElementTree.Element, _Place]]:
     """The shapes of a group, and of the groups in it, with what the groups say of them.
 

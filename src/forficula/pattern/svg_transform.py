@@ -7,8 +7,8 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.svg_style import Rules, Style, is_simple
 from forficula.quantities import as_written
@@ -62,7 +62,7 @@ def check_rules(rules: Rules) -> None:
             )
 
 
-def matrix_of(element: ElementTree.Element, style: Style) -> NDArray[np.float64]:
+def matrix_of(element: ElementTree.Element, style: Style) -> Array:
     """The matrix of an element's transform, shape (3, 3); that of its style goes before that of its attribute.
 
     Raises:
@@ -105,7 +105,7 @@ def _in_css(kind: str, arguments: str) -> list[float] | None:
     return values
 
 
-def _step(kind: str, values: list[float]) -> NDArray[np.float64] | None:
+def _step(kind: str, values: list[float]) -> Array | None:
     """One step of a transform (SVG 2, section 8.5); None where it is none."""
     match kind, values:
         case "matrix", [a, b, c, d, e, f]:

@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import NamedTuple, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 
@@ -27,7 +27,7 @@ class Triangulation(NamedTuple):
     """
 
     pattern: CreasePattern
-    facets: NDArray[np.int64]
+    facets: Indices
 
 
 @lru_cache(maxsize=16)  # of one sheet many structures are built, whose creases differ
@@ -70,9 +70,7 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
     return Triangulation(split, of_facets)
 
 
-def _ears(
-    coords: NDArray[np.float64], facet: int, corners: Sequence[int], taken: set[frozenset[int]]
-) -> list[tuple[int, int, int]]:
+def _ears(coords: Array, facet: int, corners: Sequence[int], taken: set[frozenset[int]]) -> list[tuple[int, int, int]]:
     """Cut off one corner after another; every triangle but the last lies beyond the diagonal from its end to its start.
 
     The diagonals are added to the edges that are taken.
@@ -107,7 +105,7 @@ def _refuse(facet: int) -> NoReturn:
     )
 
 
-def _in_own_plane(points: NDArray[np.float64], facet: int) -> list[complex]:
+def _in_own_plane(points: Array, facet: int) -> list[complex]:
     """The corners of a facet in its own plane, counterclockwise, m."""
     away = points - points.mean(axis=0)
     area = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)

@@ -8,8 +8,8 @@ from typing import NoReturn
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_angle, check_lengths
@@ -95,7 +95,7 @@ def _checked(
     return total, each
 
 
-def _senses(letters: str, surplus: float) -> NDArray[np.float64]:
+def _senses(letters: str, surplus: float) -> Array:
     """Which creases lie above the plane of the vertex, 1, and which below, -1; of a flat one all 0."""
     count = len(letters)
     if surplus < 0:
@@ -106,7 +106,7 @@ def _senses(letters: str, surplus: float) -> NDArray[np.float64]:
     return senses
 
 
-def _evenly(sectors: NDArray[np.float64], senses: NDArray[np.float64]) -> NDArray[np.float64]:
+def _evenly(sectors: Array, senses: Array) -> Array:
     """Directions of creases that are all as much inclined to the plane, shape (creases, 3)."""
     inclined = _inclination(sectors, senses) * senses
     angles, largest = _azimuths(sectors, inclined), int(np.argmax(sectors))
@@ -122,16 +122,16 @@ def _evenly(sectors: NDArray[np.float64], senses: NDArray[np.float64]) -> NDArra
     return directions
 
 
-def _azimuths(sectors: NDArray[np.float64], inclined: NDArray[np.float64]) -> NDArray[np.float64]:
+def _azimuths(sectors: Array, inclined: Array) -> Array:
     """Angles about the axis between neighbouring creases, by the law of cosines on the sphere, 0 to pi, rad."""
     following = np.roll(inclined, -1)
     square = np.sin(sectors / 2) ** 2 - np.sin((inclined - following) / 2) ** 2
     share = np.clip(square / (np.cos(inclined) * np.cos(following)), 0, 1)
-    angles: NDArray[np.float64] = 2 * np.arcsin(np.sqrt(share))
+    angles: Array = 2 * np.arcsin(np.sqrt(share))
     return angles
 
 
-def _inclination(sectors: NDArray[np.float64], senses: NDArray[np.float64]) -> float:
+def _inclination(sectors: Array, senses: Array) -> float:
     """How much creases are inclined for the azimuths to add up to a whole turn, rad."""
     largest = int(np.argmax(sectors))
     apart = np.abs(senses - np.roll(senses, -1))
@@ -155,7 +155,7 @@ def _inclination(sectors: NDArray[np.float64], senses: NDArray[np.float64]) -> f
     return float(scipy.optimize.brentq(surplus, 0.0, most, xtol=1e-15))
 
 
-def _refuse_saddle(sectors: NDArray[np.float64]) -> NoReturn:
+def _refuse_saddle(sectors: Array) -> NoReturn:
     """Say that the creases cannot go up and down in turn."""
     listed = ", ".join(f"{angle:.6g}" for angle in np.degrees(sectors).tolist())
     raise InputError(
@@ -163,7 +163,7 @@ def _refuse_saddle(sectors: NDArray[np.float64]) -> NoReturn:
     )
 
 
-def _folded_four(sectors: Sequence[float], letters: str, fold: float) -> NDArray[np.float64]:
+def _folded_four(sectors: Sequence[float], letters: str, fold: float) -> Array:
     """Directions of four creases, the first along +x, the first facet in z = 0, shape (4, 3)."""
     check_angle("fold", fold, 0, math.pi, low_too=True)
     if len(sectors) != 4:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
-
-Array = NDArray[np.float64]
 
 _REACHABLE = 1e-12  # rounding allowed in the squared sine or cosine of half a fold angle
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.pattern.crease_pattern import CreasePattern, interior_vertices
 from forficula.pattern.shared_edges import shared_edges
 
@@ -25,8 +25,8 @@ class VertexCreases:
     """
 
     vertex: int
-    edges: NDArray[np.int64]
-    sectors: NDArray[np.float64]
+    edges: Indices
+    sectors: Array
     total: float
 
 
@@ -71,7 +71,7 @@ def _around(
     )
 
 
-def _corner(points: NDArray[np.float64], place: int) -> float:
+def _corner(points: Array, place: int) -> float:
     """The angle at one of the corners of a facet, rad: more than 180 deg where it points inwards."""
     after, before = points[(place + 1) % len(points)] - points[place], points[place - 1] - points[place]
     cross = _cross(after, before)
@@ -81,7 +81,7 @@ def _corner(points: NDArray[np.float64], place: int) -> float:
     return 2 * math.pi - angle if inwards else angle
 
 
-def _cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cross(one: Array, other: Array) -> Array:
     """The cross product, shape (..., 3): NumPy's is ten times as slow for single vectors, with the same bits."""
     x, y, z = one.T
     u, v, w = other.T

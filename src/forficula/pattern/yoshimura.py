@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.dimensions import check_angle, check_count, check_lengths
@@ -117,7 +117,7 @@ def _check_triangles(key: str, count: int, least: int, rows: int, base: float, h
     check_lengths({"base": base, "height": height})
 
 
-def _halves(corners: int, rows: int) -> NDArray[np.int64]:
+def _halves(corners: int, rows: int) -> Indices:
     """Where the corners of all lines lie along their line, in halves of a base."""
     return np.concatenate([2 * np.arange(corners) + line % 2 for line in range(rows + 1)])
 

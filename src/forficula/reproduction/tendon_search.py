@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.arrays import Array
+
 if TYPE_CHECKING:
     from xarray import Dataset
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 FACTORS = ("tendon_stiffness", "tendon_rest_length")

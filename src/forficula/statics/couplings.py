@@ -5,14 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.statics.elements import Expansion
 from forficula.structure import Coupling, Structure, coupling_rows
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _ROUNDING = 1e-9  # of a ratio of turns
 

@@ -10,12 +10,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.statics.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 # energy, slope and curvature
 Expansion = tuple[Array, Array, Array]
 

@@ -10,7 +10,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Flags
+
 Cases = NDArray[np.int64]
 # Of positions, (row, coordinate), in the cases with these numbers, (row,): the energy, (row,), its slope,
 # (row, coordinate), and its curvature, (row, coordinate, coordinate).
@@ -48,7 +49,7 @@ class Equilibria:
     energy: Array
     slope: Array
     stiffness: Array
-    rests: NDArray[np.bool_]
+    rests: Flags
 
 
 def descend(
@@ -114,7 +115,7 @@ def descend(
     return Equilibria(position=position, energy=value, slope=slope, stiffness=stiffness, rests=rests)
 
 
-def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> NDArray[np.bool_]:
+def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> Flags:
     """Whether the energy falls, (case,); where it stays to rounding, whether the slope does."""
     flatter = _lengths(new_slope) < _lengths(slope)
     return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
@@ -125,9 +126,7 @@ def _lengths(vectors: Array) -> Array:
     return np.asarray(np.sqrt(np.add.reduce(vectors * vectors, axis=1)))
 
 
-def _step_within(
-    room: tuple[Array, Array], down: Array, curvature: Array, radius: Array
-) -> tuple[Array, NDArray[np.bool_], Array]:
+def _step_within(room: tuple[Array, Array], down: Array, curvature: Array, radius: Array) -> tuple[Array, Flags, Array]:
     """A step downhill within a ball and a box, (case, coordinate).
 
     Args:
@@ -149,9 +148,7 @@ def _step_within(
     return step, held, least
 
 
-def _free_step(
-    room: tuple[Array, Array], down: Array, curvature: Array, radius: Array
-) -> tuple[Array, NDArray[np.bool_], Array]:
+def _free_step(room: tuple[Array, Array], down: Array, curvature: Array, radius: Array) -> tuple[Array, Flags, Array]:
     """As `_step_within`, where every coordinate has room in some case."""
     to_bound = np.where(down < 0, *room)
     held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
@@ -162,7 +159,7 @@ def _free_step(
     return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
-def _without(curvature: Array, held: NDArray[np.bool_]) -> Array:
+def _without(curvature: Array, held: Flags) -> Array:
     """Curvatures of the free coordinates; the held ones get the largest of all, on their own."""
     if not held.any():
         return curvature

@@ -7,16 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, rest
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import RigidFold, Structure, drive_of
-
-Array = NDArray[np.float64]
 
 # Moment that counts as none: of the tendons' largest about the ring, or, where they have none, of E t l^2 of the
 # membrane.

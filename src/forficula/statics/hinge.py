@@ -15,13 +15,12 @@ from typing import Any
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.structure import Crossing, Hinge, Structure, Tendon
-
-Array = NDArray[np.float64]
 
 _SCAN = 361  # angles among which the largest torque is looked for before it is refined
 

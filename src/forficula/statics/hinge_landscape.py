@@ -9,8 +9,9 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import reading_unit
 from forficula.statics.hinge import (
@@ -22,8 +23,6 @@ from forficula.statics.hinge import (
     top_barrier,
 )
 from forficula.statics.snap import FOLD_START, final_speed, fold_time, growth_rate, time_scale
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.statics.potential import Ensemble, potential
 from forficula.statics.quasi_static import SlowPath
 from forficula.structure import Drive
-
-Array = NDArray[np.float64]
 
 # A snap at a torque that differs less from the least one makes no difference to it.
 _SAME = 0.03

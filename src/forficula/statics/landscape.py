@@ -10,8 +10,8 @@ from functools import cache
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import TORQUE, Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
@@ -43,8 +43,6 @@ from forficula.statics.slow_remarks import slow_remarks
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, state_of
-
-Array = NDArray[np.float64]
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0

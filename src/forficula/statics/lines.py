@@ -8,16 +8,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.statics.elements import Elements, Expansion, Piece, elements, stretched
 from forficula.statics.pose import Tree
 from forficula.structure import Structure
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _SHORTEST = 1e-12  # share of its longest length; a shorter tendon has no direction
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand
 from forficula.statics.net.load import Load
@@ -26,8 +26,6 @@ from forficula.structure import (
     goal_coordinates,
     goal_of,
 )
-
-Array = NDArray[np.float64]
 
 _MOST = 4.0  # of a drive's strength: how far it is followed where that does not suffice
 _INCREMENTS = 120

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
@@ -24,7 +23,6 @@ from forficula.statics.net_course import Course, drive_course, short_of
 from forficula.statics.net_state import Mobility, NetState, mobility, net_state
 from forficula.structure import Structure, drive_of, first_state, state_of
 
-Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 
 _TRIES = 16  # pushes of a search for stable states

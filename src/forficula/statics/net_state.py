@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import stored_by_part
@@ -22,8 +22,6 @@ from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.strength import strength
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
-
-Array = NDArray[np.float64]
 
 _MODES = 4  # told of every state, beside motions of the whole
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and how many

@@ -8,15 +8,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.lines import largest_pull
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque, slight_energy
 from forficula.statics.sheet import sheet_energy
 from forficula.structure import Structure, hinges_between
-
-Array = NDArray[np.float64]
 
 # of so many hinges every combination is tried; of more only those folded one after another, from one side
 _EVERY_COMBINATION = 5
@@ -132,7 +130,7 @@ class _Places:
     """
 
     senses: Array
-    shared: NDArray[np.bool_]
+    shared: Flags
     top: Array
     folded: Array
     opened: Array

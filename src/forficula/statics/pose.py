@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.structure import GROUND, Structure
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 # numbers of parts, evenly spaced ones as a slice, which numpy takes without a copy
 Span = slice | Indices
 

@@ -10,8 +10,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array, Indices
 from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
@@ -24,8 +25,6 @@ from forficula.statics.pose import Span, span, tree_of
 from forficula.statics.sheet import Sheet, sheet_energy, sheet_of
 from forficula.statics.weight import Weight, weight_energy, weight_of
 from forficula.structure import Structure, static_keys, structure_of
-
-Array = NDArray[np.float64]
 
 # Steps over which a structure is followed: shorter ones end in the same places.
 _LONGEST_STEP = 0.1  # rad
@@ -77,7 +76,7 @@ class Ensemble:
         """How many hinges."""
         return len(self.lower)
 
-    def only(self, cases: NDArray[np.int64]) -> Ensemble:
+    def only(self, cases: Indices) -> Ensemble:
         """Some of the cases, by number, any of them once or more."""
         lines = None if self.lines is None else self.lines.only(cases)
         return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
@@ -142,7 +141,7 @@ def _crossed(structure: Structure) -> list[int]:
     return [tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None]
 
 
-def _rows(tendons: TendonHinge, cases: NDArray[np.int64]) -> TendonHinge:
+def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
     """Some rows of stacked hinges."""
     law: Any = {name: getattr(tendons.law, name)[cases] for name in ("rest_length", "linear", "quadratic", "cubic")}
     names = ("proximal_arm", "distal_arm", "axial_offset", "offset_angle", "overbend", "fold_limit", "inertia")

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.errors import InputError
 from forficula.statics.equilibrium import Equilibria
 from forficula.statics.pose import carried_points, places_of, pose
@@ -23,8 +24,6 @@ from forficula.structure import (
     goal_of,
     hinge_bounds,
 )
-
-Array = NDArray[np.float64]
 
 _LEAD_IN = 4  # halvings of the first torque
 _ACCURACY = 0.01  # of a least torque
@@ -126,7 +125,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     )
 
 
-def at_goal(structures: Ensemble, position: Array, goal: Goal) -> NDArray[np.bool_]:
+def at_goal(structures: Ensemble, position: Array, goal: Goal) -> Flags:
     """Whether every hinge and distance is within a goal's bounds, (case,)."""
     built = structures.structure
     read = goal_coordinates(built, position, _distances(built, structures, position))
@@ -267,7 +266,7 @@ class _PathRecord:
 
 
 def _snapped(
-    structures: Ensemble, cases: NDArray[np.int64], start: Array, drive: Drive, torque: Array
+    structures: Ensemble, cases: Indices, start: Array, drive: Drive, torque: Array
 ) -> list[tuple[int, float, list[Array]]]:
     """Some structures that snap under a torque: number, torque, and angles on the way to rest, rad, (hinge,) each.
 
@@ -276,7 +275,7 @@ def _snapped(
     """
     ways: list[list[Array]] = [[] for _ in cases]
 
-    def follow(moving: NDArray[np.int64], position: Array) -> None:
+    def follow(moving: Indices, position: Array) -> None:
         for row in moving.tolist():
             ways[row].append(position[row].copy())
 
@@ -289,7 +288,7 @@ def _snapped(
 
 def _pushed(
     structures: Ensemble,
-    cases: NDArray[np.int64],
+    cases: Indices,
     start: Array,
     drive: Drive,
     torque: Array,

@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.elements import Elements, Expansion, Piece, elements, stretched
 from forficula.statics.pose import Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
-
-Array = NDArray[np.float64]
 
 # A length limit is no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
 _LIMIT_STIFFNESS = 100.0

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import SlowTransition, least_slow_torque, start_state, state_after, state_beyond
 from forficula.structure import Transition, drive_of
-
-Array = NDArray[np.float64]
 
 # What does not move with the protocol's torque is tried with so many times it.
 MORE = 10.0

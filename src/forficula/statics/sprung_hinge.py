@@ -8,8 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.equilibrium import PathState, states_along
 from forficula.statics.hinge import PeakTorque, TendonHinge, slack_angle
 from forficula.statics.hinge_landscape import (
@@ -21,8 +21,6 @@ from forficula.statics.hinge_landscape import (
     why_no_pull,
 )
 from forficula.statics.snap import FOLD_START
-
-Array = NDArray[np.float64]
 
 _QUIET = 1e-9  # of the largest moment, what counts as none
 _FINE = 1801  # angles among which states are looked for

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.fold_path import rigid_fold
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, potential
-
-Array = NDArray[np.float64]
 
 DEFLECTION = 0.01  # of the length beyond the folds: what counts as small
 

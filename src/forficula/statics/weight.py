@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.elements import Expansion
 from forficula.statics.pose import Carried, Tree, carried_points, places_of, pose, pulled
 from forficula.structure import Structure, mass_of
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

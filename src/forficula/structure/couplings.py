@@ -8,8 +8,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import FanDesign
-from forficula.structure.parts import Array, Coupling, Hinge
+from forficula.structure.parts import Coupling, Hinge
 from forficula.structure.structure import Structure
 
 

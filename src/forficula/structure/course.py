@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from forficula.structure.parts import Array
+from forficula.arrays import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.structure.mass import inertia_about
-from forficula.structure.parts import Array, Crossing
+from forficula.structure.parts import Crossing
 from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames, built_points, hinges_between
 

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import SheetDesign, tendon_law
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, FacetLink, edges_between
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import Array, Plate, Point, Tendon
+from forficula.structure.parts import Plate, Point, Tendon
 from forficula.structure.structure import Structure
 
 # what gives a place on a plate a point, by a name and a role, and says its number

@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from forficula.structure.parts import GROUND, Indices
+from forficula.arrays import Indices
+from forficula.structure.parts import GROUND
 from forficula.structure.structure import Structure
 
 BEND = "facet bend"  # role of what bends between two triangles that no crease is between

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import FanDesign
 from forficula.design.places import row_bars
-from forficula.structure.parts import Array, Panel, PointMass
+from forficula.structure.parts import Panel, PointMass
 from forficula.structure.vein import Vein, panel_lines
 from forficula.structure.vein_parts import vein_masses
 

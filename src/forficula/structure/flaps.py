@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from forficula.arrays import Array, Indices
 from forficula.material.law.crease_law import CreaseLaw
-from forficula.structure.parts import Array, Indices
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from forficula.structure.parts import Array, Bar, Closure, Plate, PointMass
+from forficula.arrays import Array
+from forficula.structure.parts import Bar, Closure, Plate, PointMass
 from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames
 

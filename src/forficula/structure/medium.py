@@ -8,10 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.arrays import Array, Indices
 from forficula.design import MediumSection
 from forficula.pattern import CreasePattern
 from forficula.structure.fan_masses import triangle_masses
-from forficula.structure.parts import Array, Indices, Medium, Panel, PointMass
+from forficula.structure.parts import Medium, Panel, PointMass
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_frames
 

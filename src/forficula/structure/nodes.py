@@ -9,6 +9,7 @@ import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
+from forficula.arrays import Array
 from forficula.design import SheetDesign, tendon_law
 from forficula.design.crease_values import creases_by_edge
 from forficula.design.sheet_creases import crease_sense
@@ -23,7 +24,6 @@ from forficula.structure.imperfection import imperfect
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import (
     GROUND,
-    Array,
     Body,
     Facet,
     Hinge,

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge
 from forficula.design.sheet_creases import crease_sense
@@ -14,7 +15,7 @@ from forficula.design.sheet_places import SheetPlace
 from forficula.pattern import CreasePattern
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.structure.facet_plates import AddPoint, corner_name
-from forficula.structure.parts import Array, Hinge, Point, Spring
+from forficula.structure.parts import Hinge, Point, Spring
 from forficula.structure.sheet_hinge import sheet_hinge
 
 # of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares

@@ -10,13 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.law.tendon_law import TendonLaw
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 GROUND = -1
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge
 from forficula.design.sheet_creases import crease_sense
@@ -19,7 +20,7 @@ from forficula.structure.crossing import tendon_crossing
 from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.opening_creases import opening_creases, opening_parts
-from forficula.structure.parts import GROUND, Array, Body, Closure, Hinge, Panel, Point, Stops
+from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Stops
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_protocol import pushed_name, with_protocol

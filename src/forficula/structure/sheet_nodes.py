@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Flags, Indices
 from forficula.design import SheetDesign
 from forficula.design.sheet_places import GROUND_PLACE, as_place, facet_of, is_vertex, place_on, vertex_of
 from forficula.pattern import CreasePattern, triangulated
@@ -30,11 +30,11 @@ class SheetNodes(NamedTuple):
     """
 
     triangles: CreasePattern
-    parts: NDArray[np.int64]
-    edges: NDArray[np.int64]
+    parts: Indices
+    edges: Indices
     facets: tuple[tuple[int, ...], ...]
     inside: tuple[tuple[int, ...], ...]
-    vertices: NDArray[np.int64]
+    vertices: Indices
     names: tuple[str, ...]
     places: dict[str, int]
 
@@ -84,7 +84,7 @@ def _places(design: SheetDesign) -> list[str]:
     return [text for text in dict.fromkeys(written) if text != GROUND_PLACE and not is_vertex(text)]
 
 
-def _around(triangles: CreasePattern, own: NDArray[np.bool_], corners: tuple[int, ...]) -> tuple[int, ...]:
+def _around(triangles: CreasePattern, own: Flags, corners: tuple[int, ...]) -> tuple[int, ...]:
     """The nodes around a facet: its corners, and those on its sides between them."""
     sides = {side for face in np.flatnonzero(own).tolist() for side in face_sides(triangles.faces_vertices[face])}
     following = {tail: head for tail, head in sides if (head, tail) not in sides}
@@ -94,7 +94,7 @@ def _around(triangles: CreasePattern, own: NDArray[np.bool_], corners: tuple[int
     return tuple(around)
 
 
-def _corners(triangles: CreasePattern, own: NDArray[np.bool_]) -> set[int]:
+def _corners(triangles: CreasePattern, own: Flags) -> set[int]:
     return {node for face in np.flatnonzero(own).tolist() for node in triangles.faces_vertices[face]}
 
 

@@ -7,11 +7,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import Design, design_pattern
 from forficula.pattern import flat_folding_faults
 from forficula.quantities import reading_unit
 from forficula.structure.mass import mass_of
-from forficula.structure.parts import Array, Tendon
+from forficula.structure.parts import Tendon
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points, built_strains
 

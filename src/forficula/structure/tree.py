@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from forficula.structure.parts import GROUND, Array, Tendon
+from forficula.arrays import Array
+from forficula.structure.parts import GROUND, Tendon
 from forficula.structure.structure import Structure
 
 

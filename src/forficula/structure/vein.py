@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import FanDesign, TendonSection
 from forficula.design.places import margin_edge, mesh_rows
-from forficula.structure.parts import Array, Point
+from forficula.structure.parts import Point
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -36,7 +36,7 @@ class Vein:
         return len(self.axes) + 1
 
     @cached_property
-    def frame(self) -> NDArray[np.float64]:
+    def frame(self) -> Array:
         """Rotation from the bars' axes (x along the proximal bar, z across the sheet) to the sheet's, (3, 3)."""
         along = (self.places[1] - self.places[0]) / np.linalg.norm(self.places[1] - self.places[0])
         across = np.array([0.0, 0.0, 1.0])

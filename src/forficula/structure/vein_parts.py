@@ -8,12 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import FanDesign, JointDesign, TendonSection, tendon_law
 from forficula.errors import InputError
 from forficula.pattern import vein_roles
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.mass import end_inertia, turned_inertia
-from forficula.structure.parts import GROUND, Array, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
+from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
 from forficula.structure.structure import Structure
 from forficula.structure.vein import Vein, attachments
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import FanDesign
 from forficula.design.places import row_bars
 from forficula.pattern import CreasePattern, earwig_pattern, ring_directions, vein_roles
@@ -19,7 +20,7 @@ from forficula.structure.fan_masses import fan_masses, fan_panels
 from forficula.structure.fan_protocol import with_protocol
 from forficula.structure.medium import immersed
 from forficula.structure.panel_surface import fan_contact, overlapping_length, panel_surface
-from forficula.structure.parts import Array, Hinge, LengthLimit, Membrane, MembraneLaw
+from forficula.structure.parts import Hinge, LengthLimit, Membrane, MembraneLaw
 from forficula.structure.structure import Structure
 from forficula.structure.vein import Vein, panel_lines
 from forficula.structure.vein_parts import bare_veins

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
+from forficula.arrays import Array, Flags
 from forficula.design import Design, with_values
 from forficula.displayed import Displayed
 from forficula.dynamics import Model, compile_model
@@ -33,7 +33,6 @@ from forficula.study.runs import resolved
 from forficula.study.timed_run import TimedRun, timed_run
 from forficula.study.verdict import judge_moves, judge_timestep
 
-Array = NDArray[np.float64]
 Progress = Callable[[int, int, dict[str, Any]], None]
 
 # Rows that a run keeps at most while its stages last: with more, a very short timestep would fill the memory.
@@ -197,7 +196,7 @@ def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | No
     return [runs[index] for index in range(len(models))]
 
 
-def _fit_where_known(steps: Array, times: Array, alike: NDArray[np.bool_]) -> OrderFit | None:
+def _fit_where_known(steps: Array, times: Array, alike: Flags) -> OrderFit | None:
     """A fit over the runs that ended as the design's own does and have a time; None without two of them."""
     known = alike & np.isfinite(times)
     return fit_order(steps[known], times[known]) if known.sum() >= 2 else None

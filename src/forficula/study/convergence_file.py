@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
+from forficula.arrays import Array
 from forficula.design import design_from_text, design_text
 from forficula.errors import InputError
 from forficula.files import write_bytes
 from forficula.names import ordinal
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
-
-Array = NDArray[np.float64]
 
 # the hinge of files from before they said which
 _HINGE = 2

@@ -11,8 +11,8 @@ from decimal import Decimal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.design.provenance import WORDS
 from forficula.errors import InputError
@@ -67,7 +67,7 @@ class Distribution:
     first: float
     second: float
 
-    def quantiles(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    def quantiles(self, shares: Array) -> Array:
         """The values below which these shares of draws lie."""
         match self.name:
             case "normal":

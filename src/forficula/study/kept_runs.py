@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.run_files import holds_run, read_run, remove_run, write_run_files
 from forficula.analysis.thinning import thin_record
+from forficula.arrays import Flags
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -195,7 +195,7 @@ def _points(study: Study, table: Dataset, most: int) -> list[int]:
     return [int(number) for number in numbers[chosen]]
 
 
-def _worked(study: Study, table: Dataset) -> NDArray[np.bool_]:
+def _worked(study: Study, table: Dataset) -> Flags:
     """Whether each point reached the first state that the study is about."""
     if study.search is not None:
         return np.asarray(np.isfinite(table[study.search.first.least_name].values))

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array
 
 # Of the integrator, semi-implicit Euler: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, I.1.2.
 FORMAL_ORDER = 1.0

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Verdict, verdict_word
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
 from forficula.study.search_steps import Search
@@ -117,7 +117,7 @@ def did_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray
     return reduce(and_, (table[each.state].astype(bool) for each in transitions))
 
 
-def least_values(table: Dataset, transition: TableTransition) -> NDArray[np.float64]:
+def least_values(table: Dataset, transition: TableTransition) -> Array:
     """The least values that made a transition, SI, (structure,): of a later one, where the one before it was kept."""
     values = table[transition.least]
     for before in table_transitions(table):

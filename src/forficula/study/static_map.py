@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Ending, Verdict, ending_text, ending_word
+from forficula.arrays import Array, Flags
 from forficula.design import TORQUE, Design, check_keys_once, key_value
 from forficula.errors import InputError
 from forficula.statics.lines import line_energy
@@ -28,7 +28,6 @@ from forficula.study.table import table_axes
 if TYPE_CHECKING:
     import xarray
 
-Array = NDArray[np.float64]
 
 # some 50 ms each
 _MOST_POINTS = 100_000
@@ -165,7 +164,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
     before, after = _states(search)
     position, rests = start_state(structures).position, np.ones(structures.cases, dtype=bool)
     columns = {f"{before}_energy": _tendon_energies(structures, position)}
-    ways: list[tuple[Transition, NDArray[np.bool_], NDArray[np.bool_]]] = []
+    ways: list[tuple[Transition, Flags, Flags]] = []
     for step in search.steps:
         transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
         found = slow_transition(structures, position, transition, torques)

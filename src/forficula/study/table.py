@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import SPRUNG, Ending, Verdict
+from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
@@ -25,8 +25,6 @@ from forficula.study.study import Study
 
 if TYPE_CHECKING:
     import xarray
-
-Array = NDArray[np.float64]
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:

@@ -8,13 +8,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Verdict, ending_word, measure
+from forficula.arrays import Array
 from forficula.dynamics import Record, StageEnd
 from forficula.structure import Transition, goal_coordinates, goal_of
-
-Array = NDArray[np.float64]
 
 
 class Kind(NamedTuple):

@@ -6,20 +6,18 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.study.observed_order import FORMAL_ORDER, OrderFit
 from forficula.study.refinement import TIMESTEP, value_text
 from forficula.study.timed_run import TimedRun
-
-Array = NDArray[np.float64]
 
 
 def judge_timestep(
     steps: Array,
     here: int,
     runs: Sequence[TimedRun],
-    alike: NDArray[np.bool_],
+    alike: Flags,
     labels: Sequence[str],
     times: Sequence[Array],
     fits: Sequence[OrderFit | None],
@@ -62,7 +60,7 @@ def judge_timestep(
     return False, f"{own} is too long: {allowed}{remedy}{assumed}{after}."
 
 
-def _error(times: Array, here: int, alike: NDArray[np.bool_], fit: OrderFit) -> tuple[float, float]:
+def _error(times: Array, here: int, alike: Flags, fit: OrderFit) -> tuple[float, float]:
     """By how much of the limit the time at the design's own timestep is off, at least and at most."""
     distances = [abs(times[here] - fit.limit)]
     least = distances[0]
@@ -92,7 +90,7 @@ def judge_moves(
     names: Sequence[str],
     here: int,
     runs: Sequence[TimedRun],
-    alike: NDArray[np.bool_],
+    alike: Flags,
     labels: Sequence[str],
     times: Sequence[Array],
 ) -> str:

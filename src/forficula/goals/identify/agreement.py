@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.identify.emulator import Emulator
-
-Array = NDArray[np.float64]
 
 _PARTICLES = 600
 # effective share of the particles that a step of the tempering leaves, and moves of each particle after it

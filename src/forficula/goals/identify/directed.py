@@ -6,9 +6,9 @@ import itertools
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Flags
+
 Target = tuple[int, ...]
 
 # of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
@@ -19,7 +19,7 @@ _STEPS, _CHANGED = (0.1, 0.9), 0.6
 _NOISE = 0.02
 
 
-def open_targets(met: NDArray[np.bool_]) -> list[Target]:
+def open_targets(met: Flags) -> list[Target]:
     """What no sample has met so far: all facts together, every fact, and every pair of facts that are met apart.
 
     Where every fact and every pair that is met apart is met, every three of which any two are.

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array
 
 # Hyperparameters come from grids and not from a gradient method: on every machine the same ones are chosen, whatever
 # the last bits of its linear algebra. Lengths are in sides of the unit cube, noise is a share of the variance.

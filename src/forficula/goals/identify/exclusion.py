@@ -10,10 +10,10 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.goals.share_interval import largest_share
 
 Mask = NDArray[np.bool_]
-Array = NDArray[np.float64]
 
 # of the samples that meet the rarer of some facts: where none meets the others, at most this share of all such may, at
 # 95 %, or they are too few to tell
@@ -124,7 +124,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
     )
 
 
-def _verdict(drawn: int, placed: int, tried: int, near: float, alone: NDArray[np.int64] | None) -> Together:
+def _verdict(drawn: int, placed: int, tried: int, near: float, alone: Indices | None) -> Together:
     """What follows; `alone` is None where one of the facts is never met."""
     if drawn:
         return Together.MET

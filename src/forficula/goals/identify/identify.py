@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.goals.identify.directed import Target, directed_shares, open_targets
 from forficula.goals.identify.fact import Fact
@@ -16,8 +16,6 @@ from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import prior_shares, values_at
 from forficula.goals.identify.sample_runs import ConditionRun, SampleRuns, Wanted
 from forficula.study.journal import Row
-
-Array = NDArray[np.float64]
 
 # Rows of runs, in their order.
 Assess = Callable[[Sequence[ConditionRun]], Sequence[Row]]
@@ -95,12 +93,12 @@ def _turned(targets: Sequence[Target], done: int) -> list[Target]:
     return [*targets[first:], *targets[:first]]
 
 
-def met_of(samples: Sequence[Sample], facts: int) -> NDArray[np.bool_]:
+def met_of(samples: Sequence[Sample], facts: int) -> Flags:
     """Whether each sample met each fact, (samples, facts)."""
     return np.array([[each.met for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
 
 
-def tells_of(samples: Sequence[Sample], facts: int) -> NDArray[np.bool_]:
+def tells_of(samples: Sequence[Sample], facts: int) -> Flags:
     """Whether each sample tells for certain of each fact, (samples, facts)."""
     return np.array([[each.tells for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
 

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.identify.agreement import Agreement, Window, agreement, least_apart, snapped
 from forficula.goals.identify.emulator import Emulator, fit_emulator, least_samples
 from forficula.goals.identify.fact import COUNTS, PLACES, Fact
 from forficula.goals.identify.identify import Sample
 from forficula.goals.identify.observations import Observations
-
-Array = NDArray[np.float64]
 
 # ranges are central ones of this share, chosen by us: planted values lie within at least 90 times in 100
 # (benchmarks/identify.py)

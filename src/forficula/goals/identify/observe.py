@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
+from forficula.arrays import Array, Flags
 from forficula.goals.identify.fact import PLACES, LeastValue, Term
 from forficula.goals.identify.ladder import Ladder
 from forficula.goals.identify.row_quantity import combined, is_state
@@ -18,7 +18,6 @@ from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, States, follows, next_point
 from forficula.study.journal import Row
 
-Array = NDArray[np.float64]
 Condition = Mapping[str, object]
 
 # stands for the row of a design that there is not
@@ -57,11 +56,11 @@ class _Numbers:
     values: Array
     low: Array
     high: Array
-    there: NDArray[np.bool_]
+    there: Flags
     untold: int
 
     @property
-    def open(self) -> NDArray[np.bool_]:
+    def open(self) -> Flags:
         """Whether each may be another number than its own, (conditions,)."""
         return np.asarray(self.low < self.high)
 

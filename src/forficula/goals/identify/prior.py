@@ -6,13 +6,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.latin_points import latin_points
 from forficula.goals.value_at import choice_at, written
 from forficula.study.factors import Factor
-
-Array = NDArray[np.float64]
 
 # a share of 0 or 1 of a normal distribution is infinitely far out
 _LEAST_SHARE = 1e-6

@@ -6,13 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.optimise.axis import Axis, distances
 from forficula.goals.optimise.ranking import standing
 from forficula.goals.optimise.trial import Trial
-
-Array = NDArray[np.float64]
 
 # How much the sum of all objectives counts beside the worst of them, so that none is given away for nothing.
 SUM = 1e-3

@@ -7,8 +7,8 @@ from collections.abc import Generator, Sequence
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.optimise.archive import Aim, Archive, archive_of, bases_of
 from forficula.goals.optimise.axis import Axis, Point, placed
 from forficula.goals.optimise.proposal import neighbourhood, proposed
@@ -90,7 +90,7 @@ def filling_count(axes: Sequence[Axis], batch: int) -> int:
     return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
 
 
-def _filling_points(filling: scipy.stats.qmc.Sobol, count: int) -> NDArray[np.float64]:
+def _filling_points(filling: scipy.stats.qmc.Sobol, count: int) -> Array:
     """Further points of a sequence; drawn one by one, for together scipy warns of counts that are no power of two."""
     return np.array([filling.random()[0] for _ in range(count)])
 
@@ -103,7 +103,7 @@ def _new(points: Sequence[Point], asked: set[Point], count: int) -> list[Point]:
 def _near(
     axes: Sequence[Axis],
     archive: Archive,
-    weights: NDArray[np.float64],
+    weights: Array,
     batch: int,
     number: int,
     generator: np.random.Generator,

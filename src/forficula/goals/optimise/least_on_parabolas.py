@@ -11,9 +11,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Flags
 
 # Rounds of multipliers, Newton steps of each at most, and halvings of a step.
 _ROUNDS, _STEPS, _HALVINGS = 10, 20, 12
@@ -154,7 +153,7 @@ def _lagrangian(
     return value, slope, curvature
 
 
-def _newton_step(slope: Array, curvature: Array, held: NDArray[np.bool_]) -> Array:
+def _newton_step(slope: Array, curvature: Array, held: Flags) -> Array:
     """A step down, along what is not held, with as much damping as that takes."""
     free = np.flatnonzero(~held)
     rows = [[float(curvature[i, j]) for j in free] for i in free]

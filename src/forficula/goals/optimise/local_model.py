@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Indices
 
 # Trials that nearly coincide, as shares of their distance from the centre, tell a parabola nothing.
 _APART = 0.02
@@ -37,7 +36,7 @@ class Parabola:
     span: float
 
 
-def nearby(points: Array, away: Array, count: int) -> NDArray[np.int64]:
+def nearby(points: Array, away: Array, count: int) -> Indices:
     """Numbers of the points nearest to a centre, the nearest first, without those that nearly coincide.
 
     Args:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor
@@ -51,7 +51,7 @@ class Neighbours:
         return share_interval(self.works, self.tried, self.looks)
 
 
-def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:
+def neighbour_offsets(goal: Goal, count: int, seed: int) -> Array:
     """By how many widths neighbours are off, the same of every design, (count, deviation)."""
     shares = latin_points(len(goal.deviations), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
     columns = [deviation.offsets(column) for deviation, column in zip(goal.deviations, shares.T, strict=True)]
@@ -59,7 +59,7 @@ def neighbour_offsets(goal: Goal, count: int, seed: int) -> NDArray[np.float64]:
 
 
 def neighbours_of(
-    goal: Goal, assess: Assessor, designs: Sequence[Design], offsets: NDArray[np.float64], least: float | None
+    goal: Goal, assess: Assessor, designs: Sequence[Design], offsets: Array, least: float | None
 ) -> list[Neighbours]:
     """Ask neighbours of designs, ever more of them, until it is plain that a wanted share cannot be reached.
 
@@ -90,7 +90,7 @@ def neighbours_of(
     ]
 
 
-def _off(goal: Goal, design: Design, offsets: NDArray[np.float64]) -> Design | str:
+def _off(goal: Goal, design: Design, offsets: Array) -> Design | str:
     """A design that is off, or why it cannot be built so."""
     try:
         return design.with_values(off_values(design, goal.deviations, [float(each) for each in offsets]))

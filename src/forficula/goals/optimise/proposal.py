@@ -6,15 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.goals.optimise.archive import SUM, Aim, Archive
 from forficula.goals.optimise.axis import Axis, Point, placed
 from forficula.goals.optimise.least_on_parabolas import Parabolas, Problem, least_place
 from forficula.goals.optimise.local_model import LEAST_RADIUS, Parabola, fitted, nearby, wanted_trials
 from forficula.goals.optimise.trial import Trial
-
-Array = NDArray[np.float64]
 
 # What a violation of limits costs, in spans of the objectives: more than any objective can win.
 _PRICE, _LEAST_SPAN = 100.0, 1e-12
@@ -35,7 +33,7 @@ class Neighbourhood:
     """
 
     base: Trial
-    free: NDArray[np.bool_]
+    free: Flags
     radius: float
     objectives: tuple[Parabola, ...]
     margins: Mapping[int, Parabola]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.goals.optimise.trial import Trial
 
 Standing = tuple[float, ...]
@@ -25,7 +25,7 @@ def standing(trial: Trial, objective: float = 0.0) -> Standing:
     return (trial.unknown, trial.violation, trial.shortfall, 0.0 if lost else objective)
 
 
-def undominated(objectives: NDArray[np.float64]) -> NDArray[np.bool_]:
+def undominated(objectives: Array) -> Flags:
     """Which rows no other row beats: none is as small everywhere and smaller somewhere.
 
     Args:
@@ -69,7 +69,7 @@ def best_ranked(trials: Sequence[Trial], count: int) -> list[Trial]:
     return (ranked + others)[:count]
 
 
-def _crowding(objectives: NDArray[np.float64]) -> NDArray[np.float64]:
+def _crowding(objectives: Array) -> Array:
     """How far apart the neighbours of each row of a front are, as of Deb et al., 2002, doi.org/10.1109/4235.996017."""
     crowding = np.zeros(len(objectives))
     for column in objectives.T:

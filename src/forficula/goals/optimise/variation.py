@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.goals.optimise.axis import Axis, Point, placed
 from forficula.goals.optimise.trial import Trial
 
@@ -52,6 +52,6 @@ def around(
     return placed(axes, _reflected(np.asarray(base) + shift))
 
 
-def _reflected(shares: NDArray[np.float64]) -> NDArray[np.float64]:
+def _reflected(shares: Array) -> Array:
     """Shares, folded back at 0 and 1."""
     return np.asarray(1 - np.abs(1 - np.abs(shares) % 2))

@@ -9,6 +9,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from forficula.arrays import Flags
 from forficula.goals.share_interval import LEVEL
 
 Values = NDArray[np.float64]
@@ -214,6 +215,6 @@ def _check_finite(results: Sequence[str], values: Values, where: str) -> None:
             raise ValueError(f"{result}: need finite results, got {row[place]} at point {place} of {where}")
 
 
-def _varies(at_first: Values, at_second: Values) -> NDArray[np.bool_]:
+def _varies(at_first: Values, at_second: Values) -> Flags:
     both = np.concatenate([at_first, at_second], axis=1)
     return np.asarray(np.std(both, axis=1) > _ROUNDING * np.max(np.abs(both), axis=1))

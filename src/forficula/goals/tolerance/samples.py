@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.analysis.margin import NOT_TRIED, chained_row, margin_column
+from forficula.arrays import Array, Flags
 from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, value_of
@@ -40,8 +41,8 @@ class Samples:
     outcomes: NDArray[np.object_]
     statuses: NDArray[np.object_]
     verdicts: NDArray[np.object_]
-    margins: NDArray[np.float64]
-    facts: NDArray[np.bool_]
+    margins: Array
+    facts: Flags
 
     def __len__(self) -> int:
         return len(self.answers)

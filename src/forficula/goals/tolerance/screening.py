@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.arrays import Flags, Indices
 from forficula.goals.share_interval import LEVEL
 
 Values = NDArray[np.float64]
@@ -34,7 +35,7 @@ class Screening:
     """
 
     shares: Values
-    resolved: NDArray[np.bool_]
+    resolved: Flags
     effects: Values
     kept: tuple[int, ...]
 
@@ -66,7 +67,7 @@ def screening(points: Values, values: Values, effects: Values, kept: int, seed: 
     return Screening(shares=shares, resolved=resolved, effects=effects, kept=tuple(chosen))
 
 
-def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values, NDArray[np.bool_]]:
+def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values, Flags]:
     """Find which factors decide a share of a result's variance alone, beyond chance.
 
     Forward selection among cosines over each factor, by which the first-order index of Plischke (2010,
@@ -116,7 +117,7 @@ def _bases(cosines: Values, known: Values) -> Values:
     return np.linalg.qr(columns - known @ (known.T @ columns))[0]
 
 
-def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, NDArray[np.int64]]:
+def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, Indices]:
     """The largest standardised part of what is left that a factor's first cosines explain, and of how many of them.
 
     Args:
@@ -133,7 +134,7 @@ def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, N
     return np.max(sizes, axis=0), parts[np.argmax(sizes, axis=0)]
 
 
-def _share(bases: Values, left: Values, scale: float, parts: Sequence[int] | NDArray[np.int64]) -> Values:
+def _share(bases: Values, left: Values, scale: float, parts: Sequence[int] | Indices) -> Values:
     """The sum of squares that each factor's first cosines explain, less what they do by chance, (factors,)."""
     squares = np.cumsum(np.tensordot(bases, left, axes=(1, 0)) ** 2, axis=1)
     return np.array([squares[factor, part - 1] - part * scale for factor, part in enumerate(parts)])

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from forficula.arrays import Flags
 from forficula.goals.tolerance.indices import Indices, Values, tells_lines
 from forficula.goals.tolerance.narrowing import Narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
@@ -151,7 +152,7 @@ class Tolerance:
         return (*(self.kept.index(factor) for factor in self.order[:_MOST_SHOWN]), *groups)
 
 
-def counted(answers: NDArray[np.object_], holds: NDArray[np.bool_]) -> Probability:
+def counted(answers: NDArray[np.object_], holds: Flags) -> Probability:
     """The probability of what holds in some samples, (samples,) both; those that tell nothing counted apart."""
     tells = (answers == Answer.WORKS) | (answers == Answer.FAILS)
     holding = int(np.sum(tells & holds))

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
@@ -72,7 +72,7 @@ def lying_mesh(*parts: Part) -> Mesh:
     return Mesh(points=points, triangles=places.reshape(-1)[mesh.triangles[kept]])
 
 
-def lying_size(part: Part) -> NDArray[np.float64]:
+def lying_size(part: Part) -> Array:
     """The sides of the box around a part as it lies, m, (3,): length, width, height."""
     low, high = np.split(np.array(_lying(part).bounding_box()), 2)
     return np.asarray(high - low) / MILLIMETRES
@@ -109,7 +109,7 @@ def _lying(part: Part, *others: Part) -> Manifold:
     return bedded.rotate([0.0, 0.0, -math.degrees(math.atan2(y, x))]) if math.hypot(x, y) > _UPRIGHT else bedded
 
 
-def _rods(solid: Solid) -> Iterator[NDArray[np.float64]]:
+def _rods(solid: Solid) -> Iterator[Array]:
     """The rods that a solid is joined of, from end to end, m, (3,)."""
     match solid:
         case Rod():

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.fit.fit_form import FLOOR, FittedForm, fit_form, one_rate
 from forficula.material.fit.fit_problem import Model, Problem, problem_of
@@ -17,8 +17,6 @@ from forficula.material.fit.uncertainty import effective_points
 from forficula.material.law.law_form import LawForm, all_forms
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.tensile.strain_history import StrainHistory
-
-Array = NDArray[np.float64]
 
 _SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
 # a refusal: the values that it names, and why; and the numbers of one, by which refusals of the same kind differ

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.fit.fit_problem import Model, Problem
 from forficula.material.fit.fit_start import Starter
@@ -17,8 +17,6 @@ from forficula.material.law.law_form import LawForm
 from forficula.material.law.law_keys import TERMS, show_range, show_value
 from forficula.material.law.material_law import Bounds, MaterialLaw, MaxwellBranch
 from forficula.material.law.softening import OgdenRoxburgh, Triple
-
-Array = NDArray[np.float64]
 
 _LIMIT = 1e3  # of the condition of the scaled sensitivity: beyond, noise of 0.1 % is as large as a value
 _LIMIT_UNSETTLED = 100.0

@@ -10,13 +10,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.material.law.law_form import LawForm
 from forficula.material.law.material_law import MaxwellBranch
 from forficula.material.law.softening import Triple, spring_energy
 from forficula.material.law.stress import branch_stress, set_history
 from forficula.material.tensile.strain_history import StrainHistory, rate_range, strain_rate
-
-Array = NDArray[np.float64]
 
 MOST_ROWS = 10_000
 MOST_POINTS = 2000
@@ -53,7 +52,7 @@ class Problem:
     rate: Array
     starts: NDArray[np.int64]
     counts: Array
-    compared: NDArray[np.bool_]
+    compared: Flags
     stress: Array
     specimen: NDArray[np.int64]
     time: Array

@@ -6,12 +6,10 @@ from collections.abc import Iterator
 from itertools import combinations, product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.material.fit.fit_problem import Model, Problem
 from forficula.material.law.law_form import LawForm
-
-Array = NDArray[np.float64]
 
 _MOST_ROWS = 500
 _HALVINGS = 2  # of the grid's spacing

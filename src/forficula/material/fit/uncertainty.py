@@ -6,15 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Indices
 
 _FEWEST_SPECIMENS = 3  # from which their scatter says something
 _NAMED = 0.3  # of the largest part of the direction that the data leave open
 
 
-def effective_points(residual: Array, specimen: NDArray[np.int64]) -> float:
+def effective_points(residual: Array, specimen: Indices) -> float:
     """How many independent points a residual is worth.
 
     Neighbouring residuals of a tensile test are alike, so counting every row would make intervals far too narrow. The
@@ -67,7 +66,7 @@ def undetermined(sensitivity: Array, keys: Sequence[str], limit: float) -> tuple
     return tuple(key for key, part in zip(keys, parts, strict=False) if part > _NAMED * parts.max()) or tuple(keys)
 
 
-def half_widths(sensitivity: Array, residual: Array, specimen: NDArray[np.int64]) -> Array:
+def half_widths(sensitivity: Array, residual: Array, specimen: Indices) -> Array:
     """Half of the 95 % confidence intervals of the values of a least-squares fit.
 
     From the sensitivity, with the variance of the residual spread over its `effective_points`. With three or more

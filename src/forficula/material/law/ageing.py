@@ -6,11 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.material.law.tendon_law import TendonLaw
-
-Array = NDArray[np.float64]
 
 # parts of a wait, evenly by its logarithm, over each of which a slack tendon grows shorter evenly
 _PARTS = 128

@@ -8,11 +8,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,7 +60,7 @@ class CreaseLaw:
             if not np.all(np.asarray(getattr(self, low)) < np.asarray(getattr(self, high))):
                 raise InputError(f"{low}: need an angle below {high}, got one that is not")
 
-    def some(self, which: NDArray[np.int64]) -> CreaseLaw:
+    def some(self, which: Indices) -> CreaseLaw:
         """Of some rows of arrays."""
         # without another look at numbers that have been checked
         law = copy.copy(self)

@@ -9,12 +9,12 @@ from typing import Literal, get_args
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
-Array = NDArray[np.float64]
 Kind = Literal["none", "logarithm", "plateau"]
 
 _FEWEST_CYCLES = 3

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 
-Array = NDArray[np.float64]
 Triple = tuple[float, float, float]
 
 _CURVE_POINTS = 201

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.law.material_law import MaxwellBranch
-
-Array = NDArray[np.float64]
 
 _NOTHING = 1e-30  # share of a stress that is left and counts no more
 

@@ -6,9 +6,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import read_bytes, shown_path
 from forficula.material.machine.machine_text import parse_recordings
@@ -108,7 +106,7 @@ def _tensile_test(recording: Recording, length: float | None, area: float | None
     )
 
 
-def _in_si(column: Column, line: int, kind: Kind, other: Kind | None = None) -> tuple[NDArray[np.float64], bool]:
+def _in_si(column: Column, line: int, kind: Kind, other: Kind | None = None) -> tuple[Array, bool]:
     """A column's values, shape (row,), as one kind or else the other, and whether it is the first."""
     if (factor := kind.factor(column.unit)) is not None:
         return column.values * factor, True

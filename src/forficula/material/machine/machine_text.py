@@ -14,8 +14,8 @@ import re
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import choose_columns, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
@@ -244,7 +244,7 @@ def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
     return ","
 
 
-def _numbers(cells: list[str], decimal: str, lines: Sequence[int]) -> NDArray[np.float64]:
+def _numbers(cells: list[str], decimal: str, lines: Sequence[int]) -> Array:
     """A column as numbers, shape (row,)."""
     texts = "\n".join(cells).replace(",", ".").split("\n") if decimal == "," else cells
     try:

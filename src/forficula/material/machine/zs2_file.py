@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import choose_columns
 from forficula.material.machine.recording import Column, Recording, travel_among
@@ -128,7 +128,7 @@ def _slim(chunk: list[Any]) -> list[Any]:
     return [address, name, bytearray(_NO_LIST) if name == _ARRAY else data]
 
 
-def _array(data: bytes) -> NDArray[np.float64] | None:
+def _array(data: bytes) -> Array | None:
     """The samples of a channel, shape (row,): a byte 0xEE, the kind of number, how many, and the numbers."""
     kind = _FLOATS.get(data[:3])
     return None if kind is None else np.frombuffer(data[7:], dtype=kind).astype(np.float64)
@@ -159,7 +159,7 @@ def _unit(table: object) -> str:
 
 def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dict[str, Column]:
     """The columns of one specimen by role; none where nothing was measured."""
-    arrays: dict[object, NDArray[np.float64]] = {}
+    arrays: dict[object, Array] = {}
     for element in dict.fromkeys(place[0] for place in data):
         values, number = data.get((element, "DataArray")), data.get((element, "TrsChannelId"))
         if isinstance(values, np.ndarray) and len(values) and number in channels:

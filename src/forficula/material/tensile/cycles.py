@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.material.tensile.tensile_test import TensileTest
 from forficula.material.tensile.turning_points import turning_points
@@ -33,9 +33,9 @@ class Branch:
         stress: engineering stress as the load cell had it, Pa, shape (sample,).
     """
 
-    time: NDArray[np.float64]
-    strain: NDArray[np.float64]
-    stress: NDArray[np.float64]
+    time: Array
+    strain: Array
+    stress: Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -85,7 +85,7 @@ class Cycle:
         return float(np.median(hanging)) if len(hanging) else 0.0
 
     @cached_property
-    def hanging(self) -> NDArray[np.bool_]:
+    def hanging(self) -> Flags:
         """Which samples of the unloading show a slack specimen, shape (sample,).
 
         Those in the lowest 5 % of the unloading's strains, where the stress is flat there: its slope is less than 1 %

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.tensile.cycles import Branch, Cycle
 
@@ -132,7 +132,7 @@ def _values(branch: Branch, zero_stress: float, width: float) -> Iterator[tuple[
             yield place, _Value(secant=secant, local=_slope(strain, stress), points=len(strain))
 
 
-def _slope(strain: NDArray[np.float64], stress: NDArray[np.float64]) -> float:
+def _slope(strain: Array, stress: Array) -> float:
     """Of the straight line by least squares, Pa."""
     away = strain - strain.mean()
     return float(away @ stress / (away @ away))

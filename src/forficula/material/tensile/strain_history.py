@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.law.stress import check_history
 from forficula.material.tensile.cycles import BAND
 from forficula.material.tensile.turning_points import turning_points
-
-Array = NDArray[np.float64]
 
 _RATE_ERROR = 0.02  # of the typical rate: how much noise of the strain may leave in it
 _WIDEST = 50  # samples

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_quantity, show_value
 
@@ -38,9 +38,9 @@ class TensileTest:
     """
 
     name: str
-    time: NDArray[np.float64]
-    extension: NDArray[np.float64]
-    force: NDArray[np.float64]
+    time: Array
+    extension: Array
+    force: Array
     length: float
     area: float
 
@@ -70,12 +70,12 @@ class TensileTest:
             )
 
     @property
-    def strain(self) -> NDArray[np.float64]:
+    def strain(self) -> Array:
         """Engineering strain: extension over the first length, shape (row,)."""
         return self.extension / self.length
 
     @property
-    def stress(self) -> NDArray[np.float64]:
+    def stress(self) -> Array:
         """Engineering stress: force over the first area, Pa, shape (row,)."""
         return self.force / self.area
 
@@ -94,7 +94,7 @@ def size_rule(key: str, size: float) -> str:
     return f"{bounds}, got {show_quantity(size, unit)}; is its unit wrong?"
 
 
-def falling(time: NDArray[np.float64]) -> int | None:
+def falling(time: Array) -> int | None:
     """The first row whose time, shape (row,), is before that of the row above; None where there is none."""
     falls = np.flatnonzero(np.diff(time) < 0)
     return int(falls[0]) + 1 if len(falls) else None

@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, round_below, show_value
 from forficula.show.film.film_clock import Cut
@@ -24,7 +25,6 @@ from forficula.show.structure.surface import at_time, face_strains, surface_at
 from forficula.show.style import ENERGY_COLOURS, LINE_STYLES, PAGE_WIDTH, STRAIN_COLOURS, figure_style
 from forficula.structure import hinge_groups, springs_name
 
-Array = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
 # within the picture, in shares of it: left, low, width, height

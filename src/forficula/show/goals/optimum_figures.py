@@ -8,14 +8,12 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.goals.optimise.optimum import Optimum
 from forficula.quantities import Unit, parse_quantity
 from forficula.show.study.factor_text import key_text
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
-
-Array = NDArray[np.float64]
 
 _GREY = "0.75"
 # inch
@@ -36,7 +34,7 @@ def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
         axes = figure.subplots()
-        looks: tuple[tuple[NDArray[np.bool_], dict[str, Any]], ...] = (
+        looks: tuple[tuple[Flags, dict[str, Any]], ...] = (
             (~feasible & ~best, {"color": _GREY, "lw": 0.4, "alpha": 0.5}),
             (feasible & ~best, {"color": BLUE, "lw": 0.7, "alpha": 0.7}),
             (best, {"color": VERMILION, "lw": 1.6}),

@@ -6,7 +6,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_words import shown_value
@@ -22,8 +21,6 @@ from forficula.show.style import (
 )
 from forficula.statics import EnergyLandscape
 from forficula.statics.net_landscape import NetLandscape
-
-Array = NDArray[np.float64]
 
 _HALF = 0.22  # of the mark of a state
 _POINTS = 41  # of a curve

@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from forficula.quantities import reading_unit
 from forficula.show.landscape.net_pictures import Pictures, hang_all, net_pictures
@@ -30,8 +29,6 @@ from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
 from forficula.statics.net_course import Course, displaces, gone, reaction
 from forficula.structure import drive_unit, driven_motor
-
-Array = NDArray[np.float64]
 
 _MOST = 5  # pictures of a course
 _PLOT = 2.3  # inch

@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.names import listed
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
 from forficula.structure import Measure, Structure, Transition, drive_of, measure_of, read_angles
-
-Array = NDArray[np.float64]
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {

@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.show.structure.painted_shape import PaintedShape, hang, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
@@ -18,8 +18,6 @@ from forficula.show.style import ORANGE
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.net_of import places
 from forficula.structure import Structure
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -11,9 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from forficula.analysis.simulated_snap import folding_rows
+from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.quantities import reading_unit, show_value
@@ -45,8 +46,6 @@ from forficula.show.style import (
 )
 from forficula.statics import EnergyLandscape, HingeLandscape
 from forficula.structure import crossing_tendons
-
-Array = NDArray[np.float64]
 
 _COLOURS = (BLUE, SKY, GREEN, PURPLE)
 _STOP = "0.87"
@@ -167,7 +166,7 @@ def _groups(hinges: tuple[HingeLandscape, ...], names: tuple[str, ...]) -> list[
     return groups
 
 
-def _between(hinge: HingeLandscape, start: float, end: float) -> NDArray[np.bool_]:
+def _between(hinge: HingeLandscape, start: float, end: float) -> Flags:
     low, high = sorted((start, end))
     return np.asarray((hinge.angle >= low - 1e-12) & (hinge.angle <= high + 1e-12))
 
@@ -199,7 +198,7 @@ def _plot_simulation(axes: Axes, record: Record, shown: ShownHinge, factor: floa
             )
 
 
-def _spread(angle: Array, shift: float) -> NDArray[np.int64]:
+def _spread(angle: Array, shift: float) -> Indices:
     """Rows at which an angle (deg) first enters each of the steps that it comes through."""
     if not len(angle):
         return np.zeros(0, dtype=np.int64)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.colors import to_rgb
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.make.mesh import MILLIMETRES, mesh_of, solid_of
 from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Rod
@@ -17,8 +17,6 @@ from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import PartMesh, part_mesh, sharp_edges
 from forficula.show.make.pose import STILL, Pose, apart, poses_at
 from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
-
-Array = NDArray[np.float64]
 
 _EDGE = "#2A2F35"
 # half width of an edge, and how much nearer to the eye it is painted, m

@@ -6,14 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # triangles that meet at more than this have an edge between them; those around a circle meet at 5 deg
 _EDGE = math.cos(math.radians(20.0))
@@ -62,7 +59,7 @@ def _normals(mesh: Mesh) -> Array:
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None])
 
 
-def _through_axis(corners: Array, normals: Array, joint: JointLayout) -> NDArray[np.bool_]:
+def _through_axis(corners: Array, normals: Array, joint: JointLayout) -> Flags:
     """Which triangles lie in planes through the axis of a hinge: stops are the only flat faces that do."""
     leans = np.abs(normals @ joint.frame[:, 1]) < _LEANS
     off = np.abs(np.einsum("tca,ta->tc", corners - MILLIMETRES * joint.origin, normals)).max(axis=1)

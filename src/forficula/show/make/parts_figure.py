@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patheffects import Normal, Stroke
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.make.part import PartSet
 from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
@@ -19,8 +19,6 @@ from forficula.show.make.part_looks import Look, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
-
-Array = NDArray[np.float64]
 
 # to the eye, in the axes of the first joint: along the arms, along its hinge, and up
 _TOWARDS = (0.3, -0.72, 0.62)

@@ -6,14 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.make.joint import turned
 from forficula.make.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
 from forficula.structure import GROUND
-
-Array = NDArray[np.float64]
 
 # how far parts are moved apart at most, by the length of the arms that are moved, or by what they are
 _APART, _RAISED, _PULLED = 0.3, 0.45, 1.6

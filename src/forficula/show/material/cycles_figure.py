@@ -10,14 +10,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.material.characterisation import Characterisation
 from forficula.material.tensile.cycles import Branch, Cycle
 from forficula.show.material.material_units import stress_unit
 from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, in_column, is_narrow
-
-Array = NDArray[np.float64]
 
 WAYS = {"loading": (BLUE, "-"), "unloading": (VERMILION, "--")}
 _SLACK: dict[str, Any] = {"ls": "none", "marker": "o", "color": "white", "mec": VERMILION, "ms": 4.5}

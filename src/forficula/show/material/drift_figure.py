@@ -9,14 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.material.characterisation import DRIFTING, Characterisation, common_cycles, cycle_table
 from forficula.material.law.drift import Drift
 from forficula.show.material.material_units import energy_unit, stress_unit
 from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
-
-Array = NDArray[np.float64]
 
 
 def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, State, measure
 from forficula.analysis.run_files import read_run
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -39,8 +39,6 @@ from forficula.show.run.outcome_rows import state_angles
 from forficula.show.structure.drive_words import acting
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of
 from forficula.structure import Measure, drive_of, drive_unit
-
-Array = NDArray[np.float64]
 
 _FEWEST, _MOST = 2, 12
 _ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "openings", "Maxwell branches")

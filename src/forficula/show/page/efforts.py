@@ -7,16 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.page.packing import packed, packed_directions
 from forficula.statics.pose import Pose, pose, tree_of
 from forficula.structure import GROUND, Drive, Hinge, Motor, Structure, built_points, drive_of, drive_unit, driven_motor
-
-Array = NDArray[np.float64]
 
 _WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", "rest-angle": "turn of rest angles"}
 _ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, by length of the whole
@@ -85,7 +83,7 @@ class Efforts:
     pushes: tuple[Push, ...]
 
 
-def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
+def efforts_of(record: Record, rows: Indices) -> Efforts:
     """Find where drives act, at some rows of a record of those that are shown."""
     structure, rows = record.structure, _acting_rows(record, rows)
     names = list(dict.fromkeys(name for end in record.stages for name in stage_drives(end.stage)))
@@ -116,7 +114,7 @@ def efforts_of(record: Record, rows: NDArray[np.int64]) -> Efforts:
     )
 
 
-def _acting_rows(record: Record, rows: NDArray[np.int64]) -> NDArray[np.int64]:
+def _acting_rows(record: Record, rows: Indices) -> Indices:
     """Those of some rows in driven stages, not very many of each: shown rows lie close where it moves fast."""
     found = []
     for end in record.stages:
@@ -129,7 +127,7 @@ def _acting_rows(record: Record, rows: NDArray[np.int64]) -> NDArray[np.int64]:
     return acting if len(acting) else rows[:1]
 
 
-def efforts_data(efforts: Efforts, anchors: NDArray[np.int64]) -> dict[str, Any]:
+def efforts_data(efforts: Efforts, anchors: Indices) -> dict[str, Any]:
     """The same as data for JSON, of points by their places among those that move; arrows at others are left out."""
     structure, places = efforts.structure, {number: place for place, number in enumerate(anchors.tolist())}
     return {
@@ -186,7 +184,7 @@ def _drive_data(structure: Structure, drive: Drive) -> dict[str, Any]:
     }
 
 
-def _turns(record: Record, rows: NDArray[np.int64], motor: Motor, shares: list[float], at: Pose | None) -> list[Turn]:
+def _turns(record: Record, rows: Indices, motor: Motor, shares: list[float], at: Pose | None) -> list[Turn]:
     """What a motor turns; a joint on what slides is left out, for angles alone do not tell where that is."""
     turns, nothing = [], np.zeros((0, 3))
     for hinge, gain in zip(motor.hinges, motor.gains or (1.0,) * len(motor.hinges), strict=True):
@@ -207,7 +205,7 @@ def _turns(record: Record, rows: NDArray[np.int64], motor: Motor, shares: list[f
     return turns
 
 
-def _pushes(record: Record, rows: NDArray[np.int64], number: int, shares: list[float]) -> list[Push]:
+def _pushes(record: Record, rows: Indices, number: int, shares: list[float]) -> list[Push]:
     motor, force = record.structure.motors[number], None
     assert motor.direction is not None
     if motor.kind == "displacement":

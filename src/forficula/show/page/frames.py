@@ -7,14 +7,11 @@ from heapq import heappop, heappush
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array, Indices
 
 
-def kept_frames(
-    time: Array, points: Array, moments: Iterable[float], *, most: int, tolerance: float
-) -> NDArray[np.int64]:
+def kept_frames(time: Array, points: Array, moments: Iterable[float], *, most: int, tolerance: float) -> Indices:
     """Choose rows so that what is drawn between them goes as it went.
 
     The rows nearest to the moments, the first and the last are kept. Then, again and again, the row is added at which

@@ -10,6 +10,7 @@ import scipy
 from numpy.typing import NDArray
 
 from forficula.analysis.simulated_snap import crossed_hinge
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import hinge_measure
@@ -23,7 +24,6 @@ from forficula.statics import EnergyLandscape, HingeLandscape, stable_states
 from forficula.statics.potential import ensemble, stored_energy
 from forficula.structure import crossing_tendons
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 _PLACES = 721  # of a line

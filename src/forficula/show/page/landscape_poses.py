@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.show.landscape.shown_hinge import ShownHinge
 from forficula.show.page.playback import Clip
 from forficula.show.page.shape_mesh import shape_mesh
 from forficula.statics import EnergyLandscape
 from forficula.statics.pose import carried_points, places_of, pose, tree_of
 from forficula.structure import Structure
-
-Array = NDArray[np.float64]
 
 _TURNS = 91  # poses of a hinge that turns alone
 NO_POSE = (

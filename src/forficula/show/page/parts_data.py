@@ -7,7 +7,6 @@ from collections import Counter
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import measure
 from forficula.dynamics import Record
@@ -25,8 +24,6 @@ from forficula.show.page.packed_arrays import PackedArrays
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.show.page.time_spans import run_spans, span_data
 from forficula.structure import built_hinges
-
-Array = NDArray[np.float64]
 
 _BUDGET = 2_000_000  # bytes of the frames of a motion, of which the page keeps the angles only
 # bows of a slack strap, from straight to both ends in one place, and points along each

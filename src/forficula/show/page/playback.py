@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.analysis import Outcome, State
+from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
@@ -31,8 +31,6 @@ from forficula.show.structure.labels import (
     title_of,
 )
 from forficula.structure import Measure, Structure
-
-Array = NDArray[np.float64]
 
 # bytes of one clip; as text in the page they take a third more
 BUDGET = 2_500_000
@@ -166,7 +164,7 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
     )
 
 
-def _rest_lengths(record: Record, rows: NDArray[np.int64]) -> Array:
+def _rest_lengths(record: Record, rows: Indices) -> Array:
     """Lengths below which tendons are slack, m, (time, tendon), or (1, tendon) where none yields."""
     if (grown := record.series.get("tendon_rest_length")) is not None:
         return grown[rows]
@@ -183,7 +181,7 @@ def state_marks(structure: Structure, outcome: Outcome) -> tuple[Mark, ...]:
     )
 
 
-def blown_up(record: Record) -> NDArray[np.bool_]:
+def blown_up(record: Record) -> Flags:
     """Which rows of a diverged run mean nothing, (time,): from where a hinge has passed its stops by a full turn."""
     if record.diverged_at is None:
         return np.zeros(len(record.time), dtype=np.bool_)

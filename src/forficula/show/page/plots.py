@@ -7,15 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.quantities import reading_unit
 from forficula.show.page.packing import packed
 from forficula.show.page.playback import Clip, mark_readings
 from forficula.show.page.words import reading_text
 from forficula.show.structure.labels import parts_of
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.show.structure.fixed_rods import fixed_rods
 from forficula.show.structure.shape import DrawnLine, Shape, shape_of
 from forficula.structure import Structure, built_points
-
-Array = NDArray[np.float64]
 
 # by diameter of the thickest bar: radius of a crease's line, of a rim, of the edge of a plate, of a tendon, of a joint,
 # length of a dash
@@ -65,19 +63,19 @@ class ShapeMesh:
         base_radius: of these, m.
     """
 
-    anchors: NDArray[np.int64]
-    between: NDArray[np.int64]
+    anchors: Indices
+    between: Indices
     share: Array
-    triangles: NDArray[np.int64]
-    regions: NDArray[np.int64]
+    triangles: Indices
+    regions: Indices
     names: tuple[str, ...]
     solid: tuple[bool, ...]
     tubes: tuple[Tube, ...]
-    joints: NDArray[np.int64]
+    joints: Indices
     held: bool
     joint_radius: float
     built: Array
-    faces: NDArray[np.int64]
+    faces: Indices
     base: Array
     base_radius: float
 

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from forficula.analysis import Outcome, TransitionOutcome
 from forficula.analysis.confirmation import confirmation_text
 from forficula.analysis.verdict import ENDING_TEXTS
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.names import listed
 from forficula.quantities import reading_unit
@@ -17,8 +15,6 @@ from forficula.show.page.playback import Clip, Readings, blown_up
 from forficula.show.run.release import release_text
 from forficula.show.structure.labels import counted, measure_labels
 from forficula.structure import Structure, Transition, drive_of, drive_unit, hinge_groups
-
-Array = NDArray[np.float64]
 
 
 def outcome_sentence(name: str, outcome: Outcome) -> str:

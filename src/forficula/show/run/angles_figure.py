@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
+from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_value
@@ -54,8 +54,6 @@ from forficula.show.style import (
 )
 from forficula.statics.slow_margin import MORE
 from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
-
-Array = NDArray[np.float64]
 
 _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 _LEAST_SEEN = 0.05  # deg, to either side: less is rounding

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.run.stalled import stalled_stage
@@ -25,8 +25,6 @@ from forficula.show.style import (
     figure_style,
 )
 from forficula.structure import hinge_groups, springs_name
-
-Array = NDArray[np.float64]
 
 _SHORT = 12  # letters of a label, of which three fit beside one another in a column
 

@@ -11,9 +11,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
 from forficula.analysis import Outcome
+from forficula.arrays import Array, Flags
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, round_below, show_value
@@ -32,8 +32,6 @@ from forficula.show.style import (
     fit_legend,
     is_narrow,
 )
-
-Array = NDArray[np.float64]
 
 _LEGEND_ROW, _TITLE = 0.2, 0.42  # inch
 _BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
@@ -212,7 +210,7 @@ def _halfway(record: Record, end: StageEnd) -> list[float]:
     return [float(time[int(np.searchsorted(done, share * done[-1]))]) for share in (1 / 3, 2 / 3)]
 
 
-def _progress(record: Record, rows: NDArray[np.bool_]) -> Array:
+def _progress(record: Record, rows: Flags) -> Array:
     """How far the measured hinges and those of every motor have turned, by their furthest, summed, (row,)."""
     structure = record.structure
     measured = [measure.hinges for measure in shown_angles(structure)]

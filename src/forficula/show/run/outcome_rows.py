@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from forficula.analysis import Outcome, State, Verdict
 from forficula.analysis.confirmation import Confirmation, StateValues
+from forficula.arrays import Array
 from forficula.dynamics import EnergyBalance
 from forficula.names import listed
 from forficula.quantities import reading_unit, show_uncertain, show_value, uncertain_number
@@ -138,7 +139,7 @@ def _measured(
         unit, factor = reading_unit("m", max(float(state.readings[measure.name].mean[0]) for state in states.values()))
     digits = 1 if measure.kind == "angle" else 2
 
-    def told(values: StateValues) -> NDArray[np.float64]:
+    def told(values: StateValues) -> Array:
         # an angle of a role that no measure watches has no reading
         own = values[measure.name] if measure.name in values else read_angles(measure, values["goal.coordinates"])
         return condensed(structure, measure, own)
@@ -202,9 +203,7 @@ def _stored(
     return _Column(shown=StateColumn(title="energy", unit=unit), labels=labels, cells=cells), sums
 
 
-def _halves(
-    confirmation: Confirmation | None, state: State, numbers: Callable[[StateValues], ArrayLike]
-) -> NDArray[np.float64]:
+def _halves(confirmation: Confirmation | None, state: State, numbers: Callable[[StateValues], ArrayLike]) -> Array:
     """Return the numerical uncertainties of numbers of a state; zeros where no second run has them."""
     halves = None if confirmation is None else confirmation.of_state(state.name, numbers)
     return np.zeros(np.shape(numbers(state.values))) if halves is None else halves
@@ -327,7 +326,7 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
     return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
 
 
-def state_angles(state: State, measure: Measure) -> NDArray[np.float64]:
+def state_angles(state: State, measure: Measure) -> Array:
     """Mean readings of a measure of angles in a state, rad, (reading,)."""
     return read_angles(measure, state.coordinates)
 

@@ -5,17 +5,15 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from forficula.analysis.package import Package, open_package, smallest_package
+from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.painted_shape import View, hang, paint_shape
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
-
-Array = NDArray[np.float64]
 
 _ROOM = 1.15  # of a picture, by its larger side
 _BESIDE = 0.06  # of a picture's width: how far off a dimension stands

@@ -6,15 +6,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit, show_duration
 from forficula.show.run.stalled import still_time
 from forficula.show.style import fit_legend, is_narrow
-
-Array = NDArray[np.float64]
 
 # before and after a driven stage, as a share of it
 LEAD = 0.15

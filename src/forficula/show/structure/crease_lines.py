@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.pattern import CreasePattern
 from forficula.show.style import BLACK, BLUE, VERMILION
 
@@ -25,7 +25,7 @@ _LOWEST = 0.1  # height by width, or width by height, of what is drawn: what is 
 _MOST_LINES = 200  # of creases and edges, before they are drawn thinner
 
 
-def sheet_axes(places: NDArray[np.float64], span: float, unit: str, width: float) -> tuple[Figure, Axes]:
+def sheet_axes(places: Array, span: float, unit: str, width: float) -> tuple[Figure, Axes]:
     """A figure for a sheet seen from above, with room for a legend over it.
 
     Args:
@@ -56,7 +56,7 @@ def _stretched(stretch: float) -> str:
     return f"; {axis} is drawn {times:.2g} times as large" if times > 1 else ""
 
 
-def draw_creases(axes: Axes, pattern: CreasePattern, points: NDArray[np.float64]) -> list[Line2D]:
+def draw_creases(axes: Axes, pattern: CreasePattern, points: Array) -> list[Line2D]:
     """The edges of a pattern between its vertices as they are drawn, (vertex, 2); returns what they mean."""
     lw = 1.1 if len(pattern.edges_vertices) <= _MOST_LINES else 0.5
     for (start, end), assignment in zip(pattern.edges_vertices, pattern.edges_assignment, strict=True):

@@ -10,13 +10,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, PathPatch, Polygon
 from matplotlib.path import Path
-from numpy.typing import NDArray
 
 from forficula.make.cut_lines import CutSheet, Layer, layer_texts
 from forficula.quantities import round_below
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, PURPLE, VERMILION, describe, figure_style, fit_legend
-
-Array = NDArray[np.float64]
 
 _MILLIMETRES = 1e3
 _STYLES: dict[Layer, tuple[str, str]] = {

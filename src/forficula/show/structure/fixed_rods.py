@@ -5,11 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.structure import GROUND, Structure, built_frames, built_points
-
-Array = NDArray[np.float64]
 
 _SAME = 1e-6  # of the length of the whole: places no further apart are one
 _STUB = 0.04  # of that: a rod of a single place

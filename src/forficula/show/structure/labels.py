@@ -7,12 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.quantities import show_value
 from forficula.structure import Hinge, Measure, Structure, Tendon, measure_of
-
-Array = NDArray[np.float64]
 
 MOST_TOLD = 16  # hinges of a measure, each with a row of a table and a line of a plot of its own
 

@@ -11,15 +11,14 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb, to_rgba, to_rgba_array
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from forficula.arrays import Array
 from forficula.show.structure.raster import SAMPLES, Picture, rasterise
 from forficula.show.structure.shape import Shape
 from forficula.show.structure.surface import Surface
 from forficula.show.style import BLUE, PICTURE_RESOLUTION, VERMILION
 from forficula.structure import Structure, outer_ends
-
-Array = NDArray[np.float64]
 
 # of the regions of sheets and plates, in their order
 TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")

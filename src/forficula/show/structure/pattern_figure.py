@@ -6,16 +6,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.quantities import reading_unit, show_value
 from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.structure.labels import counted, label_of, measure_labels, parts_of, shown_angles
 from forficula.show.structure.painted_shape import BAR, structure_view
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
-
-Array = NDArray[np.float64]
 
 _MOST_NUMBERED, _NUMBERED = 20, 9  # hinges on their lines, and so many of more
 _TALL = 0.5  # height by the lesser of length and width

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from forficula.arrays import Array, Indices
+
 Picture = NDArray[np.uint8]
 
 SAMPLES = 2  # of a pixel, across and upwards

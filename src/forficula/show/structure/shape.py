@@ -10,8 +10,8 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.show.structure.polygon import is_convex, triangles_of
 from forficula.structure import (
     Membrane,
@@ -23,9 +23,6 @@ from forficula.structure import (
     held_corners,
     hinge_groups,
 )
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 # lengths by that of the whole: what lies on what, and the thickness of lines where there are no bars
 _TOLERANCE, _THICKNESS = 1e-7, 0.02

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.show.structure.shape import Shape, vertex_places
-
-Array = NDArray[np.float64]
 
 _FLAT = 1e-9  # of a triangle's squared size: what has no area has no strain
 
@@ -34,7 +32,7 @@ class Surface:
     """
 
     faces: Array
-    regions: NDArray[np.int64]
+    regions: Indices
     two_sided: bool
     bars: Array
     radii: Array

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.names import ordinal
 from forficula.show.run.time_axes import stacked_axes
 from forficula.show.study.convergence_table import order_text, time_labels
@@ -27,8 +27,6 @@ from forficula.structure import Measure, Structure, measure_stops, structure_of
 from forficula.study.convergence import Convergence
 from forficula.study.observed_order import OrderFit
 from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
-
-Array = NDArray[np.float64]
 
 _AXIS = {
     TIMESTEP: ("timestep (ms)", 1e3),

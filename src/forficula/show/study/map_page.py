@@ -17,8 +17,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.textpath import TextPath
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.map_text import maps_text
@@ -32,8 +32,6 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.study.outcome_kinds import whole_of
-
-Array = NDArray[np.float64]
 
 # beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
 _MOST_NUMBERS = 12
@@ -186,7 +184,7 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
     bar.outline.set_visible(False)
 
 
-def _missing(view: View, panel: Panel) -> dict[str, NDArray[np.bool_]]:
+def _missing(view: View, panel: Panel) -> dict[str, Flags]:
     """Where there is no value, by reason, in the panel's own order of dimensions."""
     absent = ~np.isfinite(panel.values.values.astype(float))
     words = panel.reasons.transpose(*panel.values.dims).values.astype(str)

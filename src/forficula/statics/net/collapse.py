@@ -7,16 +7,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.load import Load, crease_torques
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net
-
-Array = NDArray[np.float64]
 
 _BEYOND = 1e-3
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import bsr_array, csc_array
 
+from forficula.arrays import Array
 from forficula.statics.net.fold_angle import fold_angle_derivatives, fold_angles
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, Shape, Triangles
-
-Array = NDArray[np.float64]
 
 # energy, by side, by pair of sides
 Piece = tuple[float, Array, Array]

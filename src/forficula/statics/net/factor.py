@@ -7,11 +7,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csc_array, eye_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
-Array = NDArray[np.float64]
+from forficula.arrays import Array
 
 _DENSE = 100  # rows up to which all eigenvalues are worked out
 _NUDGE = 1e-13  # of the largest entry: what a matrix that is exactly singular is shifted by

@@ -6,13 +6,10 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import bsr_array, csc_array, csr_array, vstack
 
+from forficula.arrays import Array, Indices
 from forficula.statics.net.net import Net
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

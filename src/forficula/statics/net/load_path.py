@@ -7,16 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
 from forficula.statics.net.factor import Factor, factored, softest
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import supported
-
-Array = NDArray[np.float64]
 
 _CORRECTIONS = 12
 _QUICK = 4  # corrections after which the next increment may be longer

@@ -6,15 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.net.energy import Expansion, expand, shape_at
 from forficula.statics.net.factor import Factor, factored
 from forficula.statics.net.load import Load, check_load
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import supported
-
-Array = NDArray[np.float64]
 
 _MOST_STEPS = 2000
 _CORRECTIONS = 7

@@ -5,18 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigh
 from scipy.sparse import csc_array, eye_array, kron
 from scipy.sparse.linalg import LinearOperator, eigsh
 
+from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand
 from forficula.statics.net.factor import factored
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import rigid_motions
-
-Array = NDArray[np.float64]
 
 _DENSE = 200  # coordinates up to which all modes are worked out
 _SHIFT = 1e-6  # below 0, of the scale of the eigenvalues
@@ -35,7 +33,7 @@ class Modes:
 
     frequencies: Array
     shapes: Array
-    rigid: NDArray[np.bool_]
+    rigid: Flags
 
 
 def natural_modes(net: Net, shape: Shape, count: int = 10) -> Modes:
@@ -92,7 +90,7 @@ def _all_modes(curvature: csc_array, masses: csc_array) -> tuple[Array, Array]:
     return squares, follow @ vectors
 
 
-def _rigid(net: Net, shape: Shape, shapes: Array) -> NDArray[np.bool_]:
+def _rigid(net: Net, shape: Shape, shapes: Array) -> Flags:
     motions = rigid_motions(shape.positions).reshape(net.nodes.size, -1)
     flat = shapes.reshape(len(shapes), -1)
     left = flat - flat @ motions @ motions.T

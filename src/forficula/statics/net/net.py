@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array, diags_array
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import ElasticLaw
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 _NO_PAIRS = np.zeros((0, 2), dtype=np.int64)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array, eye_array
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
@@ -20,7 +21,6 @@ from forficula.statics.net.plate_nodes import joint_places, place_weights, plate
 from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
 from forficula.structure.facets import BEND
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 
@@ -73,7 +73,7 @@ def places(net: Net, shape: Shape) -> Array:
     return np.asarray(net.points @ shape.positions)
 
 
-def panels(structure: Structure) -> NDArray[np.int64]:
+def panels(structure: Structure) -> Indices:
     """Triangles of facets and of plates, points at their corners, (triangle, 3)."""
     fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]
     return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
@@ -144,7 +144,7 @@ class _Laid(NamedTuple):
     free: Flags
     masses: Array | csr_array
     points: csr_array
-    creases: NDArray[np.int64]
+    creases: Indices
     pairs: list[tuple[int, int]]
     stiff: tuple[list[float], list[float]]
 
@@ -211,11 +211,11 @@ def _nodes(structure: Structure) -> _Laid:
     return _Laid(nodes, free, masses, points, crease_flaps(structure), [], ([], []))
 
 
-def _pairs(pairs: list[tuple[int, int]]) -> NDArray[np.int64]:
+def _pairs(pairs: list[tuple[int, int]]) -> Indices:
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
 
-def _senses(structure: Structure) -> NDArray[np.int64]:
+def _senses(structure: Structure) -> Indices:
     return np.array([hinge.sense for hinge in structure.hinges], dtype=np.int64)
 
 

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array, Flags, Indices
 from forficula.statics.net.net import Net, Shape
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _TURNED = 1e-3  # rad beyond 180 deg
 _WITHIN = 1e-6  # share of a side or a panel by which it is pierced at least
@@ -44,7 +41,7 @@ def _joined(net: Net) -> Indices:
     return numbers
 
 
-def _pierced(corners: Array, triangles: Indices) -> NDArray[np.bool_]:
+def _pierced(corners: Array, triangles: Indices) -> Flags:
     """Whether sides of the first of two go through the second, of all pairs apart whose boxes meet, (pair, side).
 
     By Moller and Trumbore (1997, doi 10.1080/10867651.1997.10487468).

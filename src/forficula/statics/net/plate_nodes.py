@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.structure import Hinge, Structure, mass_of
 from forficula.structure.tree import built_frames
-
-Array = NDArray[np.float64]
 
 _STIFF = 1e6  # bars of plates and pins of joints, by the stiffest of all else
 _ENDS = tuple((one, other) for one in range(4) for other in range(one))

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigh
 from scipy.sparse import csr_array, eye_array, kron, vstack
 
+from forficula.arrays import Array, Indices
 from forficula.statics.net.energy import angle_slopes
 from forficula.statics.net.net import Flags, Net, Shape
 from forficula.statics.net.supports import rigid_motions
-
-Array = NDArray[np.float64]
 
 _NONE = 1e-6  # share of the largest singular value that counts as none
 
@@ -96,6 +94,6 @@ def rigidity(net: Net, shape: Shape, stiff: Flags) -> Rigidity:
     )
 
 
-def _rows(numbers: Array, columns: NDArray[np.int64], width: int) -> csr_array:
+def _rows(numbers: Array, columns: Indices, width: int) -> csr_array:
     count, each = numbers.shape
     return csr_array((numbers.ravel(), columns.ravel(), each * np.arange(count + 1)), shape=(count, width))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import lowest
@@ -15,8 +14,6 @@ from forficula.statics.net.minimum import Rest, minimum, stationary
 from forficula.statics.net.net import Net
 from forficula.statics.net.stable_states import same_shape
 from forficula.statics.net.supports import supported
-
-Array = NDArray[np.float64]
 
 _OFF = 1e-3  # push off the saddle, of the net's size
 _STEP = 0.02  # longest one downhill of it, of the net's size

@@ -7,15 +7,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
-
-Array = NDArray[np.float64]
 
 _MOST_SNAPS = 12
 _BEYOND = 1e-4  # of the factor: how far past a limit the load is when it lands

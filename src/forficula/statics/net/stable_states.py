@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from forficula.arrays import Array
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
 from forficula.statics.net.minimum import Rest, minimum
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.supports import loose_motions, supported
-
-Array = NDArray[np.float64]
 
 _SOFT = 12  # modes of which a push is made
 _PUSH = (0.05, 0.6)  # largest displacement, of the net's size

@@ -6,15 +6,13 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import null_space, qr
 
+from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.statics.net.energy import built_shape, load_slope
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net
-
-Array = NDArray[np.float64]
 
 _NONE = 1e-9  # share of the largest that counts as none
 
@@ -83,7 +81,7 @@ def _pinned(net: Net) -> tuple[Net, tuple[tuple[int, int], ...]]:
     return replace(net, free=free), tuple((int(node), int(axis)) for node, axis in pins)
 
 
-def _panel(net: Net) -> NDArray[np.int64]:
+def _panel(net: Net) -> Indices:
     """Nodes at the corners of a large panel beside the middle; none where there is no such thing."""
     if not len(net.creases.points):
         return np.zeros(0, dtype=np.int64)
