@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
-.PHONY: install demo test test-step browsers check format page docs docs-all docs-links validation walk clean
+.PHONY: install benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
 
 install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
 
@@ -35,6 +35,20 @@ format: $(INSTALLED)
 
 page:  ## build the script of the HTML pages, which is kept in the package; needs Node.js
 	cd web && npm ci && npm run build
+
+benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, which shows that all of them work
+	$(BIN)/python benchmarks/advice.py --designs 1 --family joint
+	$(BIN)/python benchmarks/confirmation.py --of binder2025-joint --designs 1
+	$(BIN)/python benchmarks/contact.py --units 1 --strips 1
+	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth
+	$(BIN)/python benchmarks/named_designs.py letter-fold
+	$(BIN)/python benchmarks/optimise.py --runs 4 --batch 4 --seeds 1 --only ways
+	$(BIN)/python benchmarks/screening.py --repetitions 1
+	$(BIN)/python benchmarks/search.py --points 1 --plain 1 --wings 2 --rounds 1
+	$(BIN)/python benchmarks/sheets.py --most 2
+	$(BIN)/python benchmarks/size.py --short
+	$(BIN)/python benchmarks/slow_ramps.py --fans 1
+	$(BIN)/python benchmarks/timestep.py --designs 1
 
 docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; it runs all that it shows
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d docs/_build/doctrees docs docs/_build/html

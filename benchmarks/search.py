@@ -30,11 +30,8 @@ from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
 _STUDY = "binder2025-search"
-_PLAIN_RUNS = 24
-_ROUNDS = 11  # in which others leave the cores to us
-_MOST_ROUNDS = 25
 _OTHERS = 0.04  # of the cores' time: what others may take of such a round
-_WINGS = 240
+_MOST_ROUNDS = 2.3  # rounds made at most, by the rounds wanted in which others leave the cores to us
 _BENCH_TIME = 0.6  # s, simulated by every wing in the comparison of paces
 
 
@@ -42,6 +39,9 @@ def main() -> None:
     """Measure and print a table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--points", type=int, help="only so many of the 60 tendons, evenly spaced")
+    parser.add_argument("--plain", type=int, default=24, help="runs of the plain loop")
+    parser.add_argument("--wings", type=int, default=240, help="wings of the comparison of paces")
+    parser.add_argument("--rounds", type=int, default=11, help="rounds of that comparison in which the cores are idle")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()
     study = _thinned(ff.load_study(_STUDY), arguments.points)
@@ -49,8 +49,8 @@ def main() -> None:
         "machine": {"cpu": _cpu(), "cores": os.cpu_count(), "python": platform.python_version(), **versions()},
         "load_before": os.getloadavg()[0],
         "search": measure_search(study),
-        "plain_loop": measure_plain_loop(study),
-        "pace": measure_pace(study),
+        "plain_loop": measure_plain_loop(study, arguments.plain),
+        "pace": measure_pace(study, arguments.wings, arguments.rounds),
         "load_after": os.getloadavg()[0],
     }
     _show(numbers)
@@ -81,13 +81,13 @@ def measure_search(study: Study) -> dict[str, float]:
     return {"points": len(study.points), "runs": runs, "steps": steps, "wall_s": wall, "cpu_s": cpu}
 
 
-def measure_plain_loop(study: Study) -> dict[str, float]:
+def measure_plain_loop(study: Study, runs: int) -> dict[str, float]:
     """The same search as one writes it with MuJoCo alone: every run compiled, every stage as long as it may take.
 
     Only a few runs, drawn with a fixed seed, are made; a step of the others is taken to cost the same.
     """
     designs = _grid_designs(study)
-    chosen = [designs[index] for index in np.random.default_rng(0).permutation(len(designs))[:_PLAIN_RUNS]]
+    chosen = [designs[index] for index in np.random.default_rng(0).permutation(len(designs))[:runs]]
     start, steps = _clocks(), 0
     for design in chosen:
         steps += _plain_run(design)
@@ -104,14 +104,14 @@ def measure_plain_loop(study: Study) -> dict[str, float]:
     }
 
 
-def measure_pace(study: Study) -> dict[str, Any]:
+def measure_pace(study: Study, count: int, wanted: int) -> dict[str, Any]:
     """Steps per second of `simulate(sparse=True)` and of bare `Batch.step`: the same wings, steps, and two threads.
 
     Every wing is driven by its fold torque for a fixed time, so that none ends early. Neither computes energies, which
     a sparse run does without. The two take turns, at going first too, for the machine's pace drifts; rounds count in
     which no other process took the cores.
     """
-    wings = _driven_wings(study)
+    wings = _driven_wings(study, count)
     engines = _without_energy(wings)
     steps = round(_BENCH_TIME / float(wings[0].design.protocol.timestep)) * len(wings)
     order: list[tuple[str, Callable[[], object]]] = [
@@ -120,7 +120,7 @@ def measure_pace(study: Study) -> dict[str, Any]:
     ]
     rounds: list[dict[str, tuple[float, float]]] = []
     quiet: list[dict[str, tuple[float, float]]] = []
-    while len(quiet) < _ROUNDS and len(rounds) < _MOST_ROUNDS:
+    while len(quiet) < wanted and len(rounds) < _MOST_ROUNDS * wanted:
         paces, others = {}, []
         for name, work in order:
             start, busy = _clocks(), _busy()
@@ -198,7 +198,7 @@ def _plain_run(design: Design) -> int:
         data.ctrl[:] = _controls(wing, stage)
         for _ in range(count):
             mujoco.mj_step(engine, data)
-            if folded_at is None and (wing.senses[folds] * data.qpos[folds] <= folded).all():
+            if folded_at is None and (wing.folds.senses[folds] * data.qpos[folds] <= folded).all():
                 folded_at = data.time
         steps += int(count)
     return steps
@@ -212,16 +212,16 @@ def _controls(wing: Model, stage: Stage) -> np.ndarray[Any, np.dtype[np.float64]
     """What drives a stage, (control,)."""
     torques = np.zeros(len(wing.in_units.motors))
     for name in stage_drives(stage):
-        torques += drive_of(wing.in_units, name).torques
+        torques += np.array(drive_of(wing.in_units, name).strengths)
     return torques[wing.motors]
 
 
-def _driven_wings(study: Study) -> list[Model]:
+def _driven_wings(study: Study, count: int) -> list[Model]:
     """Wings of the study's tendons, folded with its torques one after another, for a fixed time."""
     search = _search(study)
     stage = study.base.protocol.stages[1].model_copy(update={"until": "time", "hold": 0.0, "time_limit": _BENCH_TIME})
     wings = []
-    for index in range(_WINGS):
+    for index in range(count):
         design = with_values(study.base, dict(study.points[index % len(study.points)]))
         # torques that differ by less than matters, or alike wings would be run once
         values = search.first.values
