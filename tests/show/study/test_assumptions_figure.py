@@ -33,6 +33,12 @@ def test_a_dot_is_by_how_much_a_time_changes_and_a_triangle_says_that_it_fails()
     assert [mark[0] for mark in marks(work, 1)] == [">"]
 
 
+def test_a_run_without_a_reliable_result_has_a_cross():
+    unknown = replace(ASSUMED.runs[1], verdict=Verdict.UNDECIDED, effect=Effect.UNKNOWN)
+    for axes in draw_assumptions(replace(ASSUMED, runs=(ASSUMED.runs[0], unknown))).axes:
+        assert [mark[0] for mark in marks(axes, 1)] == ["x"]
+
+
 def test_a_change_of_the_verdict_has_a_colour_and_a_symbol_of_its_own():
     opens = replace(ASSUMED.runs[1], times={"close": 0.3})
     time, _ = draw_assumptions(replace(ASSUMED, runs=(ASSUMED.runs[0], opens))).axes

@@ -42,7 +42,8 @@ def draw_assumptions(found: Assumptions, width: float = PAGE_WIDTH) -> Figure:
     """Draw by how much every changed assumption changes the time and the work of each transition, in percent.
 
     Rows are the changed assumptions, panels the times and works. The band is the numerical uncertainty of the design's
-    own run. A transition that fails with the change has a triangle at the right edge instead of a dot.
+    own run. A transition that fails with the change has a triangle at the right edge instead of a dot, and one of a run
+    without a reliable result a cross.
 
     Args:
         found: what to draw.
@@ -97,16 +98,8 @@ def _draw_panel(axes: Axes, found: Assumptions, name: str, kind: str) -> None:
         value, (_, look) = _value(run, name, kind), _LOOKS[run.effect]
         # the work of a stage that missed its goal is that of another motion
         if value is None or run.times[name] is None:
-            if run.verdict.tells:
-                axes.plot(
-                    [0.98],
-                    [row],
-                    transform=axes.get_yaxis_transform(),
-                    ls="",
-                    color=VERMILION,
-                    **_MISSED,
-                    clip_on=False,
-                )
+            at_edge = {"color": VERMILION, **_MISSED} if run.verdict.tells else _LOOKS[Effect.UNKNOWN][1]
+            axes.plot([0.98], [row], transform=axes.get_yaxis_transform(), ls="", clip_on=False, **at_edge)
             continue
         changes.append(100 * (value - own) / abs(own))
         axes.plot([0, changes[-1]], [row, row], color=look.get("color", BLUE), lw=0.9)
