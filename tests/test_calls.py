@@ -6,6 +6,7 @@ import os
 from importlib import metadata
 
 import pytest
+import xarray
 
 import forficula as ff
 import forficula.analysis.json_schemas
@@ -115,7 +116,6 @@ def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     results = {
         "landscape": ff.landscape("binder2025-joint"),
         "assumptions": ff.assumptions(design, only=["timestep"]),
-        "parts": ff.make_parts("binder2025-joint"),
     }
     for name, result in results.items():
         ff.page(result, tmp_path / f"{name}.html")
@@ -124,8 +124,13 @@ def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     # the page of a folder is the one in it
     ff.page(tmp_path / "landscape", tmp_path / "again.html")
     assert (tmp_path / "again.html").read_bytes() == (tmp_path / "landscape" / "report.html").read_bytes()
-    with pytest.raises(ff.InputError, match="need results of forficula or their folder, got a dict"):
-        ff.page({}, tmp_path / "none.html")
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "parts.html").write_text("of parts")
+    ff.page(tmp_path / "parts", tmp_path / "again.html")
+    assert (tmp_path / "again.html").read_text("utf-8") == "of parts"
+    for other in ({}, xarray.Dataset({"a": ("x", [1.0])})):
+        with pytest.raises(ff.InputError, match="need results of forficula or their folder, got a "):
+            ff.page(other, tmp_path / "none.html")
 
 
 def test_a_study_is_built_without_a_file(design):

@@ -4,11 +4,13 @@ import mujoco
 import numpy as np
 import pytest
 
+from forficula.analysis import Verdict, measure
 from forficula.design import load_design
 from forficula.dynamics import Record, energy_balance
 from forficula.dynamics.friction import friction_torques
 from forficula.dynamics.model import compile_model
 from forficula.errors import InputError
+from forficula.show.run.stalled import needed_torque
 from forficula.statics import energy_landscape
 from forficula.structure.mass import inertia_about
 from forficula.study.runs import run
@@ -92,6 +94,16 @@ def test_a_wing_with_dry_friction_folds_later_and_its_balance_has_a_row_for_it()
     # samples miss a part of the path of hinges that swing
     assert 0.9 * 0.01 * path < balance.friction < 1.3 * 0.01 * path
     assert balance.residual < 0.002
+
+
+def test_no_torque_is_advised_that_leaves_the_friction_out():
+    held = {"hinge.friction": "3 N cm", "protocol.fold_torque": "7 N cm"}
+    record = run(load_design("binder2025-joint", held))
+    outcome = measure(record)
+    assert outcome.verdict is Verdict.STUCK
+    # without friction 8.5 N cm fold it slowly
+    assert not outcome.advice
+    assert needed_torque(record) is None
 
 
 def test_friction_is_no_less_than_none():

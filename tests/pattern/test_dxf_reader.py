@@ -205,6 +205,15 @@ def test_polylines_of_later_releases_keep_their_layer_and_close_in_a_file_of_rel
     assert sorted(pattern.edges_assignment) == sorted("BBBBBBM")
 
 
+@pytest.mark.parametrize("header", ["without a release", "none"])
+def test_polylines_of_later_releases_are_read_from_a_file_that_states_no_release(tmp_path, header):
+    path = dxf(tmp_path / "sheet.dxf", RIM, crease((62, 1)))
+    text = path.read_text().replace("  9\n$ACADVER\n  1\nAC1009\n", "")
+    path.write_text(text if header == "without a release" else text[text.index("  0\nSECTION\n  2\nTABLES") :])
+    pattern, _ = read_drawing(path, unit=1e-3)
+    assert sorted(pattern.edges_assignment) == sorted("BBBBBBM")
+
+
 def test_a_file_that_breaks_off_is_repaired_and_this_is_told(tmp_path, capfd):
     path = dxf(tmp_path / "sheet.dxf", OLD_RIM, crease((62, 1)))
     path.write_text(path.read_text().removesuffix("  0\nENDSEC\n  0\nEOF\n"))

@@ -196,14 +196,16 @@ def least_torque(design: Design, structure: Structure, transition: Transition) -
     """The least slowly growing torque that makes a transition, N m, by statics, up to ten times the protocol's.
 
     Returns:
-        nan where none does; None where it is not torques on a tree of hinges that make it.
+        nan where none does; None where it is not torques on a tree of hinges that make it, or hinges have dry friction.
     """
     return _least_torques([design], transition)[0] if _turned_slowly(structure, transition) else None
 
 
 def _turned_slowly(structure: Structure, transition: Transition) -> bool:
-    """Whether statics let torques on a tree of hinges grow slowly to make a transition."""
+    """Whether statics let torques on a tree of hinges grow slowly to make a transition; they ignore dry friction."""
     drive = drive_of(structure, transition.drive)
+    if any(hinge.friction for hinge in structure.hinges):
+        return False
     return not is_net(structure) and drive_unit(structure, drive) == "N m" and bool(drive.strength)
 
 

@@ -87,6 +87,7 @@ def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
             `forficula open` writes it.
         path: of the page; must end with .html.
         engine: whether the simulator is in the page of a run, with which a reader moves the structure; it takes 3.5 MB.
+            The page of a folder of other results is copied as it is.
 
     Raises:
         InputError: no result that has a page of its own, another ending, or it cannot be written.

@@ -51,6 +51,7 @@ _LINES = {"LINE", "LWPOLYLINE", "POLYLINE"}
 _CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX"}
 _BLOCK = "INSERT"
 _BY_LAYER, _BY_BLOCK = 256, 0
+_HEADER = b"0\nSECTION\n2\nHEADER\n"
 _COLOURS = {
     1: (1.0, 0.0, 0.0),
     2: (1.0, 1.0, 0.0),
@@ -149,6 +150,14 @@ def _with_markers(content: bytes) -> bytes:
     if b"LWPOLYLINE" not in content:
         return content
     content = _OLD_RELEASE.sub(rb"\g<1>AC1015", content, count=1)
+    if b"$ACADVER\n" not in content:
+        version = b"9\n$ACADVER\n1\nAC1015\n"
+        header = content.find(_HEADER)
+        if header >= 0:
+            start = header + len(_HEADER)
+            content = content[:start] + version + content[start:]
+        else:
+            content = _HEADER + version + b"0\nENDSEC\n" + content
     if b"AcDbPolyline" in content:
         return content
     return _LWPOLYLINE.sub(rb"\g<1>100\nAcDbEntity\n\g<2>100\nAcDbPolyline\n", content)

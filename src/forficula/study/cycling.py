@@ -161,7 +161,11 @@ def run_cycles(design: AnyDesign, last: int, progress: Progress | None = None) -
         verdict="",
         remarks=tuple(_remarks(structure, counts)),
     )
-    remarks = (*cycling.remarks, *_unsettled(cycling), *_beside_statics(cycling))
+    rough = any(hinge.friction for hinge in structure.hinges)
+    left_out = (
+        ("the least slow torques, and the margins over them, leave out the dry friction of hinges",) if rough else ()
+    )
+    remarks = (*cycling.remarks, *left_out, *_unsettled(cycling), *_beside_statics(cycling))
     return replace(cycling, verdict=_verdict(cycling), remarks=remarks)
 
 

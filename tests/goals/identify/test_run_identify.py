@@ -190,6 +190,9 @@ def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")
     kept = xarray.load_dataset(out / "identified.nc", engine="h5netcdf")
     assert together_sentences(kept) == told["sentences"]
+    # numbers of a file are those of numpy, and are written as the same JSON
+    ff.save(kept, tmp_path / "again")
+    assert (tmp_path / "again" / "identified.json").read_text("utf-8") == (out / "identified.json").read_text("utf-8")
     main(["figure", str(out), "--kind", "facts", "--out", str(tmp_path / "facts.svg")])
     assert "never closes" in (tmp_path / "facts.svg").read_text("utf-8")
 

@@ -80,7 +80,9 @@ def identification_json(result: Dataset) -> dict[str, Any]:
     """What came out as plain data: the facts, how often each and each pair is met, and what agrees."""
     told = result.attrs
     return {
-        **{name: told[name] for name in ("name", "design", "drawn", "placed", "could_not_run", "runs", "most_met")},
+        **{name: str(told[name]) for name in ("name", "design")},
+        # whole numbers of a file are those of numpy
+        **{name: int(told[name]) for name in ("drawn", "placed", "could_not_run", "runs", "most_met")},
         "facts": [_fact_json(result.isel(fact=number)) for number in range(result.sizes["fact"])],
         "pairs": [
             _pair_json(result.isel(fact=one, other_fact=other), float(result["met_alone"].values[other, one]))

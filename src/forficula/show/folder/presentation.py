@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 _PAGE = "report.html"
+_PAGES = (_PAGE, "parts.html")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -128,18 +129,18 @@ def write_page(result: object, path: Path, *, engine: bool = True) -> None:
     Args:
         result: of any kind, or the folder of one.
         path: of the page.
-        engine: whether the simulator is in the page of a run.
+        engine: whether the simulator is in the page of a run; the page of a folder of other results is copied as it is.
 
     Raises:
         InputError: it is no result of forficula or has no page, or the page cannot be written.
     """
     if isinstance(result, str | os.PathLike):
         folder = Path(result)
-        if (folder / "record.nc").is_file() or not (folder / _PAGE).is_file():
-            result = as_record(folder)
-        else:
-            write_bytes(path, (folder / _PAGE).read_bytes())
+        written = next((folder / name for name in _PAGES if (folder / name).is_file()), None)
+        if written is not None and (engine or not (folder / "record.nc").is_file()):
+            write_bytes(path, written.read_bytes())
             return
+        result = as_record(folder)
     kind = result_kind(result)
     found = presentation(kind)
     if found.page is not None:
@@ -173,10 +174,12 @@ def _class_name(result: object) -> str:
     name = type(result).__name__
     if name != "Dataset":
         return name
-    dims = getattr(result, "dims", ())
-    if "fact" not in dims:
-        return "StudyTable"
-    return "ToleranceTable" if "factor" in dims else "IdentificationTable"
+    dims, attributes = getattr(result, "dims", ()), getattr(result, "attrs", {})
+    if "fact" in dims and "most_met" in attributes:
+        return "IdentificationTable"
+    if "fact" in dims and "says" in attributes:
+        return "ToleranceTable"
+    return "StudyTable" if "transitions" in attributes else name
 
 
 def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) -> None:
