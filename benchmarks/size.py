@@ -127,7 +127,7 @@ def _importers(source: Path, modules: dict[str, Path], trees: dict[str, ast.Modu
 
 
 def _imported(tree: ast.Module, module: str, *, is_package: bool) -> Iterator[tuple[str, str, str]]:
-    """Yield what is imported: the module, the name in it or nothing, and the name that it gets."""
+    """Yield the imports: the module, the name in the module or nothing, and the local name."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from ((each.name, "", each.asname or each.name) for each in node.names)

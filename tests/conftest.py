@@ -47,7 +47,7 @@ settings.load_profile("repeatable" if os.environ.get("FORFICULA_REPEATABLE") els
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory):
-    """Compute a result once in a session, whichever worker needs it first; every worker gets a copy.
+    """Compute a result once in a session, in the worker that needs it first; every worker gets a copy.
 
     Results are pickled. Tests whose claim is that a result is reproducible compute the result themselves.
     """

@@ -135,7 +135,7 @@ def kinds_in(folder: Path) -> list[Kind]:
 
 
 def check_own_kind(folder: Path, own: str) -> None:
-    """Refuse a folder that holds results of another kind, of which pages, figures and tables would be replaced.
+    """Refuse a folder with results of another kind, whose pages, figures and tables would be replaced.
 
     Args:
         folder: where results will be written.

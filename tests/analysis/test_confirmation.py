@@ -114,7 +114,7 @@ def by_hand():
 def test_a_length_and_an_energy_of_a_state_differ_by_their_uncertainty_between_runs_by_hand(
     confirmed, by_hand, key, unit, attribute
 ):
-    """Twice the difference to half the timestep or the difference to the other start, whichever is larger."""
+    """Return the larger of twice the difference to half the timestep and the difference to the other start."""
     states = summary(confirmed, measure(confirmed), {})["states"]
     for name in ("folded", "opened"):
         own, half, other = (np.array(getattr(each.states[name], attribute)) for each in by_hand)

@@ -124,7 +124,7 @@ def _uncertain_state(outcome: Outcome, state: State) -> dict[str, Any]:
 
 
 def _readings(structure: Structure) -> list[_Quantity]:
-    """Return what is measured in a state."""
+    """Return the measured values of a state."""
     return [
         _Quantity(name=each.name, unit="deg" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
         for each in structure.measures

@@ -45,7 +45,7 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "point_position": (("point", "axis"), "m", "named points on bodies"),
     "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
 }
-# what is there only with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
+# variables of records with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
 # distances, Maxwell branches, tendons that yield or let go, and in air or water
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),

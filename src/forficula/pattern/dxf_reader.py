@@ -45,7 +45,7 @@ _METRES = {
 _INSERT_UNITS = re.compile(rb"^\$INSUNITS\n70\n(.*)$", re.MULTILINE)
 _HANDLES = re.compile(rb"^5\n([0-9A-F]+)$", re.MULTILINE)
 _OLD_RELEASE = re.compile(rb"^(\$ACADVER\n1\n)AC10(06|09)$", re.MULTILINE)
-# its type, what it shares with other entities, and the first code of its own
+# groups: the type of the entity, and the codes that all entities have; then comes a code of polylines only
 _LWPOLYLINE = re.compile(rb"^(0\nLWPOLYLINE\n)((?:(?!0\n).*\n.*\n)*?)(?=(?:10|38|39|43|70|90|210)\n)", re.MULTILINE)
 _LINES = {"LINE", "LWPOLYLINE", "POLYLINE"}
 _CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX"}

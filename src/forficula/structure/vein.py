@@ -110,7 +110,7 @@ def _off_the_bar(vein: Vein, number: int, offset: float, aside: float) -> Array:
     the sheet, towards the side on which offsets count.
     """
     bar, axis = vein.end(number), vein.axis(min(number, len(vein.axes) - 1))
-    # cross products with one row, or with the upright, of which numpy's function takes most of the time of a place
+    # cross products with one row, or with the upright, because numpy.cross would take most of the time
     overbend = vein.sense * (axis[0] * bar[1] - axis[1] * bar[0])
     x, y, _ = bar / np.linalg.norm(bar)
     return offset * math.copysign(1.0, overbend) * np.array([0.0, 0.0, 1.0]) + aside * np.array([0.0 - y, x, 0.0])

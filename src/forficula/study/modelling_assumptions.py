@@ -241,7 +241,7 @@ def _dry_friction(design: Design) -> Variant | str:
     torques = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"protocol\.\w+_torque", key)]
     smallest = min((value for value in torques if value), default=0.0)
     if not smallest:
-        return "the protocol has no torque of which the dry friction could be a share"
+        return "the protocol has no torque, and the dry friction is a share of the smallest torque"
     friction = float(f"{_FRICTION_SHARE * smallest:.2g}")
     label = f"dry friction of {show_quantity(friction, TORQUE)} in every hinge"
     return Variant(label=label, design=design.with_values({"hinge.friction": friction}))

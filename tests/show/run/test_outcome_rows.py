@@ -1,4 +1,4 @@
-"""Numbers of states with their uncertainty, and what is said beside an energy balance."""
+"""Numbers of states with their uncertainty, and labels of an energy balance."""
 
 import re
 from dataclasses import replace

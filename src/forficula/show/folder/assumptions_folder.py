@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_text
-from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.assumptions_figure import draw_assumptions
@@ -47,14 +46,9 @@ def assumptions_drawings(found: Assumptions) -> dict[str, Drawing]:
     return {"assumptions": lambda width: draw_assumptions(found, width)} if found.runs else {}
 
 
-def _cell(found: Assumptions) -> Iterator[str]:
-    yield from printed(assumptions_table(found))
-    yield first_figure(assumptions_drawings(found))
-
-
 PRESENTATION = Presentation(
     drawings=assumptions_drawings,
-    cell=_cell,
+    cell=lambda found: printed_with_figure(assumptions_table(found), assumptions_drawings(found)),
     read=lambda folder: assumptions_drawings(load_assumptions(folder / ASSUMPTIONS_FILE)),
     write=write_assumptions,
 )

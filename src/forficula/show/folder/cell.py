@@ -15,6 +15,7 @@ from forficula.show.style import PAGE_WIDTH, Drawing, description
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from xarray import Dataset
 
 _HEIGHT = 640  # pixels, of a page
 _DPI = 110
@@ -56,3 +57,16 @@ def printed(renderable: RenderableType) -> Iterator[str]:
         yield f"<p><strong>{escaped(found.heading)}</strong></p>"
     yield from found.tables
     yield from map(paragraph, found.sentences)
+
+
+def printed_with_figure(renderable: RenderableType, drawings: dict[str, Drawing]) -> Iterator[str]:
+    """Yield what the terminal shows of a result, and its first figure."""
+    yield from printed(renderable)
+    yield first_figure(drawings)
+
+
+def numbers(table: Dataset) -> str:
+    """Return the variables of a table as xarray shows them."""
+    import xarray
+
+    return xarray.Dataset._repr_html_(table)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,7 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
-from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
@@ -82,14 +81,9 @@ def _law(fit: OrderFit | None) -> dict[str, Any] | None:
     }
 
 
-def _cell(convergence: Convergence) -> Iterator[str]:
-    yield from printed(convergence_table(convergence))
-    yield first_figure(convergence_drawings(convergence))
-
-
 PRESENTATION = Presentation(
     drawings=convergence_drawings,
-    cell=_cell,
+    cell=lambda convergence: printed_with_figure(convergence_table(convergence), convergence_drawings(convergence)),
     read=lambda folder: convergence_drawings(load_convergence(folder / CONVERGENCE_FILE)),
     write=write_convergence,
 )

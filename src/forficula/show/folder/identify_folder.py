@@ -13,7 +13,7 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
-from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.cell import first_figure, numbers, printed
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.goals.identify_text import (
@@ -150,13 +150,11 @@ def _plain(value: object) -> object:
 
 
 def _cell(result: Dataset) -> Iterator[str]:
-    import xarray
-
     # a part of the table has no sentences
     if result.sizes.keys() >= {"sample", "fact", "other_fact"} and "most_met" in result.attrs:
         yield from printed(identification_text(result))
         yield first_figure(identify_drawings(result))
-    yield xarray.Dataset._repr_html_(result)
+    yield numbers(result)
 
 
 PRESENTATION = Presentation(

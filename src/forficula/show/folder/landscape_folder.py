@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -17,7 +16,7 @@ from forficula.dynamics import Record, versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.reproduction import shown_tendon
-from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.courses_figure import draw_courses
@@ -127,9 +126,9 @@ def _read(folder: Path) -> dict[str, Drawing]:
     return {kind: drawing(kind) for kind in kinds}
 
 
-def _cell(landscape: EnergyLandscape) -> Iterator[str]:
-    yield from printed(landscape_table(landscape))
-    yield first_figure(landscape_drawings(landscape))
-
-
-PRESENTATION = Presentation(drawings=landscape_drawings, cell=_cell, read=_read, write=write_landscape)
+PRESENTATION = Presentation(
+    drawings=landscape_drawings,
+    cell=lambda landscape: printed_with_figure(landscape_table(landscape), landscape_drawings(landscape)),
+    read=_read,
+    write=write_landscape,
+)

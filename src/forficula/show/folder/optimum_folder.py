@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.optimise.telling import told
 from forficula.goals.optimise.verification import Verification
-from forficula.show.folder.cell import first_figure, printed
+from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.goals.optimum_figures import draw_candidates, draw_front
 from forficula.show.goals.optimum_text import optimum_text
@@ -130,15 +130,15 @@ def _number(value: float) -> float | None:
     return None if math.isnan(value) else value
 
 
-def _cell(found: Optimum) -> Iterator[str]:
-    yield from printed(optimum_text(found))
-    yield first_figure(optimum_drawings(found))
-
-
 def _write(found: Optimum, folder: Path) -> None:
-    """Write an optimum, of which no runs are kept to be played."""
+    """Write an optimum without kept runs, so its page plays none."""
     write_optimum(found, folder)
     write_optimum_report(found, (), 0, folder)
 
 
-PRESENTATION = Presentation(drawings=optimum_drawings, cell=_cell, copied="a search are not drawn again", write=_write)
+PRESENTATION = Presentation(
+    drawings=optimum_drawings,
+    cell=lambda found: printed_with_figure(optimum_text(found), optimum_drawings(found)),
+    copied="a search are not drawn again",
+    write=_write,
+)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.reproduction import compare
 from forficula.reproduction.comparison import comparison_json, comparison_markdown
-from forficula.show.folder.cell import first_figure
+from forficula.show.folder.cell import first_figure, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.study_page import write_study_page
 from forficula.show.study.choices_figure import draw_choices
@@ -89,10 +89,8 @@ def _read(folder: Path) -> dict[str, Drawing]:
 
 
 def _cell(table: Dataset) -> Iterator[str]:
-    import xarray
-
     yield first_figure(study_drawings(table))
-    yield xarray.Dataset._repr_html_(table)
+    yield numbers(table)
 
 
 PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read)

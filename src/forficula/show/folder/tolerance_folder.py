@@ -22,7 +22,7 @@ from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_table
-from forficula.show.folder.cell import first_figure, heading
+from forficula.show.folder.cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
@@ -199,13 +199,11 @@ def _samples_csv(table: Dataset) -> str:
 
 
 def _cell(table: Dataset) -> Iterator[str]:
-    import xarray
-
     first, *others = str(table.attrs["says"]).splitlines()
     yield heading(f"{table.attrs['design']}: {first}")
     yield from map(paragraph, others)
     yield first_figure(tolerance_drawings(table))
-    yield xarray.Dataset._repr_html_(table)
+    yield numbers(table)
 
 
 PRESENTATION = Presentation(

@@ -210,7 +210,7 @@ def _halves(confirmation: Confirmation | None, state: State, numbers: Callable[[
 
 
 def _with_half(mean: float, half: float, digits: int) -> str:
-    """Write a mean to some decimal places, with what is behind ± where these show it."""
+    """Write a mean to some decimal places, with its uncertainty where these decimal places show it."""
     return f"{_number(mean, digits)} ± {half:.{digits}f}" if half > 0.5 * 10.0**-digits else _number(mean, digits)
 
 
