@@ -11,10 +11,10 @@ import scipy
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
-from forficula.make.regions import distance_to
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.cut_open import cut_open
+from forficula.pattern.geometry import is_inside, polygon_normal
 from forficula.pattern.rotation import rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
 
@@ -91,21 +91,9 @@ def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[
     for face, corners in enumerate(pattern.faces_vertices):
         points = pattern.vertices_coords[list(corners)] @ sheet.turns[face].T + sheet.shifts[face]
         flat = sheet.turns[face] @ place + sheet.shifts[face]
-        if abs(flat[2] - points[0, 2]) <= _ROUNDING * size and _is_in(points[:, :2], flat[:2], _ROUNDING * size):
+        if abs(flat[2] - points[0, 2]) <= _ROUNDING * size and is_inside(flat[:2], points[:, :2], _ROUNDING * size):
             return face, flat[:2]
     return None
-
-
-def _is_in(corners: Array, place: Array, beside: float) -> bool:
-    """Whether a place lies in a polygon, or beside it by no more than a distance."""
-    start, side = corners, np.roll(corners, -1, axis=0) - corners
-    if distance_to(np.stack([start, start + side], axis=1), place) <= beside:
-        return True
-    above = start[:, 1] > place[1]
-    crossing = above != np.roll(above, -1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x = start[:, 0] + (place[1] - start[:, 1]) * side[:, 0] / side[:, 1]
-    return bool(np.count_nonzero(crossing & (x > place[0])) % 2)
 
 
 def _identity(pattern: CreasePattern) -> tuple[Array, Array]:
@@ -177,8 +165,8 @@ def _normals(pattern: CreasePattern) -> Array:
     size, normals = float(np.ptp(pattern.vertices_coords, axis=0).max()), []
     for face, corners in enumerate(pattern.faces_vertices):
         points = pattern.vertices_coords[list(corners)]
-        across = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
-        normal = across / np.linalg.norm(across)
+        normal = polygon_normal(points)
+        normal /= np.linalg.norm(normal)
         bent = float(np.ptp(points @ normal))
         if not bent <= _ROUNDING * size:
             raise InputError(

@@ -13,6 +13,7 @@ from scipy.sparse.csgraph import connected_components
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import face_area, face_sides
+from forficula.pattern.geometry import is_inside
 from forficula.pattern.segments import crossings, points_on_segments
 
 Side = tuple[int, int]
@@ -222,17 +223,3 @@ def _check_islands(points: Array, edges: Indices, faces: Sequence[Sequence[int]]
                     f"faces_vertices[{number}]: need faces side by side, got vertex {vertex}, of a part that does not"
                     " hang together with the face, inside it"
                 )
-
-
-def is_inside(point: Array, corners: Array) -> bool:
-    """Tell whether a point lies inside a polygon (even-odd rule).
-
-    Args:
-        point: m, shape (2,).
-        corners: of the polygon, m, shape (C, 2).
-    """
-    after = np.roll(corners, -1, axis=0)
-    spans = (corners[:, 1] > point[1]) != (after[:, 1] > point[1])
-    low, high = corners[spans], after[spans]
-    where = low[:, 0] + (point[1] - low[:, 1]) / (high[:, 1] - low[:, 1]) * (high[:, 0] - low[:, 0])
-    return bool(np.count_nonzero(where > point[0]) % 2)

@@ -12,6 +12,8 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.geometry import polygon_normal
+from forficula.pattern.rotation import frame_along
 
 # shares of a facet's size: diagonals that differ by less are equal, so that turning a sheet does not change which one
 # is taken, and corners this near a line lie on it
@@ -108,15 +110,11 @@ def _refuse(facet: int) -> NoReturn:
 def _in_own_plane(points: Array, facet: int) -> list[complex]:
     """The corners of a facet in its own plane, counterclockwise, m."""
     away = points - points.mean(axis=0)
-    area = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)
+    area = polygon_normal(points)
     length = float(np.linalg.norm(area))
     if not length > _ALIKE * float(np.square(away).sum()):
         raise InputError(f"faces_vertices[{facet}]: need a face with an area, got {length / 2e-4:.3g} cm2")
-    normal = area / length
-    first = np.cross(np.eye(3)[int(np.argmin(np.abs(normal)))], normal)
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
-    return [complex(x, y) for x, y in zip((away @ first).tolist(), (away @ second).tolist(), strict=True)]
+    return [complex(x, y) for x, y, _ in (away @ frame_along(area / length)).tolist()]
 
 
 def _is_ear(ear: tuple[int, int, int], left: list[int], places: dict[int, complex], size: float) -> bool:
