@@ -1,8 +1,8 @@
 """Commands whose JSON is kept in this folder, each in a small case.
 
-`python -m tests.golden.cases` compares the JSON of today with the kept files, `--write` keeps it anew, `--exact` compares
-every bit of the numbers (they depend on the processor and on the versions of the libraries), and names of cases restrict
-it to these.
+`python -m tests.golden.cases` compares the JSON of today with the kept files. Names of cases restrict it to them,
+`--write` keeps the JSON of today, and `--exact` compares every bit of the numbers, which depend on the processor and on
+the versions of the libraries.
 """
 
 from __future__ import annotations
@@ -82,7 +82,9 @@ stages = [
 
 _FILES = {"cycled.toml": _CYCLED, "study.toml": _STUDY, "goal.toml": _GOAL, "observed.toml": _OBSERVED}
 
-# what a case needs beside the files above, and the command
+_SPECIMENS = [f"specimen-made-up-{number}.csv" for number in (1, 2, 3)]
+
+# arguments of the commands
 CASES: dict[str, tuple[str, ...]] = {
     "designs": ("designs",),
     "studies": ("studies",),
@@ -194,7 +196,7 @@ def _command() -> int:
     parser.add_argument("--write", action="store_true", help="keep the JSON of today")
     parser.add_argument("--exact", action="store_true", help="compare every bit of the numbers")
     asked = parser.parse_args()
-    tolerance = {"relative": 0.0, "absolute": 0.0} if asked.exact else {"relative": 1e-6, "absolute": 1e-9}
+    relative, absolute = (0.0, 0.0) if asked.exact else (1e-6, 1e-9)
     failed = 0
     for case in asked.cases or CASES:
         with tempfile.TemporaryDirectory() as folder:
@@ -203,7 +205,7 @@ def _command() -> int:
             text = json.dumps(today, indent=1, ensure_ascii=False)
             (KEPT / f"{case}.json").write_text(text + "\n", "utf-8")
             continue
-        different = list(differences(kept(case), today, **tolerance))
+        different = list(differences(kept(case), today, relative=relative, absolute=absolute))
         failed += bool(different)
         print(f"{case}: {'equal' if not different else f'{len(different)} differ'}", flush=True)
         for line in different[:10]:
