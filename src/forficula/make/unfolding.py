@@ -15,7 +15,7 @@ from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.cut_open import cut_open
 from forficula.pattern.geometry import is_inside, polygon_normal
-from forficula.pattern.rotation import rotation_to_z
+from forficula.pattern.rotation import rotation_about, rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
 
 # share of the sheet's size: by which facets may be bent, and ends of a crease apart, as of what files round
@@ -138,7 +138,7 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
     corners = flat[scipy.spatial.ConvexHull(flat).vertices]
     sides = np.roll(corners, -1, axis=0) - corners
     angles = -np.arctan2(sides[:, 1], sides[:, 0])
-    turned = [corners @ _turn(angle)[:2, :2].T for angle in angles]
+    turned = [corners @ rotation_about(_UPWARDS, angle)[:2, :2].T for angle in angles.tolist()]
     areas = np.array([np.prod(np.ptp(points, axis=0)) for points in turned])
     ways = [
         angle + quarter * math.pi / 2
@@ -146,13 +146,8 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
         for quarter in range(4)
     ]
     best = min(ways, key=lambda angle: (round(abs(math.remainder(angle - nearest, 2 * math.pi)), 6), angle))
-    return np.asarray(_turn(best) @ turns), np.asarray(shifts @ _turn(best).T)
-
-
-def _turn(angle: float) -> Array:
-    """A rotation about z, (3, 3)."""
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    turn = rotation_about(_UPWARDS, best)
+    return np.asarray(turn @ turns), np.asarray(shifts @ turn.T)
 
 
 def _axes(along: Array, normal: Array) -> Array:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
+from numpy.typing import ArrayLike
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
@@ -22,17 +23,18 @@ _TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at o
 _ON_EDGE = 1e-5  # rad off the direction of an edge; files of single precision are good to 1e-6 on most edges
 
 
-def parts_of(vertex_count: int, edges: Indices) -> Indices:
+def parts_of(count: int, edges: ArrayLike) -> Indices:
     """Number the parts that hang together by edges.
 
     Args:
-        vertex_count: N.
-        edges: shape (E, 2).
+        count: N, of vertices or other things.
+        edges: pairs of these, shape (E, 2).
 
     Returns:
         The part of every vertex, shape (N,).
     """
-    joined = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(vertex_count, vertex_count))
+    pairs = np.asarray(edges, dtype=np.int64).reshape(-1, 2)
+    joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     _, parts = connected_components(joined, directed=False)
     return np.asarray(parts, dtype=np.int64)
 
