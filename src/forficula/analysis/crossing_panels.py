@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record
+from forficula.serial import Key, Metres, Seconds
 from forficula.structure import Structure
 
 # rows of a stage that are looked at, and then beside the deepest
@@ -30,9 +32,9 @@ class PanelCrossing:
         time: s.
     """
 
-    depth: float
-    names: tuple[str, ...] = ()
-    time: float
+    depth: Metres
+    names: Annotated[tuple[str, ...], Key("panels")] = ()
+    time: Seconds
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -32,8 +32,7 @@ def write_run_files(
     """
     save_design(record.design, folder / _DESIGN)
     save_record(record if kept is None else kept, folder / _RECORD)
-    content = summary(record, outcome, versions()) | ({} if key is None else {"key": key})
-    write_text(folder / _SUMMARY, json.dumps(content, indent=2) + "\n")
+    write_text(folder / _SUMMARY, json.dumps(summary(record, outcome, versions(), key), indent=2) + "\n")
 
 
 def read_run(folder: Path) -> Record:

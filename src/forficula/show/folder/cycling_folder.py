@@ -9,12 +9,13 @@ from typing import Any
 
 from rich.console import Console
 
-from forficula.analysis.summary import drive_entry
+from forficula.analysis.summary import drive_strength
 from forficula.csv_text import csv_text
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
+from forficula.serial import plain
 from forficula.show.folder.cell import first_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.cycling_section import cycling_section
@@ -90,7 +91,6 @@ def cycling_csv(cycling: Cycling) -> str:
 def cycling_summary(cycling: Cycling) -> dict[str, Any]:
     """All of it as plain data with units in its keys."""
     structure = structure_of(cycling.design)
-    drives = {drive.name: drive_entry(structure, drive) for drive in structure.drives}
     return {
         "design": cycling.design.name,
         "design_hash": cycling.design.hash,
@@ -98,7 +98,13 @@ def cycling_summary(cycling: Cycling) -> dict[str, Any]:
         "remarks": list(cycling.remarks),
         "seen_cycles": None if cycling.seen is None else list(cycling.seen),
         "first_failure": cycling.first_failure,
-        **{f"{name}_{key}": value for name, (key, value) in drives.items()},
+        **plain(
+            {
+                f"{drive.name}_{kind}": strength
+                for drive in structure.drives
+                for kind, strength in drive_strength(structure, drive).items()
+            }
+        ),
         "cycles": cycling_rows(cycling),
         "versions": versions(),
     }
