@@ -6,6 +6,7 @@ A field has its unit once, as in `time: Annotated[float, Unit("s")]`. In JSON th
 
 from __future__ import annotations
 
+import json
 import math
 import re
 import types
@@ -48,6 +49,7 @@ class Written(Enum):
     """
 
     ALWAYS = "always"  # a property that is written like a field
+    FIRST = "first"  # a property that is written before the fields
     NEVER = "never"
     IF_KNOWN = "if known"  # without its key where it is None
     BESIDE = "beside"  # the entries of a mapping or a data class stand beside the keys of the whole, which come first
@@ -122,6 +124,11 @@ def plain(value: Any, unit: str = "") -> Any:
     if hasattr(value, "tolist"):  # of NumPy
         return plain(value.tolist(), unit)
     return [plain(each, unit) for each in value]
+
+
+def json_text(value: Any) -> str:
+    """Return the text of a JSON file with a value as `plain` returns it."""
+    return json.dumps(plain(value), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _plain_fields(value: Any) -> dict[str, Any]:
@@ -242,7 +249,8 @@ def _entries(shape: type) -> tuple[_Entry, ...]:
             if isinstance(member, property | cached_property):
                 hint = _returned(member.fget if isinstance(member, property) else member.func)
                 every.append((name, hint, False))
-    return tuple(entry for name, hint, is_field in every if (entry := _entry(name, hint, is_field)) is not None)
+    entries = [entry for each in every if (entry := _entry(*each)) is not None]
+    return tuple(sorted(entries, key=lambda entry: Written.FIRST not in entry.how))
 
 
 def _entry(name: str, hint: Any, is_field: bool) -> _Entry | None:

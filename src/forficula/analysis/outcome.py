@@ -180,7 +180,7 @@ class StageOutcome:
     waited: Annotated[Seconds | None, Written.IF_KNOWN] = None
 
     @property
-    def driven_by(self) -> Annotated[str | tuple[str, ...], Key("drive")]:
+    def driven_by(self) -> Annotated[str | tuple[str, ...], Key("drive"), Written.FIRST]:
         """Return the name of the drive, or "none", or the names of several drives."""
         return ("none" if not self.drive else self.drive[0]) if len(self.drive) < 2 else self.drive
 

@@ -94,7 +94,7 @@ class EnergyBalance:
         return sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
 
     @property
-    def residual(self) -> Annotated[float, Written.ALWAYS]:
+    def residual(self) -> Annotated[float, Written.FIRST]:
         """What is missing, as a share of the energy that was exchanged, or of a slight part of what is stored."""
         scale = max(self.exchanged, _ROUNDING * self.at_hand, _SLIGHT * self.stored)
         return abs(self.missing) / scale if scale else 0.0
