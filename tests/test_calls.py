@@ -9,8 +9,8 @@ import pytest
 import xarray
 
 import forficula as ff
-import forficula.analysis.json_schemas
 import forficula.calls
+import forficula.results
 from forficula.design import with_values
 from tests.letters import QUICK
 
@@ -31,7 +31,7 @@ def test_every_example_is_true(tmp_path, monkeypatch, record):
     known = {"ff": ff, "design": ff.load_design("letter-fold", QUICK), "record": record}
     parts = ("goals", "patterns", "runs", "shown", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
-    modules = (*calls, forficula.analysis.json_schemas)
+    modules = (*calls, forficula.results)
     examples = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
     told = [each for each in examples if each.examples]
     runner = doctest.DocTestRunner()

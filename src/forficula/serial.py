@@ -79,6 +79,7 @@ class _Entry:
         unit: of its numbers; empty without one.
         how: further rules.
         hint: type.
+        meaning: of the docstring; empty where it has none.
     """
 
     name: str
@@ -86,6 +87,7 @@ class _Entry:
     unit: str
     how: frozenset[Written]
     hint: Any
+    meaning: str
 
 
 def key_with_unit(name: str, unit: str) -> str:
@@ -94,8 +96,17 @@ def key_with_unit(name: str, unit: str) -> str:
     >>> key_with_unit("stiffness", "N/m"), key_with_unit("angle", "rad"), key_with_unit("rate", "1/s")
     ('stiffness_N_per_m', 'angle_deg', 'rate_per_s')
     """
-    suffix = "deg" if unit == "rad" else unit.removeprefix("1").replace("/", "_per_").replace("^", "").replace(" ", "_")
-    return "_".join(filter(None, (name, suffix.lstrip("_"))))
+    return name + unit_suffix("deg" if unit == "rad" else unit)
+
+
+def unit_suffix(unit: str) -> str:
+    """Return the end of a key whose values are in a unit; empty without a unit.
+
+    >>> unit_suffix("kg/m^3"), unit_suffix("1/s")
+    ('_kg_per_m3', '_per_s')
+    """
+    words = unit.removeprefix("1").replace("/", "_per_").replace("^", "").replace(" ", "_").strip("_")
+    return f"_{words}" if words else ""
 
 
 def plain(value: Any, unit: str = "") -> Any:
@@ -199,27 +210,26 @@ def _reference(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
 
 def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
     """Return the schema of a data class, whose descriptions are those of its docstring."""
-    document = shape.__doc__ or ""
-    meanings = {name: " ".join(text.split()) for name, text in _ATTRIBUTE.findall(document)}
     properties: dict[str, Any] = {}
     required: list[str] = []
     others: list[Any] = []
     for entry in _entries(shape):
-        known = [each for each in _alternatives(entry.hint) if each is not type(None)]
+        alternatives = _alternatives(entry.hint)
+        known = [each for each in alternatives if each is not type(None)]
         if Written.BESIDE not in entry.how:
             schema = _schema(entry.hint, parts)
             schema = _any_of([schema, {"type": "null"}]) if Written.OR_NULL in entry.how else schema
-            properties[entry.key] = ({"description": meanings[entry.name]} if entry.name in meanings else {}) | schema
+            properties[entry.key] = {"description": entry.meaning, **schema} if entry.meaning else schema
             required += [entry.key] if Written.IF_KNOWN not in entry.how else []
         elif is_dataclass(known[0]):
             added = _object(known[0], parts)
             properties |= added["properties"]
-            required += added["required"] if entry.hint is known[0] else []
+            required += added["required"] if len(alternatives) == 1 else []
         else:
             others.append(get_args(known[0])[1])
     return {
         "type": "object",
-        "description": document.split("\n\n")[0],
+        "description": (shape.__doc__ or "").split("\n\n")[0],
         "properties": properties,
         "required": required,
         "additionalProperties": _any_of([_schema(each, parts) for each in others]) if others else False,
@@ -229,6 +239,8 @@ def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
 def _any_of(schemas: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """Return the schema of values that one of some schemas allows."""
     different = [schema for number, schema in enumerate(schemas) if schema not in schemas[:number]]
+    if _NUMBER in different:
+        different = [schema for schema in different if schema != {"type": "null"}]
     return different[0] if len(different) == 1 else {"anyOf": different}
 
 
@@ -243,17 +255,18 @@ def _alternatives(hint: Any) -> tuple[Any, ...]:
 def _entries(shape: type) -> tuple[_Entry, ...]:
     """Return what JSON has of a data class: its fields in their order, then its properties."""
     hints = get_type_hints(shape, include_extras=True)
-    every = [(each.name, hints[each.name], True) for each in fields(shape)]
+    meanings = {name: " ".join(text.split()) for name, text in _ATTRIBUTE.findall(shape.__doc__ or "")}
+    every = [(each.name, hints[each.name], True, meanings.get(each.name, "")) for each in fields(shape)]
     for base in reversed(shape.__mro__):
         for name, member in vars(base).items():
             if isinstance(member, property | cached_property):
-                hint = _returned(member.fget if isinstance(member, property) else member.func)
-                every.append((name, hint, False))
+                function = member.fget if isinstance(member, property) else member.func
+                every.append((name, _returned(function), False, (function.__doc__ or "").split("\n")[0]))
     entries = [entry for each in every if (entry := _entry(*each)) is not None]
     return tuple(sorted(entries, key=lambda entry: Written.FIRST not in entry.how))
 
 
-def _entry(name: str, hint: Any, is_field: bool) -> _Entry | None:
+def _entry(name: str, hint: Any, is_field: bool, meaning: str) -> _Entry | None:
     """Return how JSON has a field or a property; None where it does not."""
     notes = list(_notes(hint))
     how = frozenset(note for note in notes if isinstance(note, Written))
@@ -261,7 +274,7 @@ def _entry(name: str, hint: Any, is_field: bool) -> _Entry | None:
         return None
     unit = next((note.si for note in notes if isinstance(note, Unit)), "")
     key = next((note.name for note in notes if isinstance(note, Key)), name)
-    return _Entry(name=name, key=key_with_unit(key, unit), unit=unit, how=how, hint=hint)
+    return _Entry(name=name, key=key_with_unit(key, unit), unit=unit, how=how, hint=hint, meaning=meaning)
 
 
 def _returned(function: Callable[..., Any] | None) -> Any:

@@ -22,6 +22,7 @@ from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
 from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.serial import unit_suffix
 from forficula.show.folder.cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
@@ -31,7 +32,6 @@ from forficula.show.page.rich_html import laid_out
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
 from forficula.study.kept_runs import KeptRun
-from forficula.study.table import unit_suffix
 
 if TYPE_CHECKING:
     from xarray import Dataset
