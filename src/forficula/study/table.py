@@ -89,7 +89,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         **_confirmations(rows),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
-    return StudyTable(variables, coordinates, attributes)
+    table = StudyTable(variables, coordinates, attributes)
+    table.study = study
+    return table
 
 
 def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:

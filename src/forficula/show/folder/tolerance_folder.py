@@ -21,7 +21,7 @@ from forficula.goals.tolerance.indices import Values
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
-from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.goals.tolerance.tolerance_table import tolerance_of_table, tolerance_table
 from forficula.serial import unit_suffix
 from forficula.show.folder.cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
@@ -206,8 +206,16 @@ def _cell(table: Dataset) -> Iterator[str]:
     yield numbers(table)
 
 
+def _write(table: Dataset, folder: Path) -> None:
+    """Write a tolerance without kept runs, so its page plays none."""
+    found = tolerance_of_table(table)
+    write_tolerance(found, folder)
+    write_tolerance_report(found, (), 0, folder)
+
+
 PRESENTATION = Presentation(
     drawings=tolerance_drawings,
     cell=_cell,
     read=lambda folder: tolerance_drawings(read_dataset(folder / TOLERANCE_TABLE)),
+    write=_write,
 )
