@@ -147,7 +147,7 @@ def test_a_table_is_saved_with_the_files_that_its_command_writes(tmp_path, desig
     assert {"design.toml", "tolerance.json", "tolerance.nc", "table.csv", "report.html"} == {
         path.name for path in (tmp_path / "there").iterdir()
     }
-    with pytest.raises(ff.InputError, match="need a folder of its own, got .*, which holds a tolerance"):
+    with pytest.raises(ff.InputError, match=r"need a folder of its own, got .*, which holds a tolerance"):
         ff.save(table, tmp_path / "there")
     # what belongs to a part of a table is not known
     for part in (table.isel(tendon_left_stiffness=[0]), xarray.load_dataset(tmp_path / "study" / "table.nc")):

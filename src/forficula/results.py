@@ -96,6 +96,7 @@ KINDS: tuple[Kind, ...] = (
         classes=("Characterisation",),
         data="material.json",
         json="material",
+        shape="forficula.material.characterisation:Characterisation",
         marker="material.json",
         named_by="material",
     ),

@@ -33,6 +33,7 @@ Newtons = Annotated[float, Unit("N")]
 NewtonMetres = Annotated[float, Unit("N m")]
 NewtonsPerMetre = Annotated[float, Unit("N/m")]
 Pascals = Annotated[float, Unit("Pa")]
+JoulesPerCubicMetre = Annotated[float, Unit("J/m^3")]
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,7 @@ KEPT = {
     "summary": ("run-of-a-joint", "run-of-a-sheet"),
     "landscape": ("landscape-of-a-joint", "landscape-of-a-net", "landscape-of-a-sheet", "landscape-with-a-run"),
     "assumptions": ("assumptions",),
+    "material": ("material",),
 }
 
 
