@@ -46,6 +46,10 @@ KEPT = {
     "landscape": ("landscape-of-a-joint", "landscape-of-a-net", "landscape-of-a-sheet", "landscape-with-a-run"),
     "assumptions": ("assumptions",),
     "material": ("material",),
+    "cycles": ("cycles",),
+    "convergence": ("convergence",),
+    "optimum": ("optimum",),
+    "tolerance": ("tolerance",),
 }
 
 
