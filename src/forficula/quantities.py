@@ -6,7 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -68,19 +68,23 @@ _USUAL = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Unit:
     """How one kind of quantity is written.
 
     Attributes:
-        display: the unit that people use for it, such as "N/cm".
         si: the coherent SI unit, such as "N/m"; its factor is exactly 1.
-        example: a right value, quoted in errors.
+        display: the unit that people use for it, such as "N/cm"; the SI unit if not given.
+        example: a right value, quoted in errors; needed only for what is read.
     """
 
-    display: str
     si: str
-    example: str
+    display: str = field(default="", kw_only=True)
+    example: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not self.display:
+            object.__setattr__(self, "display", self.si)
 
 
 def parse_quantity(text: object, unit: Unit) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from typing import Annotated
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record
 from forficula.pattern.geometry import triangle_normals
+from forficula.serial import Key, Metres, Seconds
 from forficula.structure import Structure
 
 # rows of a stage that are looked at, and then beside the deepest
@@ -31,9 +33,9 @@ class PanelCrossing:
         time: s.
     """
 
-    depth: float
-    names: tuple[str, ...] = ()
-    time: float
+    depth: Metres
+    names: Annotated[tuple[str, ...], Key("panels")] = ()
+    time: Seconds
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -8,16 +8,17 @@ what turns about the hinge that it lies across.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from forficula.analysis.scales import Scale, scale_of
 from forficula.names import listed
 from forficula.pattern.geometry import polygon_normal, triangle_areas
+from forficula.serial import Key, Written
 from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
 # m/s^2, for what a run without gravity leaves out
@@ -57,8 +58,18 @@ class Groups:
         every: in the order of tables.
     """
 
-    scale: Scale
-    every: tuple[Group, ...]
+    scale: Annotated[Scale, Key("measured_by")]
+    every: Annotated[tuple[Group, ...], Written.NEVER]
+
+    @property
+    def values(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
+        """Return the values by the names of the groups."""
+        return {group.name: group.value for group in self.every}
+
+    @property
+    def in_words(self) -> Annotated[str, Written.ALWAYS]:
+        """Return what dominates."""
+        return dominance(self)
 
 
 def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") -> Groups | None:
