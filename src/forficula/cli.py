@@ -17,6 +17,7 @@ from typing import Annotated, Any
 from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, UnusedCliTokensError
 
 from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.memory_limit import check_room_for_libraries
 from forficula.names import listed
@@ -48,7 +49,6 @@ _COMMANDS = (
     runs.figure,
     runs.film,
     materials.materials,
-    designs.new,
     designs.scale,
     designs.designs,
     studies.studies,
@@ -95,6 +95,7 @@ def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | No
 for each in _COMMANDS:
     # a function that is called as its command would hide a name that Python has
     app.command(_offering_json(each) if each in _WITH_DATA else each, name=each.__name__.removesuffix("_design"))
+app.command(new)
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )

@@ -5,9 +5,9 @@ import pytest
 from forficula.design.kinds import KINDS
 from forficula.errors import InputError
 from forficula.goals import load_goal
+from forficula.goals.goal_file import write_new_goal
 from forficula.goals.identify import load_observations
-from forficula.goals.identify.new_observations import write_new_observations
-from forficula.goals.new_goal import write_new_goal
+from forficula.goals.identify.observations_file import write_new_observations
 
 
 @pytest.mark.parametrize("kind", KINDS)
