@@ -8,12 +8,13 @@ import pytest
 import forficula as ff
 from forficula.design.key_table import key_facts
 from forficula.design.kinds import KINDS
-from forficula.study.study_file import StudyFile, named_studies, write_new_study
+from forficula.study.new_file import write_new_file
+from forficula.study.study_file import STUDY, StudyFile, named_studies
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_new_study_of_every_kind_is_read_and_varies_one_value(tmp_path, kind):
-    write_new_study(path := tmp_path / "new.toml", kind)
+    write_new_file(path := tmp_path / "new.toml", STUDY, kind)
     study = ff.load_study(path)
     assert len(study.points) == 3
     assert study.search is None
@@ -28,7 +29,7 @@ def test_a_new_study_of_every_kind_is_read_and_varies_one_value(tmp_path, kind):
     ],
 )
 def test_what_a_new_study_has_behind_a_hash_can_be_taken(tmp_path, taken):
-    write_new_study(path := tmp_path / "new.toml")
+    write_new_file(path := tmp_path / "new.toml", STUDY)
     text = path.read_text("utf-8")
     for start in taken:
         if '"tendon.stiffness"' in start:
@@ -41,11 +42,11 @@ def test_what_a_new_study_has_behind_a_hash_can_be_taken(tmp_path, taken):
 
 
 def test_a_new_study_is_not_written_over_a_file(tmp_path):
-    write_new_study(path := tmp_path / "new.toml")
+    write_new_file(path := tmp_path / "new.toml", STUDY)
     with pytest.raises(ff.InputError, match="exists already"):
-        write_new_study(path)
+        write_new_file(path, STUDY)
     with pytest.raises(ff.InputError, match=r'need "earwig-fan", .* got "wing"'):
-        write_new_study(tmp_path / "other.toml", "wing")
+        write_new_file(tmp_path / "other.toml", STUDY, "wing")
 
 
 @pytest.mark.parametrize("name", named_studies())

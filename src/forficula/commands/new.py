@@ -37,27 +37,30 @@ def write_design(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
 @new.command(name="study")
 def write_study(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
     """Write a study file: many runs of a design."""
-    from forficula.study.study_file import write_new_study
+    from forficula.study.new_file import write_new_file
+    from forficula.study.study_file import STUDY
 
-    write_new_study(file, kind)
+    write_new_file(file, STUDY, kind)
     print(f"written to {file}; run it with: forficula study {file}")
 
 
 @new.command(name="goal")
 def write_goal(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
     """Write a goal file: what a structure must do, what may vary, and its tolerances."""
-    from forficula.goals.goal_file import write_new_goal
+    from forficula.goals.goal_file import GOAL
+    from forficula.study.new_file import write_new_file
 
-    write_new_goal(file, kind)
+    write_new_file(file, GOAL, kind)
     print(f"written to {file}; find the design with: forficula optimise {file}")
 
 
 @new.command(name="observations")
 def write_observations(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
     """Write an observations file: unknown values of a design, and what was observed."""
-    from forficula.goals.identify.observations_file import write_new_observations
+    from forficula.goals.identify.observations_file import OBSERVATIONS
+    from forficula.study.new_file import write_new_file
 
-    write_new_observations(file, kind)
+    write_new_file(file, OBSERVATIONS, kind)
     print(f"written to {file}; find what is unknown with: forficula identify {file}")
 
 

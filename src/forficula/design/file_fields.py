@@ -15,19 +15,23 @@ from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import as_written
 
+# a text in an annotation says what a value may be
 Whole = Annotated[int, Field(strict=True)]
 YesOrNo = Annotated[bool, Field(strict=True)]
+DesignValue = Annotated[Any, "as in a design"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class ByKey:
     """How a table by keys of a design is read: keys of nested tables become dotted keys.
 
     Attributes:
+        allowed: what its values may be.
         entry: what a table under a key may have that is a value itself; None where no table is one.
         placeholder: what stands for the keys in tables of keys.
     """
 
+    allowed: str
     entry: type[Part] | None = None
     placeholder: str = "KEY"
 
@@ -60,41 +64,31 @@ def by_key(field: FieldInfo) -> ByKey | None:
 
 def entry(
     description: str,
+    default: Any = None,
     *,
-    default: Any = ...,
-    allowed: str = "",
     left_out: str = "",
     examples: tuple[str, ...] = (),
     at_least: int | None = None,
-    at_most: int | None = None,
 ) -> Any:
-    """A field of a file, required without a default.
+    """A field of a file; one whose default is ... is required.
 
     Args:
         description: what its value means.
         default: its value where it is left out.
-        allowed: what it may be, where its annotation does not say so.
         left_out: what counts where it is left out, where its default does not say so; "needed" where something must be
             given that is checked later.
         examples: lines of a file with it, in which `$name` stands for a text of the design that the file is about.
         at_least: least value of a whole number.
-        at_most: largest value of a whole number.
     """
-    words = {"allowed": allowed, "left_out": left_out}
     return Field(
-        default,
-        description=description,
-        examples=list(examples),
-        ge=at_least,
-        le=at_most,
-        json_schema_extra={name: text for name, text in words.items() if text},
+        default, description=description, examples=list(examples), ge=at_least, json_schema_extra={"left out": left_out}
     )
 
 
-def word_of(field: FieldInfo, name: str) -> str:
-    """Return what `entry` was given as `allowed` or `left_out`; "" where that is nothing."""
+def left_out(field: FieldInfo) -> str:
+    """Return what `entry` was given as `left_out`; "" of any other field."""
     words = field.json_schema_extra
-    return str(words.get(name, "")) if isinstance(words, dict) else ""
+    return str(words.get("left out", "")) if isinstance(words, dict) else ""
 
 
 def _named_design(value: object) -> object:
@@ -105,18 +99,7 @@ def _named_design(value: object) -> object:
 
 # fields that several kinds of files have
 FolderName = Annotated[str, BeforeValidator(folder_name)]
-DesignName = Annotated[Any, BeforeValidator(_named_design)]
-Settings = Annotated[dict[str, Any], BeforeValidator(ByKey())]
-DESIGN = entry(
-    "a named design, or the path of a design file",
-    default=None,
-    allowed="text",
-    left_out="needed",
-    examples=('design = "$design"',),
-)
-SETTINGS = entry(
-    "replaces the value of this key of the design",
-    default={},
-    allowed="as in a design",
-    examples=('protocol.timestep = "0.1 ms"',),
-)
+DesignName = Annotated[Any, "text", BeforeValidator(_named_design)]
+Settings = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed="as in a design"))]
+DESIGN = entry("a named design, or the path of a design file", left_out="needed", examples=('design = "$design"',))
+SETTINGS = entry("replaces the value of this key of the design", {}, examples=('protocol.timestep = "0.1 ms"',))

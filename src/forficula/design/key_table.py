@@ -11,7 +11,7 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic.fields import FieldInfo
 
 from forficula.design.fan import FanDesign
-from forficula.design.file_fields import word_of
+from forficula.design.file_fields import by_key, left_out
 from forficula.design.keys import fields_of, hint, holds_parts
 from forficula.design.part import Part, Quantity, field_quantity, is_list
 from forficula.errors import InputError
@@ -66,13 +66,17 @@ def field_fact(key: str, field: FieldInfo) -> KeyFact:
     return KeyFact(
         key=key,
         meaning=field.description or "",
-        allowed=word_of(field, "allowed") or _allowed(field),
-        default=word_of(field, "left_out") or default,
+        allowed=_allowed(field),
+        default=left_out(field) or default,
     )
 
 
 def _allowed(field: FieldInfo) -> str:
     """What a field may hold, by its annotation and its bounds."""
+    if (table := by_key(field)) is not None:
+        return table.allowed
+    if words := [rule for rule in field.metadata if isinstance(rule, str)]:
+        return words[0]
     reader = field_quantity(field)
     allowed = _quantity(reader) if reader else _plain(field)
     return f"list of: {allowed}" if is_list(field) else allowed

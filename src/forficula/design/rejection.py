@@ -92,8 +92,6 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
 
 def _of_a_check(place: list[str], message: str, model: type[Part]) -> RejectedError:
     """What a check of a value, of a section or of the whole design has found."""
-    if place and message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
-        return RejectedError(place, message)
     name = message.partition(":")[0]
     if name in siblings([*place, ""], model) and place:
         place, missing = [*place, name], message.endswith(": is missing")
@@ -101,7 +99,9 @@ def _of_a_check(place: list[str], message: str, model: type[Part]) -> RejectedEr
         return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
     if is_key(name, model):  # a check of several values, no one of them to blame
         return RejectedError([], message)
-    return RejectedError(place, f"{written_key(place)}: {message}" if place else message)
+    if place and not message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
+        message = f"{written_key(place)}: {message}"
+    return RejectedError(place, message)
 
 
 def _remedy(place: list[str], model: type[Part]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import scipy
@@ -35,12 +35,10 @@ _NINETY_FIVE = float(scipy.special.ndtri(0.975))
 class ToleranceTable(Part):
     """A tolerance as files have it where it is no text."""
 
-    distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", default="uniform")
-    size: Any = entry(
-        "largest deviation of a uniform distribution; standard deviation of a normal one", default=None, allowed=SIZE
-    )
-    intervals_of: str | None = entry(
-        "for a tendon's law: a fitted law whose 95 % intervals are taken", default=None, allowed="path"
+    distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", "uniform")
+    size: Annotated[Any, SIZE] = entry("largest deviation if uniform, standard deviation if normal")
+    intervals_of: Annotated[str | None, "path"] = entry(
+        "for a tendon's law: a fitted law whose 95 % intervals are taken"
     )
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, Field
 
 from forficula.design import Design, check_keys_once, numbered_key, value_from_folder
 from forficula.design.file_fields import (
@@ -30,36 +29,31 @@ from forficula.goals.limit import Limit, check_limits, read_limit
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantities_of, quantity_of
 from forficula.goals.parameter import Parameter, RangeTable, read_parameter
 from forficula.names import listed, one_of
+from forficula.study.factors import VALUES
 from forficula.study.named_file import FileKind, base_design, load_named, named_files
-from forficula.study.new_file import Start, write_new_file
 from forficula.study.search_file import TorqueSearchTable, check_search_keys, read_search
 from forficula.study.search_steps import Search
 
-_MOST = 1_000_000
 _MOST_OBJECTIVES = 3
+_Count = Annotated[Whole, Field(le=1_000_000)]
+_Parameters = Annotated[
+    dict[str, Any],
+    BeforeValidator(ByKey(allowed=f"{VALUES}; or table", entry=RangeTable)),
+]
+_Limits = Annotated[
+    dict[str, Any], BeforeValidator(ByKey(allowed='">= 5 N cm", "<= 5 N cm", or a list', placeholder="QUANTITY"))
+]
+_Objectives = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed='"least" or "largest"', placeholder="QUANTITY"))]
+_Tolerances = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=f'{SIZE}, or "none"', entry=ToleranceTable))]
 
 
 class GoalSearchTable(TorqueSearchTable):
-    """How a goal's designs are searched for, and the torques of searches for least torques."""
+    """How many designs are tried, and the torques of searches for least torques."""
 
-    runs: Whole = entry(
-        "designs that are tried at most; the first fill the space",
-        default=512,
-        at_least=1,
-        at_most=_MOST,
-        examples=("runs = 512",),
-    )
-    batch: Whole = entry(
-        "designs that run side by side", default=32, at_least=4, at_most=_MOST, examples=("batch = 32",)
-    )
-    neighbours: Whole = entry(
-        "designs within the tolerances of one that are tried",
-        default=64,
-        at_least=8,
-        at_most=_MOST,
-        examples=("neighbours = 64",),
-    )
-    seed: Whole = entry("random seed", default=0, at_least=0, at_most=_MOST, examples=("seed = 0",))
+    runs: _Count = entry("designs that are tried at most; the first fill the space", 512, at_least=1)
+    batch: _Count = entry("designs that run side by side", 32, at_least=4)
+    neighbours: _Count = entry("designs within the tolerances of one that are tried", 64, at_least=8)
+    seed: _Count = entry("random seed", 0, at_least=0)
 
 
 class GoalFile(Part):
@@ -70,21 +64,14 @@ class GoalFile(Part):
         " keys"
     )
 
-    name: FolderName = entry("what outputs call it", default="goal", left_out="the file's name")
-    source: str = entry(
-        "where the question comes from", default="", examples=('source = "where the question comes from"',)
-    )
+    name: FolderName = entry("what outputs call it", "goal", left_out="the file's name")
+    source: str = entry("where the question comes from", "")
     design: DesignName = DESIGN
-    simulate: YesOrNo = entry(
-        "whether a run must do what its protocol asks for; false: statics alone decides",
-        default=True,
-        examples=("simulate = false",),
-    )
+    simulate: YesOrNo = entry("whether a run must do what its protocol asks for; false: statics alone decides", True)
     settings: Settings = SETTINGS
-    vary: Annotated[dict[str, Any], BeforeValidator(ByKey(RangeTable))] = entry(
+    vary: _Parameters = entry(
         "values that the key may have",
-        default={},
-        allowed='list of choices, or range such as "10..60 N/cm step 10"',
+        {},
         left_out="needed",
         examples=(
             '"$key" = { low = "$low", high = "$high" }',
@@ -92,30 +79,32 @@ class GoalFile(Part):
             '"$key" = ["$low", "$value", "$high"]',
         ),
     )
-    limits: Annotated[dict[str, Any], BeforeValidator(ByKey(placeholder="QUANTITY"))] = entry(
+    limits: _Limits = entry(
         "what the quantity or key of the design must not fall below, or exceed, beside what the protocol asks for",
-        default={},
-        allowed='">= 5 N cm", "<= 5 N cm", or a list',
+        {},
         examples=('${first}_time = "<= 0.5 s"', 'probability = ">= 95 %"'),
     )
-    objectives: Annotated[dict[str, Any], BeforeValidator(ByKey(placeholder="QUANTITY"))] = entry(
+    objectives: _Objectives = entry(
         "whether the quantity or key of the design is to be least or largest; two or three objectives give a front",
-        default={},
-        allowed='"least" or "largest"',
+        {},
         left_out="needed",
-        examples=('$objective = "least"',),
+        examples=('${first}_work = "least"',),
     )
-    tolerances: Annotated[dict[str, Any], BeforeValidator(ByKey(ToleranceTable))] = entry(
+    tolerances: _Tolerances = entry(
         "by how much the key may deviate when it is built, uniform in both directions; the key all stands for every"
         " positive number with a unit that is not the protocol's",
-        default={},
-        allowed=f'{SIZE}, or "none"',
+        {},
         examples=('all = "10 %"', '"$key" = "5 %"', '"$key" = { distribution = "normal", size = "$step" }'),
     )
-    search: GoalSearchTable = entry("how many designs are tried", default=GoalSearchTable())
+    search: GoalSearchTable = entry("how many designs are tried", GoalSearchTable())
 
 
-GOAL = FileKind(word="goal", several="goals", package="forficula.goals", model=GoalFile)
+def _texts(design: Design) -> dict[str, str]:
+    """What a new file says beside its keys."""
+    return {"limits": f"Quantities are {listed(quantities_of(design))}"}
+
+
+GOAL = FileKind(word="goal", several="goals", package="forficula.goals", model=GoalFile, texts=_texts)
 
 
 def load_goal(name_or_path: str | Path) -> Goal:
@@ -142,27 +131,6 @@ def goal_of(tables: Mapping[str, Any]) -> Goal:
 def named_goals() -> list[str]:
     """The names of the goals that come with the package."""
     return named_files(GOAL)
-
-
-def write_new_goal(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
-    """Write a goal file to start from, which can be optimised as it is: a design, what varies, and what else may be.
-
-    Args:
-        path: of the file.
-        kind: of the pattern of the design that it varies, one of `KINDS`.
-
-    Raises:
-        InputError: no such kind, or the file exists already, or cannot be written.
-    """
-    write_new_file(path, GoalFile, kind, _example_texts)
-
-
-def _example_texts(start: Start) -> dict[str, str]:
-    names = list(quantities_of(start.design))
-    return {
-        "limits": f"Quantities are {listed(names)}",
-        "objective": next((name for name in names if name.endswith("_work")), "mass"),
-    }
 
 
 def _goal(file: GoalFile, folder: Path) -> Goal:

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from forficula.design import Design, key_quantity, key_value
-from forficula.design.file_fields import entry
+from forficula.design.file_fields import DesignValue, entry
 from forficula.design.part import Part
 from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
@@ -22,11 +21,9 @@ _MOST_STEPS = 1_000_000
 class RangeTable(Part):
     """A range between two values as files have it."""
 
-    low: Any = entry("least value of a key that varies between two", allowed="as in a design")
-    high: Any = entry("largest value of a key that varies between two", allowed="as in a design")
-    step: Any = entry(
-        "from one value to the next; without it, any value between", default=None, allowed="as in a design"
-    )
+    low: DesignValue = entry("least value of a key that varies between two", ...)
+    high: DesignValue = entry("largest value of a key that varies between two", ...)
+    step: DesignValue = entry("from one value to the next; without it, any value between")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -16,7 +16,7 @@ from pydantic import BeforeValidator
 
 from forficula.arrays import Array
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
-from forficula.design.file_fields import ByKey, entry
+from forficula.design.file_fields import ByKey, DesignValue, entry
 from forficula.design.part import Part, Quantity
 from forficula.design.provenance import WORDS
 from forficula.design.rejection import read_part
@@ -93,16 +93,19 @@ class DistributionTable(Part):
     """A distribution as files have it."""
 
     distribution: Literal["uniform", "log-uniform", "normal"] = entry(
-        "distribution that values of the key are drawn from"
+        "distribution that values of the key are drawn from", ...
     )
-    low: Any = entry("least value, of uniform and log-uniform", default=None, allowed="as in a design")
-    high: Any = entry("largest value, of uniform and log-uniform", default=None, allowed="as in a design")
-    mean: Any = entry("mean of the normal distribution", default=None, allowed="as in a design")
-    deviation: Any = entry("standard deviation of the normal distribution", default=None, allowed="as in a design")
+    low: DesignValue = entry("least value, of uniform and log-uniform")
+    high: DesignValue = entry("largest value, of uniform and log-uniform")
+    mean: DesignValue = entry("mean of the normal distribution")
+    deviation: DesignValue = entry("standard deviation of the normal distribution")
 
 
-# values by key: lists, ranges, and distributions
-Factors = Annotated[dict[str, Any], BeforeValidator(ByKey(DistributionTable))]
+Values = Annotated[Any, VALUES]
+Grid = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=VALUES))]
+Factors = Annotated[
+    dict[str, Any], BeforeValidator(ByKey(allowed=f"{VALUES}, or distribution", entry=DistributionTable))
+]
 
 
 def read_factor(key: str, given: object, model: type[Design]) -> Factor:

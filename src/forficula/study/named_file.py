@@ -30,12 +30,15 @@ class FileKind(Generic[Model]):
         several: the same for several of them.
         package: whose folder `references` has the named ones.
         model: what such a file may have.
+        texts: of a design that a new file is about, which its examples name; the comment of a table that has the name
+            of one ends with it.
     """
 
     word: str
     several: str
     package: str
     model: type[Model]
+    texts: Callable[[Design], Mapping[str, str]] = lambda _: {}
 
 
 # of each kind of file a table that no other kind has, and the command that takes it

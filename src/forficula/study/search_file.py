@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import ConfigDict
+from pydantic import ConfigDict, Field
 
 from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
@@ -15,7 +15,7 @@ from forficula.errors import InputError, error_prefix
 from forficula.names import one_of, unknown_key
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
-from forficula.study.factors import VALUES, range_values
+from forficula.study.factors import Values, range_values
 from forficula.study.search_steps import Search, SearchStep
 
 _MOST_TORQUES = 1000  # every one of them is a run of every point
@@ -26,47 +26,32 @@ class TorqueSearchTable(Part):
 
     model_config = ConfigDict(extra="allow")
 
-    DRIVE_torques: Any = entry(
+    DRIVE_torques: Values = entry(
         "torques that are tried, rising, in searches for least torques",
-        default=None,
-        allowed=VALUES,
         left_out="the drive's",
         examples=('${first}_torques = "0..50 N cm step 10"', '${second}_torques = "10..100 N cm step 10"'),
     )
-    DRIVE_with: Any = entry(
+    DRIVE_with: Annotated[Any, "N cm"] = entry(
         "torque of the first drive in searches for least torques of the second",
-        default=None,
-        allowed="N cm",
-        left_out="the design's, as in a run",
+        left_out="the design's",
         examples=('${first}_with = "50 N cm"',),
     )
-    refinements: Whole = entry(
-        "how often the last step is halved", default=0, at_least=0, at_most=20, examples=("refinements = 3",)
-    )
+    refinements: Annotated[Whole, Field(le=20)] = entry("how often the last step is halved", 0, at_least=0)
 
 
 class SearchTable(TorqueSearchTable):
     """The table `search` of a study file."""
 
     key: str | None = entry(
-        "key whose least value is searched for, with least-value",
-        default=None,
-        allowed="a key of the design",
-        left_out="needed",
-        examples=('key = "$key"',),
+        "key whose least value is searched for, with least-value", left_out="needed", examples=('key = "$key"',)
     )
-    values: Any = entry(
+    values: Values = entry(
         "values that are tried, with least-value",
-        default=None,
-        allowed=VALUES,
         left_out="needed",
         examples=('values = ["$low", "$value", "$high"]',),
     )
     state: str | None = entry(
-        "state that is to be reached, with least-value",
-        default=None,
-        left_out="the first",
-        examples=('state = "$state"',),
+        "state that is to be reached, with least-value", left_out="the first", examples=('state = "$state"',)
     )
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import AfterValidator, BeforeValidator
+from pydantic import AfterValidator, Field
 
 from forficula.design import (
     NO_LAW,
@@ -19,16 +18,15 @@ from forficula.design import (
     numbered_key,
     value_from_folder,
 )
-from forficula.design.file_fields import DESIGN, SETTINGS, ByKey, DesignName, FolderName, Settings, Whole, entry
+from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.part import Part
 from forficula.design.provenance import check_paper
 from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
 from forficula.study.choices import one_at_a_time, with_own_word
-from forficula.study.factors import MOST_VALUES, VALUES, Factor, Factors, drawn_values, grid_points, read_factor
+from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, drawn_values, grid_points, read_factor
 from forficula.study.named_file import FileKind, base_design, load_named, named_files
-from forficula.study.new_file import Start, write_new_file
 from forficula.study.search_file import SearchTable, read_search
 from forficula.study.search_steps import Search
 from forficula.study.study import Study
@@ -37,9 +35,11 @@ from forficula.study.study import Study
 class SamplingTable(Part):
     """How points are drawn."""
 
-    method: Literal["random", "sobol"] = entry("how points are drawn", default="sobol", examples=('method = "sobol"',))
-    count: Whole = entry("number of points", at_least=1, at_most=MOST_VALUES, examples=("count = 64",))
-    seed: Whole = entry("random seed", default=0, at_least=0, examples=("seed = 0",))
+    method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
+    count: Annotated[Whole, Field(le=MOST_VALUES)] = entry(
+        "number of points", ..., at_least=1, examples=("count = 64",)
+    )
+    seed: Whole = entry("random seed", 0, at_least=0)
 
 
 class StudyFile(Part):
@@ -49,39 +49,30 @@ class StudyFile(Part):
         "A forficula study: every point of its factors is a run of its design; forficula keys --study lists all keys"
     )
 
-    name: FolderName = entry("what outputs call it", default="study", left_out="the file's name")
-    source: str = entry("where its values come from", default="", examples=('source = "where the values come from"',))
-    reproduces: Annotated[str, AfterValidator(check_paper)] | None = entry(
-        "the paper that its maps are set beside", default=None
-    )
+    name: FolderName = entry("what outputs call it", "study", left_out="the file's name")
+    source: str = entry("where its values come from", "")
+    reproduces: Annotated[str, AfterValidator(check_paper)] | None = entry("the paper that its maps are set beside")
     design: DesignName = DESIGN
     ask: Literal["run", "least-torques", "least-value"] = entry(
-        "what is asked of every point: its run, or least torques or values by [search]",
-        default="run",
-        examples=('ask = "run"',),
+        "what is asked of every point: its run, or least torques or values by [search]", "run"
     )
     vary: Literal["grid", "one-at-a-time"] = entry(
-        "whether all values are crossed, or one factor leaves the base", default="grid", examples=('vary = "grid"',)
+        "whether all values are crossed, or one factor leaves the base", "grid"
     )
     settings: Settings = SETTINGS
     factors: Factors = entry(
         "values that the key takes; several lists or ranges are crossed",
-        default={},
-        allowed=f"{VALUES}, or distribution",
+        {},
         left_out="needed",
         examples=(
             '"$key" = ["$low", "$value", "$high"]',
-            '"$key" = "$low_range step $low"',
+            '"$key" = "$low_number..$high step $low"',
             '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
         ),
     )
-    grid: Annotated[dict[str, Any], BeforeValidator(ByKey())] = entry(
-        "values that are crossed at every choice of factors that vary one at a time", default={}, allowed=VALUES
-    )
-    sampling: SamplingTable | None = entry("how points are drawn from distributions", default=None)
-    search: SearchTable | None = entry(
-        'which values are tried, with ask = "least-torques" or "least-value"', default=None
-    )
+    grid: Grid = entry("values that are crossed at every choice of factors that vary one at a time", {})
+    sampling: SamplingTable | None = entry("how points are drawn from distributions")
+    search: SearchTable | None = entry('which values are tried, with ask = "least-torques" or "least-value"')
 
 
 STUDY = FileKind(word="study", several="studies", package="forficula.study", model=StudyFile)
@@ -111,27 +102,6 @@ def study_of(tables: Mapping[str, Any]) -> Study:
 def named_studies() -> list[str]:
     """The names of the studies that come with the package."""
     return named_files(STUDY)
-
-
-def write_new_study(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
-    """Write a study file to start from, which runs as it is: a design, one factor, and what else there may be.
-
-    Args:
-        path: of the file.
-        kind: of the pattern of the design that it varies, one of `KINDS`.
-
-    Raises:
-        InputError: no such kind, or the file exists already, or cannot be written.
-    """
-    write_new_file(path, StudyFile, kind, _example_texts)
-
-
-def _example_texts(start: Start) -> dict[str, str]:
-    states = [stage.state for stage in start.design.protocol.stages if stage.state is not None]
-    return {
-        "low_range": f"{start.times(0.5).split()[0]}..{start.times(2.0)}",
-        "state": states[-1] if states else "folded",
-    }
 
 
 def _study(file: StudyFile, folder: Path) -> Study:

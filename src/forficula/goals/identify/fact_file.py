@@ -19,75 +19,58 @@ from forficula.goals.identify.row_quantity import Combination, is_state, read_co
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.structure import structure_of
-from forficula.study.factors import VALUES, Factor, grid_points, range_values, read_factor
+from forficula.study.factors import Factor, Grid, Values, grid_points, range_values, read_factor
 from forficula.study.named_file import settings_of
 
 LEAST_VALUE = "least value"
+_Keys = Annotated[list[str], "list of keys of over"]
 _ORDERS: dict[str, Order] = {"equals": "equals", "at_least": "at least", "at_most": "at most"}
 
 
 class LeastTable(Part):
     """A value that is searched for under every condition."""
 
-    key: str = entry("key whose least value that reaches a state is searched for", allowed="a key of the design")
-    values: Any = entry("values that are tried, rising", allowed=VALUES)
-    state: str | None = entry("state that is to be reached", default=None, left_out="the first")
-    monotone: YesOrNo = entry("whether all larger values reach it, too", default=False)
+    key: str = entry("key whose least value that reaches a state is searched for", ...)
+    values: Values = entry("values that are tried, rising", ...)
+    state: str | None = entry("state that is to be reached", left_out="the first")
+    monotone: YesOrNo = entry("whether all larger values reach it, too", False)
 
 
 class TermTable(Part):
     """What is observed."""
 
-    quantity: Any = entry(
-        'a state, a number of runs, a sum of some, or "least value"', default=None, allowed="text", left_out="needed"
+    quantity: Annotated[Any, "text"] = entry(
+        'a state, a number of runs, a sum of some, or "least value"', left_out="needed"
     )
-    statistic: str | None = entry(
-        "statistic of the quantity over all conditions: of a state, or of a number",
-        default=None,
-        allowed="count, all, none, any; or least, largest, mean, least at, largest at",
-        left_out='"all" or "least"',
+    statistic: Annotated[str | None, "count, all, none, any; or least, largest, mean, least at, largest at"] = entry(
+        "statistic of the quantity over all conditions: of a state, or of a number", left_out='"all" or "least"'
     )
-    over: Annotated[dict[str, Any], BeforeValidator(ByKey())] = entry("conditions, crossed", default={}, allowed=VALUES)
-    settings: Settings = entry(
-        "replaces the value of this key under all conditions", default={}, allowed="as in a design"
-    )
-    until: str | None = entry("the transition with whose stage runs end", default=None, left_out="the whole protocol")
-    where: str | None = entry("the state without which a run does not count", default=None)
-    absent: Any = entry(
-        "number of a run that has none", default=None, allowed="as the quantity", left_out="needed of numbers"
-    )
-    rising: list[str] = entry(
-        "keys along which the state, once it holds, goes on holding", default=[], allowed="list of keys of over"
-    )
-    falling: list[str] = entry(
-        "keys along which the state does so in the inverse order of the values",
-        default=[],
-        allowed="list of keys of over",
-    )
-    least: LeastTable | None = entry("value that is searched for under every condition", default=None)
+    over: Grid = entry("conditions, crossed", {})
+    settings: Settings = entry("replaces the value of this key under all conditions", {})
+    until: str | None = entry("the transition with whose stage runs end", left_out="the whole protocol")
+    where: str | None = entry("the state without which a run does not count")
+    absent: Annotated[Any, "as the quantity"] = entry("number of a run that has none", left_out="needed of numbers")
+    rising: _Keys = entry("keys along which the state, once it holds, goes on holding", [])
+    falling: _Keys = entry("keys along which the state does so in the inverse order of the values", [])
+    least: LeastTable | None = entry("value that is searched for under every condition")
 
 
 class FactTable(TermTable):
     """A table `fact`."""
 
-    name: str = entry("short name that no other fact has")
-    source: str = entry("who says so, and where", default="")
-    equals: Any = entry(
-        "what the quantity is to be: a value, or another quantity",
-        default=None,
-        allowed="number, text with a unit, or table",
+    name: str = entry("short name that no other fact has", ...)
+    source: str = entry("who says so, and where", "")
+    equals: Annotated[Any, "number, text with a unit, or table"] = entry(
+        "what the quantity is to be: a value, or another quantity"
     )
-    at_least: Any = entry("what the quantity is to be at least", default=None, allowed="as equals")
-    at_most: Any = entry("what the quantity is to be at most", default=None, allowed="as equals")
-    at: Annotated[dict[str, Any], BeforeValidator(ByKey())] = entry(
-        "values of a condition under which the quantity is to be least or largest", default={}, allowed="list"
+    at_least: Annotated[Any, "as equals"] = entry("what the quantity is to be at least")
+    at_most: Annotated[Any, "as equals"] = entry("what the quantity is to be at most")
+    at: Annotated[dict[str, Any], BeforeValidator(ByKey(allowed="list"))] = entry(
+        "values of a condition under which the quantity is to be least or largest", {}
     )
-    tolerance: Any = entry("by how much the fact may be missed", default=0, allowed="number, or text with a unit")
-    scale: Any = entry(
-        "scale of the distance from the fact in sums over facts",
-        default=None,
-        allowed="as tolerance",
-        left_out="the samples' spread",
+    tolerance: Annotated[Any, "number, or text with a unit"] = entry("by how much the fact may be missed", 0)
+    scale: Annotated[Any, "as tolerance"] = entry(
+        "scale of the distance from the fact in sums over facts", left_out="the samples' spread"
     )
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, Field
 
 from forficula.design import Design, key_quantity, key_value, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
@@ -21,31 +20,22 @@ from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.row_quantity import row_quantities
 from forficula.names import listed
 from forficula.quantities import as_written
-from forficula.structure import structure_of
-from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, VALUES, Factor, Factors
+from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Factors
 from forficula.study.named_file import FileKind, base_design, load_named, named_files
-from forficula.study.new_file import Start, write_new_file
+from forficula.study.new_file import value_text
 from forficula.study.study_file import check_not_settled, read_factors
+
+_Count = Annotated[Whole, Field(le=MOST_VALUES)]
 
 
 class SamplingTable(Part):
     """How many values are drawn."""
 
-    samples: Whole = entry(
-        "draws from the distributions of the unknown values",
-        default=256,
-        at_least=1,
-        at_most=MOST_VALUES,
-        examples=("samples = 256",),
+    samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
+    directed: _Count = entry(
+        "further draws, placed where they may meet facts that no sample met together", 128, at_least=0
     )
-    directed: Whole = entry(
-        "further draws, placed where they may meet facts that no sample met together",
-        default=128,
-        at_least=0,
-        at_most=MOST_VALUES,
-        examples=("directed = 128",),
-    )
-    seed: Whole = entry("random seed", default=0, at_least=0, at_most=MOST_VALUES, examples=("seed = 0",))
+    seed: _Count = entry("random seed", 0, at_least=0)
 
 
 def _with_facts_read(given: object) -> object:
@@ -92,14 +82,13 @@ class ObservationsFile(Part):
         " --observations lists all keys"
     )
 
-    name: FolderName = entry("what outputs call it", default="observations", left_out="the file's name")
-    source: str = entry("where the facts come from", default="", examples=('source = "who saw it, and where"',))
+    name: FolderName = entry("what outputs call it", "observations", left_out="the file's name")
+    source: str = entry("where the facts come from", "")
     design: DesignName = DESIGN
     settings: Settings = SETTINGS
     unknown: Factors = entry(
         "what is believed of a value that is unknown: a distribution, or values that are equally likely",
-        default={},
-        allowed=f"{VALUES}, or distribution",
+        {},
         left_out="needed",
         examples=(
             '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
@@ -108,16 +97,33 @@ class ObservationsFile(Part):
             '"$key" = ["$low", "$value", "$high"]',
         ),
     )
-    sampling: SamplingTable = entry("how many values are drawn", default=SamplingTable())
+    sampling: SamplingTable = entry("how many values are drawn", SamplingTable())
     fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
-        "what was observed, a table for each fact",
-        default=(),
-        examples=_FACT_EXAMPLES,
+        "what was observed, a table for each fact", (), examples=_FACT_EXAMPLES
     )
 
 
+def _texts(design: Design) -> dict[str, str]:
+    """What a new file says beside its keys."""
+    other = next(key for key in positive_keys(design) if key != design.varied_key)
+    return {
+        "other": other,
+        "other_low": value_text(design, other, 0.9, few_digits=True),
+        "other_value": value_text(design, other, 1.0),
+        "other_high": value_text(design, other, 1.1, few_digits=True),
+        "fact": (
+            f"A quantity is {listed(row_quantities(design), 'or')}, a sum of some of these in one unit, or"
+            ' "least value"'
+        ),
+    }
+
+
 OBSERVATIONS = FileKind(
-    word="observations file", several="observations", package="forficula.goals.identify", model=ObservationsFile
+    word="observations file",
+    several="observations",
+    package="forficula.goals.identify",
+    model=ObservationsFile,
+    texts=_texts,
 )
 
 
@@ -145,35 +151,6 @@ def observations_of(tables: Mapping[str, Any]) -> Observations:
 def named_observations() -> list[str]:
     """The names of the observations that come with the package."""
     return named_files(OBSERVATIONS)
-
-
-def write_new_observations(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
-    """Write an observations file to start from, which can be identified as it is: an unknown, and what was seen.
-
-    Args:
-        path: of the file.
-        kind: of the pattern of the design that was seen, one of `KINDS`.
-
-    Raises:
-        InputError: no such kind, or the file exists already, or cannot be written.
-    """
-    write_new_file(path, ObservationsFile, kind, _example_texts)
-
-
-def _example_texts(start: Start) -> dict[str, str]:
-    other = next(key for key in positive_keys(start.design) if key != start.key)
-    varied = Start(design=start.design, key=other)
-    return {
-        "state": structure_of(start.design).transitions[0].state,
-        "other": other,
-        "other_low": varied.about(0.9),
-        "other_value": varied.times(1.0),
-        "other_high": varied.about(1.1),
-        "fact": (
-            f"A quantity is {listed(list(row_quantities(start.design)), 'or')}, a sum of some of these in one unit, or"
-            ' "least value"'
-        ),
-    }
 
 
 def _observations(file: ObservationsFile, folder: Path) -> Observations:
