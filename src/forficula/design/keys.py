@@ -12,6 +12,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.file_fields import by_key
 from forficula.design.law import LawSection
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.design.tables import check_once, entry_index, numbered
@@ -181,15 +182,24 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
     return part.model_copy(update={name: put(inner, rest, value)})
 
 
-def is_key(text: str, model: type[Design] = FanDesign) -> bool:
+def is_key(text: str, model: type[Part] = FanDesign) -> bool:
     """Whether a text is a key of a design, of one value or of several."""
     *section, last = text.split(".")
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
 
 def fields_of(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
-    """All keys of a design; entries of a list of tables stand as number 0, tendons as the one for all."""
+    """All keys of a design or of another file.
+
+    Entries of a list of tables stand as number 0, tendons as the one for all, and KEY for the keys of a design in a
+    table by these.
+    """
     for name, field in model.model_fields.items():
+        if (table := by_key(field)) is not None:
+            yield f"{prefix}{name}.{table.placeholder}", field
+            if table.entry is not None:
+                yield from fields_of(table.entry, f"{prefix}{name}.{table.placeholder}.")
+            continue
         yield f"{prefix}{name}", field
         forms = list(_forms(field.annotation))
         number = "" if any(_is_part(form) for form in forms) else ".0"
@@ -207,20 +217,20 @@ def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
     return (key for key, _ in fields_of(model))
 
 
-def siblings(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
+def siblings(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
     """The keys that are allowed in the section of a place, the protocol last."""
     section = _section(place[:-1], model)
     names = [] if section is None else sorted(section.model_fields, key=lambda name: name == "protocol")
-    return [*([] if len(place) > 1 else ["based_on"]), *names]
+    return [*(["based_on"] if section is not None and issubclass(section, Design) else []), *names]
 
 
-def needed_keys(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
+def needed_keys(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
     """The keys that the section of a place cannot do without."""
     section = _section(place[:-1], model)
     return [] if section is None else [name for name, field in section.model_fields.items() if field.is_required()]
 
 
-def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
+def hint(place: Sequence[str], model: type[Part] = FanDesign) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
     *section, wrong = place
     for depth, part in enumerate(section):
@@ -243,7 +253,7 @@ def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
     return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
 
 
-def _section(place: Sequence[str], model: type[Design]) -> type[Part] | None:
+def _section(place: Sequence[str], model: type[Part]) -> type[Part] | None:
     """The kind of section at a place, if it is one."""
     at: Any = model
     for part in place:
