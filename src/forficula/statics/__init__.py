@@ -1,4 +1,4 @@
-from forficula.statics.fold_path import FoldPath
+from forficula.statics.fold_path import FoldPath, StableState
 from forficula.statics.hinge import (
     PeakTorque,
     TendonHinge,
@@ -19,7 +19,7 @@ from forficula.statics.hinge_landscape import (
     hinge_remarks,
     hinge_states,
 )
-from forficula.statics.landscape import EnergyLandscape, Rest, StableState, barrier, stable_states
+from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
 from forficula.statics.landscape_summary import landscape_summary
 from forficula.statics.partial_folds import PartialFold, folding_hinges
 from forficula.statics.snap import final_speed, fold_time, growth_rate, time_scale
