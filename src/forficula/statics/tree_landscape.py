@@ -36,7 +36,6 @@ from forficula.statics.quasi_static import (
     state_beyond,
 )
 from forficula.statics.slow_remarks import slow_remarks
-from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, state_of
 
@@ -175,9 +174,7 @@ def tendon_landscapes(
 
     @cache
     def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
-        if spring is not None:
-            return sprung_landscape(hinge, spring, points)
-        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend)
+        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
 
     own: list[HingeLandscape] = []
     ideal: list[HingeLandscape | None] = []
