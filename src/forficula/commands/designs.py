@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 _LAST_PORT = 65535
 _USUAL_KIND = "earwig-fan"
-_KINDS = "What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+_KINDS = "Kind of crease pattern, such as earwig-fan, joint, miura-ori or fold-file; an unknown name lists all."
 
 
 def new(

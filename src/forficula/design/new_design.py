@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
+from forficula.design.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
 from forficula.design.part import Part, entry_part, field_quantity
 from forficula.design.tendon import TendonSection
@@ -21,12 +21,6 @@ from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import near_name
 from forficula.quantities import as_written
-
-# of kinds without a design to begin with
-_PATTERNS: Mapping[str, Mapping[str, object]] = {
-    "yoshimura": {"columns": 5, "rows": 4, "base": "4 cm", "height": "2 cm", "fold": "30 deg"},
-    "fold-file": {"path": "sheet.fold"},
-}
 
 
 def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
@@ -42,13 +36,13 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     path = Path(path)
     if kind not in KINDS:
         raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
-    reference = REFERENCES.get(kind, OTHER_REFERENCE)
+    reference = KINDS[kind].reference or OTHER_REFERENCE
     check_new(path, ".toml")
     lines = [
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{reference}"',
     ]
-    own_pattern = kind not in REFERENCES
+    own_pattern = KINDS[kind].reference is None
     if own_pattern:
         lines += _own_pattern(kind, reference)
     without = "pattern" if own_pattern else ""
@@ -61,7 +55,7 @@ def _own_pattern(kind: str, reference: str) -> Iterator[str]:
         yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
     section = _section_of(kind)
     yield f"\n[pattern]  # {section.about}"
-    for key, value in {"kind": kind, **_PATTERNS[kind]}.items():
+    for key, value in {"kind": kind, **KINDS[kind].example}.items():
         yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
 
 

@@ -10,7 +10,6 @@ from pydantic import ValidationError
 from forficula.design.design import Design
 from forficula.design.fan import BY_VEIN, ONE_FOR_ALL, FanDesign
 from forficula.design.keys import hint, is_key, known_keys, needed_keys, siblings
-from forficula.design.kinds import reference_of
 from forficula.design.tables import RejectedError, written_key
 from forficula.names import unknown_key
 from forficula.quantities import as_written
@@ -83,7 +82,7 @@ def _of_a_check(place: list[str], message: str, model: type[Design]) -> Rejected
 
 def _remedy(place: list[str], model: type[Design]) -> str:
     """What to do about a key that is missing."""
-    reference = reference_of(model)
+    reference = model.reference
     to_inherit = f'give it, or begin the file with based_on = "{reference}"' if reference else "give it"
     if place[-2:-1] == ["law"]:
         return 'give it, or name a material as in tendon.law = "tpu-82a"'

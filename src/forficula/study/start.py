@@ -7,7 +7,7 @@ from pathlib import Path
 from textwrap import wrap
 
 from forficula.design import Design, key_quantity, key_value, load_design
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
+from forficula.design.kinds import KINDS, OTHER_REFERENCE
 from forficula.errors import InputError
 from forficula.files import check_new
 from forficula.names import one_of
@@ -70,7 +70,7 @@ def start_of(path: Path, kind: str) -> Start:
     if kind not in KINDS:
         raise InputError(f"kind: need {one_of(KINDS, kind)}")
     check_new(path, ".toml")
-    name = REFERENCES.get(kind, OTHER_REFERENCE)
+    name = KINDS[kind].reference or OTHER_REFERENCE
     design = load_design(name)
     return Start(kind=kind, name=name, design=design, key=design.varied_key)
 
