@@ -81,7 +81,7 @@ _Direction = Annotated[
 
 
 class _AnyDrive(Part):
-    """What a stage of the protocol switches on: the keys of every kind."""
+    """What a stage of the protocol switches on."""
 
     about: ClassVar[str] = "What a stage of the protocol switches on"
 
@@ -103,7 +103,10 @@ class _AnyDrive(Part):
 
 
 class TorqueDrive(_AnyDrive):
-    """A torque on creases."""
+    """What a stage of the protocol switches on.
+
+    A torque on creases.
+    """
 
     strength_key: ClassVar[str] = "value"
 
@@ -121,7 +124,10 @@ class TorqueDrive(_AnyDrive):
 
 
 class RestAngleDrive(_AnyDrive):
-    """A change of the angles at which the springs of creases rest."""
+    """What a stage of the protocol switches on.
+
+    A change of the angles at which the springs of creases rest.
+    """
 
     strength_key: ClassVar[str] = "angle"
 
@@ -151,7 +157,10 @@ class RestAngleDrive(_AnyDrive):
 
 
 class ForceDrive(_AnyDrive):
-    """A force at places, in one direction."""
+    """What a stage of the protocol switches on.
+
+    A force at places, in one direction.
+    """
 
     strength_key: ClassVar[str] = "force"
 
@@ -163,7 +172,10 @@ class ForceDrive(_AnyDrive):
 
 
 class DisplacementDrive(_AnyDrive):
-    """A displacement of places, in one direction."""
+    """What a stage of the protocol switches on.
+
+    A displacement of places, in one direction.
+    """
 
     strength_key: ClassVar[str] = "distance"
 
