@@ -14,9 +14,9 @@ from pydantic.fields import FieldInfo
 
 from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.keys import parts_of
+from forficula.design.keys import entry_of, section_fields
 from forficula.design.kinds import KINDS, OTHER_REFERENCE
-from forficula.design.part import Part, entry_part
+from forficula.design.part import Part
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import one_of
@@ -77,12 +77,12 @@ def _lines(model: type[Part], texts: Mapping[str, str]) -> Iterator[str]:
         if by_key(field) is not None and examples:
             yield from (*comment, f"[{name}]")
             yield from (_line(text, active=is_needed and text is examples[0]) for text in examples)
-        elif entry_part(field) is not None:
+        elif section_fields(entry_of(field.annotation)):
             yield from comment
             yield "\n\n".join(_line(f"[[{name}]]\n{text}", active=text is examples[0]) for text in examples)
-        elif parts := list(parts_of(field.annotation)):
+        elif fields := section_fields(field.annotation):
             yield from (*comment, _line(f"[{name}]", active=field.default is not None))
-            for key, inside in parts[0].model_fields.items():
+            for key, inside in fields.items():
                 lines = _examples(key, inside, texts)
                 yield from (_line(f"{text}  # {inside.description}", active=False) for text in lines)
         else:
