@@ -27,8 +27,7 @@ FAULTS = """(() => {
   main.querySelector("img").removeAttribute("alt");
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
-# Pages of the same parts as another kind's, but for what is written in them. How they are laid out on a phone, their dark
-# colours and the order of their controls backwards are those of that kind.
+# Pages of the same parts as another kind's: they have its layout on a phone, its dark colours and its order of controls.
 SAME_PARTS = ("curves", "drawn study", "converge", "tolerance", "identify")
 # a player is the same on every page: all of it is tried on that of a run
 TRIED_ELSEWHERE = {
