@@ -27,7 +27,7 @@ FAULTS = """(() => {
   main.querySelector("img").removeAttribute("alt");
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
-# Pages of the same parts as another kind's: they have its layout on a phone, its dark colours and its order of controls.
+# Pages of the same parts as another kind's, which have its layout on a phone, its dark colours, its order of controls.
 SAME_PARTS = ("curves", "drawn study", "converge", "tolerance", "identify")
 # a player is the same on every page: all of it is tried on that of a run
 TRIED_ELSEWHERE = {
