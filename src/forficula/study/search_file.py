@@ -77,8 +77,10 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     first, *others = structure.transitions[:2]
     names = [f"{each.name}_torques" for each in (first, *others)]
     check_search_keys(given, (names[0], f"{first.name}_with", *names[1:], "refinements"))
+    drives = [drive_of(structure, each.drive) for each in (first, *others)]
     steps = [
-        _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
+        _torque_step(each, drive, given, none=each is not first)
+        for each, drive in zip((first, *others), drives, strict=True)
     ]
     if len({step.key for step in steps}) < len(steps):
         raise InputError(
@@ -86,12 +88,12 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
             f' {first.name} and {others[0].name}; ask "least-value" of one'
         )
     # with its own torque of the first transition a point is what a run of the same values is
-    own = abs(drive_of(structure, first.drive).strength)
-    large = given.get(f"{first.name}_with", _shown(own or steps[0].values[-1]))
+    own = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)
+    name = f"{first.name}_with"
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_torques(f"{first.name}_with", [large])[0],
+        reference=_rising(name, [given.get(name, own)], TORQUE, none=False)[0],
         next_drive=next((each.drive for each in others), None),
         start_state=start,
         refinements=given.get("refinements", 0),
@@ -153,7 +155,7 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or _tenths(drive.strength)), none=none),
+        values=_rising(name, given.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
         unit=TORQUE,
         sign=-1.0 if drive.strength < 0 else 1.0,
     )
@@ -161,15 +163,8 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
 
 def _tenths(torque: float) -> list[str]:
     """Ten torques up to one's size, or none at all."""
-    return [_shown(abs(torque) * tenths / 10) for tenths in range(1, 11)] if torque else [_shown(0.0)]
-
-
-def _shown(torque: float) -> str:
-    return format_quantity(torque, TORQUE)
-
-
-def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, TORQUE, none=none)
+    torques = [abs(torque) * tenths / 10 for tenths in range(1, 11)] if torque else [0.0]
+    return [format_quantity(each, TORQUE) for each in torques]
 
 
 def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:

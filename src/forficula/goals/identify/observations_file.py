@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, Field
 
-from forficula.design import Design, key_quantity, key_value, numbered_key
+from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.part import Part, Quantity
 from forficula.design.rejection import read_part
@@ -172,10 +172,7 @@ def _priors(file: ObservationsFile, folder: Path, base: Design) -> tuple[Factor,
     priors = read_factors(file.unknown, "unknown", folder, base)
     check_not_settled(file.settings, "unknown", priors, base)
     for prior in priors:
-        now, quantity = key_value(base, prior.key), key_quantity(prior.key, prior.model)
-        if prior.distribution is not None and quantity is None and not isinstance(now, float):
-            raise InputError(f"unknown.{prior.key}: need a list or a range; only numbers with fractions are drawn")
-        if quantity is not None:
+        if (quantity := key_quantity(prior.key, prior.model)) is not None:
             _check_allowed(prior, quantity)
     return priors
 

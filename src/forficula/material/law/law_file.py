@@ -13,7 +13,7 @@ from typing import Any
 
 import tomli_w
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import read_toml, write_text
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
@@ -128,7 +128,7 @@ def _named_law(name: str) -> MaterialLaw:
 
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
     """Turn the tables of a file into a law; every error begins with the file."""
-    try:
+    with error_prefix(f"{where}: "):
         _only("", tables, (*_TEXTS, *_NUMBERS, *_TABLES))
         texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
         numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
@@ -152,8 +152,6 @@ def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
             unknown=_unknown(tables),
             facts=tuple(_fact(index, each) for index, each in enumerate(_list("facts", tables))),
         )
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
 
 
 def _only(section: str, table: Mapping[str, object], allowed: tuple[str, ...]) -> None:
@@ -191,10 +189,8 @@ def _quantity(key: str, value: object) -> float:
     unit = law_unit(key)
     if unit.display == "dimensionless":
         return number(key, value)
-    try:
+    with error_prefix(f"{key}: "):
         return parse_quantity(value, unit)
-    except InputError as error:
-        raise InputError(f"{key}: {error}") from None
 
 
 def _triple(section: str, tables: Mapping[str, Any]) -> Triple | None:
@@ -285,10 +281,8 @@ def _pair(section: str, key: str, value: object) -> Bounds:
     unit = law_unit(key)
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(f'{section}.{key}: need two values such as ["{unit.example}", ...], got {as_written(value)}')
-    try:
+    with error_prefix(f"{section}."):
         low, high = (_quantity(key, each) for each in value)
-    except InputError as error:
-        raise InputError(f"{section}.{error}") from None
     if not low <= high:
         raise InputError(f"{section}.{key}: need the lower value first, got {as_written(value)}")
     return Bounds(key=key, low=low, high=high)
