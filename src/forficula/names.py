@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 from forficula.errors import InputError
 from forficula.quantities import as_written, is_whole
@@ -44,6 +44,24 @@ def unknown_key(key: str, value: object, hint: str) -> str:
     """
     got = "" if value is None else f", got {as_written(value)}"  # of a key alone there is none
     return f"{key}: unknown key{got}; {hint}"
+
+
+def check_known(given: Mapping[str, object], names: Sequence[str], prefix: str) -> None:
+    """Refuse keys of a table other than some names.
+
+    Args:
+        given: the table.
+        names: that its keys may be.
+        prefix: what is before a key in errors, such as "search.".
+
+    Raises:
+        InputError: which key is unknown, and which is near.
+    """
+    for key, value in given.items():
+        if key not in names:
+            near = difflib.get_close_matches(key, names, n=1)
+            hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(names)}"
+            raise InputError(unknown_key(f"{prefix}{key}", value, hint))
 
 
 def check_whole(key: str, value: object, least: int) -> int:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 from pydantic import ConfigDict, Field
@@ -12,7 +11,7 @@ from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
 from forficula.design.part import Part
 from forficula.errors import InputError, error_prefix
-from forficula.names import one_of, unknown_key
+from forficula.names import check_known, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.factors import Values, range_values
@@ -76,7 +75,7 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
         return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]
     names = [f"{each.name}_torques" for each in (first, *others)]
-    check_search_keys(given, (names[0], f"{first.name}_with", *names[1:], "refinements"))
+    check_known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
     drives = [drive_of(structure, each.drive) for each in (first, *others)]
     steps = [
         _torque_step(each, drive, given, none=each is not first)
@@ -100,22 +99,9 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
     )
 
 
-def check_search_keys(given: Mapping[str, object], names: Sequence[str]) -> None:
-    """Refuse keys of the table `search` other than some.
-
-    Raises:
-        InputError: which is unknown, and which is near.
-    """
-    for key, value in given.items():
-        if key not in names:
-            near = difflib.get_close_matches(key, names, n=1)
-            hint = f"did you mean search.{near[0]}?" if near else f"allowed here: {', '.join(names)}"
-            raise InputError(unknown_key(f"search.{key}", value, hint))
-
-
 def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
     """A search for the least value of any key that reaches a state."""
-    check_search_keys(given, ("key", "values", "state", "refinements"))
+    check_known(given, ("key", "values", "state", "refinements"), "search.")
     states = {transition.state: transition for transition in structure.transitions}
     state, key = given.get("state", next(iter(states))), given.get("key")
     if state not in states:

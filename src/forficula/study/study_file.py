@@ -32,7 +32,7 @@ from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
 
-class SamplingTable(Part):
+class PointSampling(Part):
     """How points are drawn."""
 
     method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
@@ -71,7 +71,7 @@ class StudyFile(Part):
         ),
     )
     grid: Grid = entry("values that are crossed at every choice of factors that vary one at a time", {})
-    sampling: SamplingTable | None = entry("how points are drawn from distributions")
+    sampling: PointSampling | None = entry("how points are drawn from distributions")
     search: SearchTable | None = entry('which values are tried, with ask = "least-torques" or "least-value"')
 
 
@@ -124,7 +124,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
         choices = one_at_a_time(base, factors)
     if drawn:
         with error_prefix("sampling."):
-            sampling = file.sampling or read_part(SamplingTable, {})
+            sampling = file.sampling or read_part(PointSampling, {})
         points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
         points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]

@@ -28,7 +28,7 @@ from forficula.study.study_file import check_not_settled, read_factors
 _Count = Annotated[Whole, Field(le=MOST_VALUES)]
 
 
-class SamplingTable(Part):
+class PriorSampling(Part):
     """How many values are drawn."""
 
     samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
@@ -97,7 +97,7 @@ class ObservationsFile(Part):
             '"$key" = ["$low", "$value", "$high"]',
         ),
     )
-    sampling: SamplingTable = entry("how many values are drawn", SamplingTable())
+    sampling: PriorSampling = entry("how many values are drawn", PriorSampling())
     fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
         "what was observed, a table for each fact", (), examples=_FACT_EXAMPLES
     )
