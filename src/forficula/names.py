@@ -59,9 +59,10 @@ def check_known(given: Mapping[str, object], names: Sequence[str], prefix: str) 
     """
     for key, value in given.items():
         if key not in names:
-            near = difflib.get_close_matches(key, names, n=1)
+            near = difflib.get_close_matches(key.lower(), names, n=1)
             hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(names)}"
-            raise InputError(unknown_key(f"{prefix}{key}", value, hint))
+            shown = key if re.fullmatch(r"[\w-]+", key) else as_written(key)
+            raise InputError(unknown_key(f"{prefix}{shown}", value, hint))
 
 
 def check_whole(key: str, value: object, least: int) -> int:

@@ -20,7 +20,7 @@ from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_keys import TERMS, law_unit, nearest, number
 from forficula.material.law.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.law.softening import OgdenRoxburgh, Triple
-from forficula.names import unknown_key
+from forficula.names import check_known
 from forficula.quantities import as_written, format_quantity, parse_quantity
 
 _NUMBERS = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
@@ -129,7 +129,7 @@ def _named_law(name: str) -> MaterialLaw:
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
     """Turn the tables of a file into a law; every error begins with the file."""
     with error_prefix(f"{where}: "):
-        _only("", tables, (*_TEXTS, *_NUMBERS, *_TABLES))
+        check_known(tables, (*_TEXTS, *_NUMBERS, *_TABLES), "")
         texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
         numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
         softening = _softening(tables["softening"]) if "softening" in tables else None
@@ -154,18 +154,10 @@ def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
         )
 
 
-def _only(section: str, table: Mapping[str, object], allowed: tuple[str, ...]) -> None:
-    """Refuse keys that are none."""
-    for key in table:
-        if key not in allowed:
-            shown = key if key.replace("_", "").replace("-", "").isalnum() else as_written(key)
-            raise InputError(unknown_key(f"{section}{shown}", table[key], nearest(key, list(allowed))))
-
-
 def _table(key: str, value: object, allowed: tuple[str, ...], needed: tuple[str, ...] = ()) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise InputError(f"{key}: need a table under [{key}], got {as_written(value)}")
-    _only(f"{key}.", value, allowed)
+    check_known(value, allowed, f"{key}.")
     for name in needed:
         if name not in value:
             raise InputError(f"{key}.{name}: is missing; needed here: {', '.join(needed)}")
