@@ -17,6 +17,7 @@ from typing import Annotated, Any
 from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, UnusedCliTokensError
 
 from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.memory_limit import check_room_for_libraries
 from forficula.names import listed
@@ -30,7 +31,7 @@ app = App(
     help_format="plaintext",
     suppress_keyboard_interrupt=False,
 )
-# and whether they come to something that other programs would read
+# commands, and whether they have JSON for other programs
 _COMMANDS: dict[Callable[..., int | None], bool] = {
     runs.run: True,
     designs.pattern: False,
@@ -49,7 +50,6 @@ _COMMANDS: dict[Callable[..., int | None], bool] = {
     runs.figure: False,
     runs.film: False,
     materials.materials: True,
-    designs.new: False,
     designs.scale: False,
     designs.designs: True,
     studies.studies: True,
@@ -78,6 +78,7 @@ def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | No
 for each, has_data in _COMMANDS.items():
     # a function that is called as its command would hide a name that Python has
     app.command(_offering_json(each) if has_data else each, name=each.__name__.removesuffix("_design"))
+app.command(new)
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )

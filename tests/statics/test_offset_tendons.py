@@ -18,18 +18,14 @@ from forficula.statics import (
     TendonHinge,
     final_speed,
     fold_time,
-    growth_rate,
     hinge_landscape,
     hinge_remarks,
-    hinge_states,
-    holding_torque,
     ideal_hinges,
-    peak_opening_torque,
     slack_angle,
-    top_barrier,
 )
-from forficula.statics.landscape import tendon_landscapes
+from forficula.statics.tree_landscape import tendon_landscapes
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import growth_rate, hinge_states, holding_torque, peak_opening_torque, top_barrier
 
 REFERENCE = load_design("binder2025")
 DEGREE = math.radians(1)

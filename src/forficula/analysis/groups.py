@@ -17,6 +17,7 @@ import numpy as np
 
 from forficula.analysis.scales import Scale, scale_of
 from forficula.names import listed
+from forficula.pattern.geometry import polygon_normal, triangle_areas
 from forficula.serial import Key, Written
 from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
@@ -252,7 +253,7 @@ def _facet_widths(structure: Structure) -> list[float]:
     for numbers in [each.points for each in structure.plates] + [each.points for each in structure.facets]:
         corners = points[list(numbers)]
         following = np.roll(corners, -1, axis=0)
-        area = np.linalg.norm(np.cross(corners - corners[0], following - corners[0]).sum(axis=0)) / 2
+        area = np.linalg.norm(polygon_normal(corners)) / 2
         widths.append(float(area / np.linalg.norm(following - corners, axis=1).max()))
     return widths
 
@@ -299,8 +300,7 @@ def _widths(structure: Structure) -> list[float]:
             widths.append(min(float(np.linalg.norm(way)) for way in ways))
             continue
         corners = membrane.built[membrane.triangles]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        widths.append(math.sqrt(float(np.linalg.norm(normals, axis=1).sum()) / 2))
+        widths.append(math.sqrt(float(triangle_areas(corners).sum())))
     return widths
 
 

@@ -47,6 +47,9 @@ class Design(Displayed, Part):
 
     # key of a value that every design of its kind has, for a study to begin with
     varied_key: ClassVar[str]
+    # a named design that a new file begins with; None: `example` has the keys of a pattern to begin with
+    reference: ClassVar[str | None] = None
+    example: ClassVar[Mapping[str, object]] = {}
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]

@@ -76,6 +76,7 @@ class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
 
     varied_key: ClassVar[str] = "tendon.stiffness"
+    reference: ClassVar[str | None] = "binder2025"
 
     pattern: FanPatternSection
     vein: VeinSection

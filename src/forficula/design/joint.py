@@ -47,6 +47,7 @@ class JointDesign(Design):
     """Two bars with a hinge and a tendon between them, and what is done to them."""
 
     varied_key: ClassVar[str] = "tendon.rest_length"
+    reference: ClassVar[str | None] = "binder2025-joint"
 
     pattern: JointPattern
     vein: VeinSection

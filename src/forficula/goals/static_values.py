@@ -8,9 +8,9 @@ from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
 from forficula.statics.equilibrium import barrier_between
 from forficula.statics.fold_path import fold_path
-from forficula.statics.landscape import tendon_landscapes
 from forficula.statics.potential import ensemble
-from forficula.statics.slow_drives import slow_drives
+from forficula.statics.survey import slow_drives
+from forficula.statics.tree_landscape import tendon_landscapes
 from forficula.structure import Structure, mass_of, structure_of
 
 # of a hinge's curves and of a fold's: their ends, tops and peaks are exact or interpolated by cubics

@@ -93,10 +93,10 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     What it does not have is left out: no tendon across one hinge, no hinge that folds. Where it has no one way to fold,
     the states in which it rests stand in place of the path; of points that slide the states that were found.
     """
-    structure, net = landscape.structure, landscape.net
-    if net is not None:
-        states = ("states", "modes") if net.states else ()
-        return (*states, *["barriers"] * (len(net.states) > 1), *["courses"] * bool(net.courses))
+    structure = landscape.structure
+    if landscape.net is not None:
+        states = ("states", "modes") if landscape.states else ()
+        return (*states, *["barriers"] * (len(landscape.states) > 1), *["courses"] * bool(landscape.courses))
     tendon = ("tendon",) if inner_tendon(structure) is not None else ()
     # a single hinge has no levels between, and its own figure
     levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()

@@ -20,7 +20,8 @@ from forficula.show.page.packing import packed
 from forficula.show.page.words import readable
 from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
-from forficula.statics import EnergyLandscape, HingeLandscape, stable_states
+from forficula.statics import EnergyLandscape, HingeLandscape
+from forficula.statics.landscape import fold_states
 from forficula.statics.potential import ensemble, stored_energy
 from forficula.structure import crossing_tendons
 
@@ -191,8 +192,7 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
     along = -path.ring_angle if folds else path.pleat_angle
     line = Course(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
     states = [
-        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line)
-        for each in stable_states(landscape)
+        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line) for each in fold_states(landscape)
     ]
     line, *states = (replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in (line, *states))
     told = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)

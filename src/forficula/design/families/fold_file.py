@@ -1,14 +1,16 @@
-"""The section of a sheet's design for a pattern that a file holds."""
+"""Designs of sheets whose pattern is read from a file."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 
@@ -93,3 +95,11 @@ class FoldFile(Part):
             edges_role=self.roles,
             faces_vertices=self.facets,
         )
+
+
+class FoldFileDesign(SheetDesign):
+    """A sheet that a file holds, and what is done to it."""
+
+    example: ClassVar[Mapping[str, object]] = {"path": "sheet.fold"}
+
+    pattern: FoldFile
