@@ -236,12 +236,14 @@ def summary_of(record: Record) -> Numbers:
 
 def landscape_numbers(landscape: EnergyLandscape) -> Numbers:
     """Every number of a landscape that has a digest, by the name that its digest was kept by."""
-    since = ("structure.", "rests.", "states.", "passes.", "courses.", "fold_path.turns", "fold_path.folds")
+    since = ("structure.", "rests.", "states.", "passes.", "courses.", "hinges.", "fold_path.turns", "fold_path.folds")
     numbers = {_kept_name(name): value for name, value in _fields(landscape) if not name.startswith(since)}
     assert landscape.fold_path is not None
     return {
         **numbers,
         **dict(_fields(landscape.hinge, "hinge")),
+        **dict(_fields(landscape.tendons, "tendons")),
+        **dict(_fields(tuple(each.ideal for each in landscape.hinges), "ideal_hinges")),
         "wing.veins": landscape.fold_path.turns,
         **{f"{name}_torque": torque for name, torque in landscape.least_torques.items()},
     }

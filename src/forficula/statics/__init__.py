@@ -1,10 +1,12 @@
 from forficula.statics.fold_path import FoldPath, StableState
 from forficula.statics.hinge import TendonHinge, folding_sense, ideal_hinges, slack_angle, tendon_hinge, tendon_hinges
 from forficula.statics.hinge_landscape import (
+    CrossedHinge,
     HingeLandscape,
     HingeSpring,
     HingeState,
     PeakTorque,
+    crossed_hinges,
     hinge_landscape,
     hinge_remarks,
 )
@@ -15,6 +17,7 @@ from forficula.statics.snap import final_speed, fold_time, time_scale
 from forficula.statics.survey import energy_landscape
 
 __all__ = [
+    "CrossedHinge",
     "EnergyLandscape",
     "FoldPath",
     "HingeLandscape",
@@ -26,6 +29,7 @@ __all__ = [
     "StableState",
     "TendonHinge",
     "barrier",
+    "crossed_hinges",
     "energy_landscape",
     "final_speed",
     "fold_time",

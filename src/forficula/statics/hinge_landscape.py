@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from itertools import pairwise
 from typing import Literal
 
@@ -16,8 +16,9 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import reading_unit
 from forficula.statics.equilibrium import PathState, states_along
-from forficula.statics.hinge import TendonHinge, slack_angle
+from forficula.statics.hinge import TendonHinge, slack_angle, tendon_hinge
 from forficula.statics.snap import FOLD_START, final_speed, fold_time, time_scale
+from forficula.structure import Structure
 
 _QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
 _FINE = 1801  # angles among which states are looked for
@@ -121,7 +122,16 @@ class HingeLandscape:
     @cached_property
     def fold_time(self) -> float | None:
         """From where the fold is let go to the fold limit, s: an integral, for whoever asks. None with a spring."""
-        return None if self.spring is not None else fold_time(self.hinge, self.fold_start)
+        return self.time_to(self.hinge.fold_limit)
+
+    def time_to(self, angle: float) -> float | None:
+        """From where the fold is let go to an angle past straight, rad, or to the fold limit before it, s.
+
+        None with a spring, and where the hinge does not fold.
+        """
+        if self.spring is not None:
+            return None
+        return fold_time(replace(self.hinge, fold_limit=min(angle, self.hinge.fold_limit)), self.fold_start)
 
     @property
     def spring_energy(self) -> Array:
@@ -279,9 +289,46 @@ def _hinge_state(hinge: TendonHinge, place: PathState) -> HingeState:
     ends = 0.0 - place.coordinate, 0.0 - place.far_coordinate
     if hinge.pulls and abs(ends[1] - hinge.top) < abs(ends[0] - hinge.top):
         ends = ends[::-1]
-    return HingeState(
-        kind=place.kind, angle=ends[0], far_angle=ends[1], energy=place.energy, holding_torque=place.press
-    )
+    # only a slack tendon lets a hinge move freely, and it stores nothing but rounding
+    energy = 0.0 if place.kind == "neutral" else place.energy
+    return HingeState(kind=place.kind, angle=ends[0], far_angle=ends[1], energy=energy, holding_torque=place.press)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrossedHinge:
+    """A hinge that one tendon lies across.
+
+    Attributes:
+        tendon: number of the tendon.
+        hinge: number of the hinge.
+        own: about its true axis.
+        ideal: with both bars square to the axis; None where there are no bars to be so.
+    """
+
+    tendon: int
+    hinge: int
+    own: HingeLandscape
+    ideal: HingeLandscape | None
+
+
+def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHinge, ...]:
+    """Survey every hinge that one tendon lies across, in the order of the tendons; those alike are surveyed once."""
+
+    @cache
+    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
+        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
+
+    found = []
+    for number, tendon in enumerate(structure.tendons):
+        if tendon.crossing is None:
+            continue
+        crossed, own = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        spring = None
+        if crossed.stiffness:
+            spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
+        ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
+        found.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+    return tuple(found)
 
 
 def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.statics.fold_path import FoldPath, StableState, rigid_fold
-from forficula.statics.hinge_landscape import HingeLandscape
+from forficula.statics.hinge_landscape import CrossedHinge, HingeLandscape
 from forficula.statics.inertial_help import InertialHelp
 from forficula.statics.net.net import Net, Shape
 from forficula.statics.net.stable_states import StableStates
@@ -122,8 +122,7 @@ class EnergyLandscape(Displayed):
         passes: between neighbouring states.
         courses: what slowly growing drives do: those of the protocol's transitions, and for nets all others, too.
         remarks: sentences on what does not exist, and what to know of the rest.
-        tendons: every hinge that one tendon lies across, about its true axis, by tendon; with the hinge's spring.
-        ideal_hinges: the same with both bars square to the axis; None for those that have no bars to be so.
+        hinges: every hinge that one tendon lies across, by tendon; with the hinge's spring.
         fold_path: the structure along its fold; None where rigid panels have no one way to fold.
         levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
             (folding hinge + 1,); None where those of single hinges do not add up.
@@ -141,8 +140,7 @@ class EnergyLandscape(Displayed):
     passes: tuple[Pass, ...]
     courses: tuple[LeastTorque | Course, ...]
     remarks: tuple[str, ...]
-    tendons: tuple[HingeLandscape, ...] = ()
-    ideal_hinges: tuple[HingeLandscape | None, ...] = ()
+    hinges: tuple[CrossedHinge, ...] = ()
     fold_path: FoldPath | None = None
     levels: Array | None = None
     partial_folds: tuple[PartialFold, ...] = ()
@@ -158,7 +156,12 @@ class EnergyLandscape(Displayed):
     @property
     def hinge(self) -> HingeLandscape | None:
         """The first ideal hinge, with both bars square to its axis; None where there are no bars to be so."""
-        return next((each for each in self.ideal_hinges if each is not None), None)
+        return next((each.ideal for each in self.hinges if each.ideal is not None), None)
+
+    @property
+    def tendons(self) -> tuple[HingeLandscape, ...]:
+        """Every hinge that one tendon lies across, about its true axis, by tendon."""
+        return tuple(each.own for each in self.hinges)
 
     @property
     def least_torques(self) -> Mapping[str, float | None]:

@@ -35,14 +35,15 @@ _SUFFIXES = {"N": "N", "N m": "N_m", "rad": "deg", "m": "m", "Pa": "Pa", "m/s^2"
 
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     """A landscape as plain data with units in its keys, as `landscape.json` has it."""
-    hinge, path, tips = landscape.hinge, landscape.fold_path, landscape.tips
+    structure, hinge, path, tips = landscape.structure, landscape.hinge, landscape.fold_path, landscape.tips
     torques = [each for each in landscape.courses if isinstance(each, LeastTorque)]
     return {
         "design": landscape.design.name,
         "hinge": None if hinge is None else _hinge_summary(hinge),
         "tendons": [
-            {"tendon": tendon, "hinge": hinge} | _hinge_summary(surveyed)
-            for (tendon, hinge), surveyed in zip(_crossed(landscape.structure), landscape.tendons, strict=True)
+            {"tendon": structure.tendons[each.tendon].name, "hinge": structure.hinges[each.hinge].name}
+            | _hinge_summary(each.own)
+            for each in landscape.hinges
         ],
         "wing": None if path is None else _path_summary(landscape, path),
         "levels_J": None if landscape.levels is None else landscape.levels.tolist(),
@@ -88,15 +89,6 @@ def _tips_summary(tips: TipStiffness) -> dict[str, float | None]:
         "unlocked_along_N_per_m": tips.unlocked_along,
         "unlocked_against_N_per_m": tips.unlocked_against,
     }
-
-
-def _crossed(structure: Structure) -> list[tuple[str, str]]:
-    """Names of the tendons that lie across one hinge, and of their hinges."""
-    return [
-        (tendon.name, structure.hinges[tendon.crossing.hinge].name)
-        for tendon in structure.tendons
-        if tendon.crossing is not None
-    ]
 
 
 def _hinge_summary(hinge: HingeLandscape) -> dict[str, Any]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -15,8 +14,7 @@ from forficula.design import TORQUE, Design
 from forficula.quantities import show_quantity
 from forficula.statics.equilibrium import Equilibria
 from forficula.statics.fold_path import FoldPath, fold_path, fold_states
-from forficula.statics.hinge import TendonHinge, tendon_hinge
-from forficula.statics.hinge_landscape import HingeLandscape, HingeSpring, hinge_landscape
+from forficula.statics.hinge_landscape import CrossedHinge, crossed_hinges
 from forficula.statics.inertial_help import InertialHelp, inertial_help
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest
 from forficula.statics.partial_folds import (
@@ -50,11 +48,11 @@ _SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one pla
 def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyLandscape:
     """Survey the statics of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
-    tendons, ideal_hinges = tendon_landscapes(structure, points)
+    hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    peak = max((each.peak_opening.torque for each in tendons if each.peak_opening is not None), default=0.0)
-    rests, courses, said = _protocol(structures, start, peak)
+    peaks = [each.own.peak_opening.torque for each in hinges if each.own.peak_opening is not None]
+    rests, courses, said = _protocol(structures, start, max(peaks, default=0.0))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -64,15 +62,14 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         courses=courses,
         remarks=(
             *structure.remarks,
-            *_tendon_remarks(structure, ideal_hinges, tendons),
+            *_tendon_remarks(structure, hinges),
             *_shared_remarks(structure),
             *_friction_remarks(structure),
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
             *said,
         ),
-        tendons=tendons,
-        ideal_hinges=ideal_hinges,
+        hinges=hinges,
         fold_path=path,
         levels=fold_levels(structure),
         partial_folds=partial_folds(structures, start.position),
@@ -167,48 +164,23 @@ def _help(structures: Ensemble, transition: Transition, found: SlowTransition | 
     return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
 
 
-def tendon_landscapes(
-    structure: Structure, points: int
-) -> tuple[tuple[HingeLandscape, ...], tuple[HingeLandscape | None, ...]]:
-    """Every hinge that one tendon lies across, and its ideal one, by tendon; those that are alike are surveyed once."""
-
-    @cache
-    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
-        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
-
-    own: list[HingeLandscape] = []
-    ideal: list[HingeLandscape | None] = []
-    for tendon in structure.tendons:
-        if tendon.crossing is None:
-            continue
-        crossed, hinge = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
-        spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=hinge.sense * crossed.rest_angle)
-        sprung = spring if spring.stiffness else None
-        own.append(survey(hinge, sprung))
-        square = None if tendon.ideal is None else tendon_hinge(structure, tendon, tendon.ideal)
-        ideal.append(None if square is None else survey(square, sprung))
-    return tuple(own), tuple(ideal)
-
-
-def _tendon_remarks(
-    structure: Structure, ideal: Sequence[HingeLandscape | None], tendons: Sequence[HingeLandscape]
-) -> tuple[str, ...]:
+def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tuple[str, ...]:
     """What is said of the tendons' hinges: of the ideal ones, and of the true ones where those are slack otherwise.
 
     What holds for some tendons only is said with their names.
     """
-    labels = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is not None]
     of: dict[str, list[str]] = {}
-    for label, square, hinge in zip(labels, ideal, tendons, strict=True):
-        remarks = hinge.remarks if square is None else square.remarks
+    for each in hinges:
+        tendon, own, ideal = structure.tendons[each.tendon], each.own, each.ideal
+        remarks = own.remarks if ideal is None else ideal.remarks
         # where both are slack, the angles differ a little
-        if square is not None and square.hinge.pulls != hinge.hinge.pulls:
+        if ideal is not None and ideal.hinge.pulls != own.hinge.pulls:
             whose = structure.appearance.whole
-            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in hinge.remarks))
+            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in own.remarks))
         for remark in remarks:
-            of.setdefault(remark, []).append(label)
+            of.setdefault(remark, []).append(tendon.label or tendon.name)
     return tuple(
-        remark if len(names) == len(labels) else f"{', '.join(names)}: {remark}" for remark, names in of.items()
+        remark if len(names) == len(hinges) else f"{', '.join(names)}: {remark}" for remark, names in of.items()
     )
 
 

@@ -15,7 +15,8 @@ from forficula.analysis.simulated_snap import (
     fold_limit,
     folded_angle,
     folding_transition,
-    predicted_snap,
+    hinge_name,
+    inner_hinge,
     simulated_snap,
 )
 from forficula.dynamics import Record
@@ -31,9 +32,8 @@ from forficula.show.landscape.landscape_marks import (
     shown_value,
     torque_words,
 )
-from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
 from forficula.show.structure.labels import shown_angles, stress_text, title_of
-from forficula.statics import EnergyLandscape, HingeLandscape
+from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
 from forficula.statics.landscape import LeastTorque, net_courses, net_states
 from forficula.statics.net_state import Mobility, NetState
 from forficula.statics.snap import FOLD_START
@@ -68,7 +68,7 @@ def landscape_table(
         record: a run of its design.
         tendon: number of the one whose hinge stands for all; an inner one if not given.
     """
-    shown = shown_hinge(landscape, tendon)
+    shown = inner_hinge(landscape, tendon)
     tables = (
         _table("Stable states", _states(landscape, shown)),
         _table("How it can move there, and what its parts bear", _moves(landscape)),
@@ -103,10 +103,10 @@ def _verdict(landscape: EnergyLandscape) -> str:
     return f"{landscape.design.name}: {found}{': ' * bool(names)}{', '.join(names)}{partly}"
 
 
-def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Iterator[Row]:
+def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
     """The states of the shown hinge, and of the whole: stable ones, or where it rests if none were looked for."""
     whole, bar = landscape.structure.appearance.whole, landscape.structure.appearance.bar
-    for name, hinge in () if shown is None else shown.columns:
+    for name, hinge in _hinges(landscape, shown):
         for place in hinge.states:
             yield {
                 "": name,
@@ -136,6 +136,14 @@ def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Iterator[Ro
             "at": ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures),
             "energy": _energy(rest.energy),
         }
+
+
+def _hinges(landscape: EnergyLandscape, shown: CrossedHinge | None) -> list[tuple[str, HingeLandscape]]:
+    """The ideal hinge, where there is one, and the true one, by name."""
+    if shown is None:
+        return []
+    own = f"{hinge_name(landscape.structure, shown.tendon)} of the {landscape.structure.appearance.whole}"
+    return [*([] if shown.ideal is None else [("ideal hinge", shown.ideal)]), (own, shown.own)]
 
 
 def _net_row(structure: Structure, state: NetState) -> Row:
@@ -176,8 +184,8 @@ def _freedoms(mobility: Mobility | None) -> Row:
     }
 
 
-def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Iterator[Row]:
-    whole, columns = landscape.structure.appearance.whole, () if shown is None else shown.columns
+def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
+    whole, columns = landscape.structure.appearance.whole, _hinges(landscape, shown)
     overbend = landscape.structure.appearance.overbend
     rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.rigid_fold
@@ -264,53 +272,53 @@ def _tips(tips: TipStiffness | None) -> Iterator[Row]:
         yield {"": name, "along folding": along, "against folding": against}
 
 
-def _snap(landscape: EnergyLandscape, record: Record | None, shown: ShownHinge | None) -> Iterator[Table]:
+def _snap(landscape: EnergyLandscape, record: Record | None, shown: CrossedHinge | None) -> Iterator[Table]:
     """How fast one hinge snaps: predicted where it has no spring of its own, and in the run where there is one."""
     if shown is None:
         return
     structure = landscape.structure
     folded, limit = folded_angle(structure, shown.hinge), fold_limit(structure, shown.hinge)
-    snap = None if record is None else simulated_snap(record, shown.tendon)
-    alone = {"ideal hinge": shown.ideal, shown.name: shown.own}
-    hinges = {name: each for name, each in alone.items() if each is not None and each.spring is None}
-    predicted = {name: predicted_snap(each.hinge, folded) for name, each in hinges.items()}
+    snap = None if record is None else simulated_snap(record, shown)
+    name = hinge_name(structure, shown.tendon)
+    alone = {"ideal hinge": shown.ideal, name: shown.own}
+    hinges = {of: each for of, each in alone.items() if each is not None and each.spring is None}
     top = "its top" if shown.own.hinge.offset_angle else "straight"
-    start, simulated = f"from {show_angle(FOLD_START)} past {top}", f"in the simulated {shown.whole}"
+    start, simulated = f"from {show_angle(FOLD_START)} past {top}", f"in the simulated {structure.appearance.whole}"
     rows = list[Row]()
     if hinges:
-        rows.append({"": "time scale t*", **{name: _time(each.time_scale) for name, each in hinges.items()}})
-        rates = {name: _rate(each.growth_rate) for name, each in hinges.items()}
+        rows.append({"": "time scale t*", **{of: _time(each.time_scale) for of, each in hinges.items()}})
+        rates = {of: _rate(each.growth_rate) for of, each in hinges.items()}
         rows.append({"": f"growth rate at {top}", **rates})
     if hinges or snap is not None:
         if folded is not None:
-            times = {name: _time(each.folded_time) for name, each in predicted.items()}
+            times = {of: _time(each.time_to(folded)) for of, each in hinges.items()}
             timed = {} if snap is None else {simulated: _simulated_time(snap, snap.folded_time)}
             rows.append({"": f"{start} to {show_angle(folded)}", **times, **timed})
-        times = {name: _time(each.fold_time) for name, each in predicted.items()}
+        times = {of: _time(each.fold_time) for of, each in hinges.items()}
         timed = {} if snap is None else {simulated: _simulated_time(snap, snap.fold_time)}
         rows.append({"": f"{start} to {show_angle(limit)}", **times, **timed})
         speed = "largest speed"
         if hinges:
             speed = f"final speed{'; simulated: the largest' * (snap is not None)}"
-        speeds = {name: _speed(each.final_speed) for name, each in predicted.items()}
+        speeds = {of: _speed(each.final_speed) for of, each in hinges.items()}
         rows.append({"": speed, **speeds, **({} if snap is None else {simulated: _speed(snap.peak_speed)})})
-    yield _table("Snap of one hinge alone, without damping" if hinges else f"Snap of {shown.name}", rows)
+    yield _table("Snap of one hinge alone, without damping" if hinges else f"Snap of {name}", rows)
 
 
 def _simulated_time(snap: SimulatedSnap, time: float | None) -> str:
     return f"folds to {show_angle(snap.largest_fold)} only" if time is None else _time(time)
 
 
-def _simulation_remarks(record: Record | None, shown: ShownHinge | None) -> Iterator[str]:
+def _simulation_remarks(record: Record | None, shown: CrossedHinge | None) -> Iterator[str]:
     """What became of the simulation, and how finely it was sampled."""
     if record is None:
         return
     outcome, structure = measure(record), record.structure
-    snap = None if shown is None else simulated_snap(record, shown.tendon)
+    snap = None if shown is None else simulated_snap(record, shown)
     yield f"the simulated {structure.appearance.whole}: {outcome.status}. {outcome.advice}".strip()
     if snap is None or shown is None:
         return
-    sampled = f"its {shown.name} is sampled every {_time(snap.sample_interval)}"
+    sampled = f"its {hinge_name(structure, shown.tendon)} is sampled every {_time(snap.sample_interval)}"
     if shown.own.spring is not None:
         yield sampled
         return
