@@ -21,7 +21,7 @@ from forficula.statics.snap import FOLD_START, final_speed, fold_time, time_scal
 from forficula.structure import Structure
 
 _QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
-_FINE, _COARSE = 1801, 91  # angles among which states and peaks are looked for, with a spring and without one
+_FINE, _COARSE = 1801, 46  # angles among which states and peaks are looked for, with a spring and without one
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -238,10 +238,12 @@ def _places(path: _Path) -> tuple[PathState, ...]:
     """Where a hinge stays, and the tops between, from the overbend to the fold limit."""
     folds = -special_angles(path.hinge, path.places)
     largest = float(np.abs(path(folds)[1]).max())
-    if path.spring is None:
-        # where the tendon is slack nothing moves the hinge, however short that range is
-        return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
-    return states_along(path, folds, force=_QUIET * largest)
+    if path.spring is not None:
+        return states_along(path, folds, force=_QUIET * largest)
+    # a place between any two special ones, at which the moment may be none
+    folds = np.sort(np.concatenate([folds, (folds[1:] + folds[:-1]) / 2]))
+    # where the tendon is slack nothing moves the hinge, however short that range is
+    return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
 def _top_of(found: tuple[PathState, ...]) -> PathState | None:
