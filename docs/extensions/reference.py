@@ -19,31 +19,25 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
-from forficula.design.key_table import KeyFact, facts_within, key_facts
+from forficula.design.key_table import KeyFact, key_facts
 from forficula.design.kinds import KINDS
+from forficula.design.part import Part
 from forficula.errors import InputError
-from forficula.goals.goal_keys import GOAL_KEYS
-from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
-from forficula.study.study_keys import STUDY_KEYS
+from forficula.goals.goal_file import GoalFile
+from forficula.goals.identify.observations_file import ObservationsFile
+from forficula.study.study_file import StudyFile
 
 _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
 _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
+_FILES: dict[str, type[Part]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
 _NUMBER = re.compile(r"\.0\.")
 
 
 def facts_of(kind: str) -> list[KeyFact]:
-    match kind:
-        case "study":
-            return facts_within("", STUDY_KEYS)
-        case "goal":
-            return facts_within("", GOAL_KEYS)
-        case "observations":
-            return facts_within("", OBSERVATION_KEYS)
-        case _:
-            return key_facts("", KINDS[kind])
+    return key_facts("", {**KINDS, **_FILES}[kind])
 
 
 def known_key(key: str) -> str | None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
+from forficula.serial import Metres, SquareMetres, Written
 from forficula.structure import Structure, goal_coordinates, state_of
 
 _FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
@@ -30,12 +32,12 @@ class Package:
         area_ratio: that area by the one at the start of the run.
     """
 
-    height: float
-    width: float
-    length: float
-    area: float
-    upwards: Array
-    across: Array
+    height: Metres
+    width: Metres
+    length: Metres
+    area: SquareMetres
+    upwards: Annotated[Array, Written.NEVER]
+    across: Annotated[Array, Written.NEVER]
     area_ratio: float = 1.0
 
 

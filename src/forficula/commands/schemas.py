@@ -11,13 +11,13 @@ from forficula.errors import InputError
 
 
 def schema(
-    kind: Annotated[str, Parameter(help="summary (of a run), landscape, row (of a study), or assumptions.")],
+    kind: Annotated[str, Parameter(help="summary (of a run), row (of a study), landscape, assumptions, ...")],
     /,
 ) -> None:
     """Print the JSON schema of what --json writes."""
-    from forficula.analysis.json_schemas import json_schema
+    from forficula.results import json_schema
 
     try:
-        print(json.dumps(json_schema(kind), indent=2))  # type: ignore[arg-type]
+        print(json.dumps(json_schema(kind), indent=2))
     except InputError as error:
         raise InputError(f"schema: {error}") from None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
@@ -26,6 +27,19 @@ if TYPE_CHECKING:
 _MOST_STEPS = 1e9
 # rows of a record times parts: some 5 GB in memory
 _MOST_ROWS = 1e7
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignIdentity:
+    """What results are of.
+
+    Attributes:
+        design: name of the design.
+        design_hash: hash of all its values.
+    """
+
+    design: str
+    design_hash: str
 
 
 class Design(Displayed, Part):
@@ -88,6 +102,11 @@ class Design(Displayed, Part):
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         name: str = self.once("hash", lambda: _hash(self.hash_values()))
         return name
+
+    @property
+    def identity(self) -> DesignIdentity:
+        """Its name and hash, as files of results have them."""
+        return DesignIdentity(design=self.name, design_hash=self.hash)
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

@@ -13,9 +13,10 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
+from forficula.design.keys import entry_of, section_fields
 from forficula.design.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
-from forficula.design.part import Part, entry_part, field_quantity
+from forficula.design.part import Part, field_quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
@@ -79,7 +80,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         values = part.as_tables()
         yield f"\n[{section}]  # {part.about}"
         for key, entry in type(part).model_fields.items():
-            if entry_part(entry) is not None:
+            if section_fields(entry_of(entry.annotation)):
                 # a table under a header of its own ends what stands under the section's
                 continue
             if key not in values:
@@ -93,7 +94,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         for key, entry in type(part).model_fields.items():
             if key == "stages":
                 yield from _commented_stages(values["stages"], entry.description)
-            elif entry_part(entry) is not None:
+            elif section_fields(entry_of(entry.annotation)):
                 yield from _commented_tables(f"{section}.{key}", getattr(part, key), entry)
 
 
@@ -112,10 +113,9 @@ def _line(key: str, value: object) -> str:
 def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
     """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
     yield f"\n# {field.description}; giving any replaces all of them."
-    model = entry_part(field)
     for values in [part.as_tables() for part in entries] or [{}]:
         yield f"# [[{header}]]"
-        for key, entry in ({} if model is None else model.model_fields).items():
+        for key, entry in section_fields(entry_of(field.annotation)).items():
             if entries and key not in values:
                 continue
             line = _line(key, values[key]) if key in values else _example(key, entry)

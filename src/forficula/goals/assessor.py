@@ -14,12 +14,12 @@ from forficula.errors import InputError
 from forficula.goals.outcome_quantity import SOURCES, STATIC, OutcomeQuantity, Source, quantities_of
 from forficula.goals.static_values import static_values
 from forficula.names import check_whole
+from forficula.serial import unit_suffix
 from forficula.study.evaluate import ending_row, evaluate, row_key
 from forficula.study.journal import Journal, Row, open_journal, read_rows
 from forficula.study.run_study import Evaluate, Progress
 from forficula.study.search import search_designs, search_result
 from forficula.study.search_steps import Search
-from forficula.study.table import unit_suffix
 
 # Runs side by side: enough that a few slow ones do not leave a core idle for long; of whole records, fewer fit memory.
 _BATCH, _WHOLE_BATCH = 512, 48

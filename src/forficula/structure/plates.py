@@ -10,6 +10,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge
+from forficula.design.sheet_course import places_of
 from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
@@ -56,7 +57,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     tendons = plate_tendons(design, pattern, links, add)
     measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
     for drive in design.drive:
-        for place, text in enumerate(drive.places):
+        for place, text in enumerate(places_of(drive)):
             add(pushed_name(drive, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,

@@ -11,7 +11,14 @@ import numpy as np
 
 from forficula.design import SheetDesign, Stage, stage_drives
 from forficula.design.protocol import read_goal
-from forficula.design.sheet_course import STRENGTHS, SheetDrive
+from forficula.design.sheet_course import (
+    DisplacementDrive,
+    ForceDrive,
+    RestAngleDrive,
+    SheetDrive,
+    TorqueDrive,
+    places_of,
+)
 from forficula.design.sheet_creases import creases_of, fold_edges
 from forficula.errors import InputError
 from forficula.names import listed
@@ -106,19 +113,19 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
     numbers = hinges_by_edge(structure.hinges)
     acting: list[set[int]] = []
     for drive in design.drive:
-        edges = () if drive.places else creases_of(design.sheet, str(drive.of), design.crease.group)
+        edges = () if places_of(drive) else creases_of(design.sheet, str(drive.of), design.crease.group)
         acting.append({hinge for edge in edges for hinge in numbers[edge]})
     motors, moved = _torques(structure, design, acting)
     strengths: list[float] = []
     for number, drive in enumerate(design.drive):
-        strength: float | None = getattr(drive, STRENGTHS[drive.kind])
-        if drive.places:
-            motors.append(_at_places(structure, design, number))
-        elif drive.kind == "rest-angle":
+        strength: float | None = getattr(drive, drive.strength_key)
+        if isinstance(drive, ForceDrive | DisplacementDrive):
+            motors.append(_at_places(structure, design, number, drive))
+        elif isinstance(drive, RestAngleDrive):
             motor, largest = _rest_angles(structure, design, drive, sorted(acting[number]))
             motors.append(motor)
             strength = largest if strength is None else strength
-        if drive.kind != "torque":
+        if not isinstance(drive, TorqueDrive):
             moved.append((number,))
         strengths.append(strength or 0.0)
     rises = [design.protocol.rise if drive.rise is None else drive.rise for drive in design.drive]
@@ -127,7 +134,7 @@ def _driven(structure: Structure, design: SheetDesign) -> tuple[tuple[Motor, ...
             name=drive.name,
             shares=tuple(1.0 if number in drives else 0.0 for drives in moved),
             rise=rises[number],
-            key=f"drive.{drive.name}.{STRENGTHS[drive.kind]}",
+            key=f"drive.{drive.name}.{drive.strength_key}",
             strength=strengths[number],
             where=_where(drive),
         )
@@ -139,7 +146,7 @@ def _torques(
     structure: Structure, design: SheetDesign, acting: Sequence[set[int]]
 ) -> tuple[list[Motor], list[tuple[int, ...]]]:
     """The motors of torques, and the numbers of the drives that each follows."""
-    turning = [number for number, drive in enumerate(design.drive) if drive.kind == "torque"]
+    turning = [number for number, drive in enumerate(design.drive) if isinstance(drive, TorqueDrive)]
     shared: dict[tuple[int, ...], list[int]] = {}
     for hinge in range(len(structure.hinges)):
         drives = tuple(number for number in turning if hinge in acting[number])
@@ -162,7 +169,8 @@ def _torques(
 
 def _no_load_speed(design: SheetDesign, drives: Sequence[int]) -> float:
     """That of drives which act on the same creases."""
-    speeds = {design.drive[number].no_load_speed: number for number in drives}
+    torques = {number: drive for number, drive in enumerate(design.drive) if isinstance(drive, TorqueDrive)}
+    speeds = {torques[number].no_load_speed: number for number in drives}
     if len(speeds) > 1:
         one, other = sorted(speeds.values())
         raise InputError(
@@ -182,24 +190,23 @@ def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[floa
     return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
 
 
-def _at_places(structure: Structure, design: SheetDesign, number: int) -> Motor:
+def _at_places(structure: Structure, design: SheetDesign, number: int, drive: ForceDrive | DisplacementDrive) -> Motor:
     """The motor of nodes, which have the numbers of their points, or of a force at places on plates."""
-    drive = design.drive[number]
     nodes = None if structure.plates else sheet_nodes(design)
     named = {point.name: number for number, point in enumerate(structure.points)}
     direction = np.array(drive.direction, dtype=np.float64)
     points = tuple(
         named[pushed_name(drive, place)] if nodes is None else node_of(design.sheet, nodes, text)
-        for place, text in enumerate(drive.places)
+        for place, text in enumerate(places_of(drive))
     )
-    for point, text in zip(points, drive.places, strict=True) if nodes is not None else ():
+    for point, text in zip(points, places_of(drive), strict=True) if nodes is not None else ():
         if not any(direction[axis] for axis in structure.bodies[point].slides):
             raise InputError(
                 f"drive.{number}.of: need a vertex that is free along drive.{number}.direction, got {as_written(text)},"
                 " which a support holds"
             )
     direction /= np.linalg.norm(direction)
-    if drive.kind != "displacement":
+    if isinstance(drive, ForceDrive):
         return Motor(name=drive.name, kind="force", points=points, direction=direction)
     stiffness = _SERVO * _stiffest(structure, points)
     masses = [structure.bodies[structure.points[point].body].mass for point in points]
@@ -225,7 +232,7 @@ def pushed_name(drive: SheetDrive, number: int) -> str:
 
 
 def _rest_angles(
-    structure: Structure, design: SheetDesign, drive: SheetDrive, hinges: Sequence[int]
+    structure: Structure, design: SheetDesign, drive: RestAngleDrive, hinges: Sequence[int]
 ) -> tuple[Motor, float]:
     """The motor of springs that rest further on, and the furthest of those that go on to their targets."""
     if drive.to is None:
@@ -305,7 +312,7 @@ def _wording(state: str, done: str) -> Wording:
 
 def drive_keys(design: SheetDesign) -> tuple[str, ...]:
     """Keys of the values that say how strong the drives are."""
-    return tuple(f"drive.{drive.name}.{STRENGTHS[drive.kind]}" for drive in design.drive)
+    return tuple(f"drive.{drive.name}.{drive.strength_key}" for drive in design.drive)
 
 
 def static_keys(design: SheetDesign) -> tuple[str, ...]:

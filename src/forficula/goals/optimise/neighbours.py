@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from forficula.goals.goal import Goal
 from forficula.goals.latin_points import latin_points
 from forficula.goals.optimise.screening import screened
 from forficula.goals.share_interval import share_interval
+from forficula.serial import Written
 
 # Neighbours that are asked first; each time after that twice as many are known.
 _FIRST = 8
@@ -36,12 +38,12 @@ class Neighbours:
 
     works: int
     tried: int
-    wanted: int
-    runs: int
-    looks: int = 1
+    wanted: Annotated[int, Written.NEVER]
+    runs: Annotated[int, Written.NEVER]
+    looks: Annotated[int, Written.NEVER] = 1
 
     @property
-    def share(self) -> float:
+    def share(self) -> Annotated[float, Written.ALWAYS]:
         """Of those that were asked, the ones that work."""
         return self.works / self.tried
 
@@ -49,6 +51,11 @@ class Neighbours:
     def interval(self) -> tuple[float, float]:
         """Of the share, at 95 %."""
         return share_interval(self.works, self.tried, self.looks)
+
+    @property
+    def ends(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
+        """The ends of the interval by name."""
+        return dict(zip(("low", "high"), self.interval, strict=True))
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 from forficula.design import Design
 from forficula.displayed import Displayed
@@ -11,6 +11,7 @@ from forficula.goals.goal import Goal
 from forficula.goals.optimise.candidate import Candidate
 from forficula.goals.optimise.relaxation import Relaxation
 from forficula.goals.optimise.verification import Verification
+from forficula.serial import Key, Written
 
 if TYPE_CHECKING:
     import xarray
@@ -35,12 +36,12 @@ class Effort:
     runs: int
     ruled_out: dict[str, int]
     neighbour_runs: int
-    spared_neighbours: int
+    spared_neighbours: Annotated[int, Key("neighbours_spared")]
     verification_runs: int
-    simulated: bool
+    simulated: Annotated[bool, Written.NEVER]
 
     @property
-    def spared_runs(self) -> int:
+    def spared_runs(self) -> Annotated[int, Key("runs_spared")]:
         """Runs that were never made, where there would have been any."""
         return sum(self.ruled_out.values()) if self.simulated else 0
 

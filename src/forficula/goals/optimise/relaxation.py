@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 from forficula.goals.optimise.ranking import standing
 from forficula.goals.optimise.trial import Trial
+from forficula.serial import Key, Written
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,11 +26,11 @@ class Relaxation:
         trial: that has `alone`, or None.
     """
 
-    limit: int
-    best: float
-    alone: float
-    unseen: float
-    trial: Trial | None
+    limit: Annotated[int, Written.NEVER]
+    best: Annotated[float, Key("best_margin")]
+    alone: Annotated[float, Key("best_where_others_hold")]
+    unseen: Annotated[float, Written.NEVER]
+    trial: Annotated[Trial | None, Written.NEVER]
 
 
 def relaxations(trials: Sequence[Trial]) -> list[Relaxation]:

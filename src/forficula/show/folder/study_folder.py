@@ -93,4 +93,20 @@ def _cell(table: Dataset) -> Iterator[str]:
     yield numbers(table)
 
 
-PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read)
+def _write(table: Dataset, folder: Path) -> None:
+    """Write a table without kept runs, so its page plays none."""
+    from forficula.study.study_table import study_of_table
+
+    study = study_of_table(table)
+    write_study(study, table, folder)
+    write_study_report(study, table, (), 0, folder)
+
+
+def _write_page(table: Dataset, path: Path, engine: bool) -> None:
+    from forficula.study.study_table import study_of_table
+
+    study = study_of_table(table)
+    write_study_page(study, table, path, (), 0, compare(study, table), engine=engine)
+
+
+PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read, write=_write, page=_write_page)
