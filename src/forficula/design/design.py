@@ -11,6 +11,7 @@ from pydantic import Field, field_validator
 
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
+from forficula.design.named_protocol import NamedProtocol
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
 from forficula.design.provenance import WORDS, check_paper
@@ -33,6 +34,10 @@ class Design(Displayed, Part):
 
     # key of a value that every design of its kind has, for a study to begin with
     varied_key: ClassVar[str]
+    # keys, or starts of keys, of what matters to where it rests, but for its tendons
+    rest_keys: ClassVar[tuple[str, ...]]
+    # the section that says how heavy it is, which matters to where it rests under gravity
+    weight_section: ClassVar[str]
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
@@ -85,6 +90,15 @@ class Design(Displayed, Part):
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         name: str = self.once("hash", lambda: _hash(self.hash_values()))
         return name
+
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """Its protocol by names, in the form that designs of every kind have."""
+        named: NamedProtocol = self.once("named protocol", self._named_protocol)
+        return named
+
+    def _named_protocol(self) -> NamedProtocol:
+        raise NotImplementedError
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

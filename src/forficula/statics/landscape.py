@@ -42,7 +42,7 @@ from forficula.statics.quasi_static import (
 from forficula.statics.slow_remarks import slow_remarks
 from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.statics.tip_stiffness import TipStiffness, tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, first_state, state_of
+from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0
@@ -204,7 +204,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
         slow[transition.name] = found
         helps[transition.name] = _help(structures, transition, found)
         before = start_of_next
-        held = bool(at_goal(structures, before.position, transition.released)[0])
+        held = bool(at_goal(structures, before.position, goal_of(structure, transition.released))[0])
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -322,7 +322,8 @@ def _name(state: PathState, landscape: EnergyLandscape) -> str:
     path, fold = fold_path_of(landscape), rigid_fold(landscape.structure)
     ring = float(np.interp(state.far_coordinate, path.pleat_angle, path.ring_angle))
     folded = state_of(landscape.structure, fold.end)
-    enough = folded is not None and bool(np.all(-ring <= folded.bounds.most[list(fold.folds)]))
+    most = None if folded is None else goal_of(landscape.structure, folded.goal).most[list(fold.folds)]
+    enough = most is not None and bool(np.all(-ring <= most))
     closed = enough or state.far_coordinate >= math.pi
     if state.coordinate <= 0:
         return "anywhere" if closed else fold.start
@@ -331,7 +332,8 @@ def _name(state: PathState, landscape: EnergyLandscape) -> str:
 
 def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
     state, position = state_of(structures.structure, name), found.position[0]
-    within = state is None or bool(at_goal(structures, found.position[:1], state.bounds)[0])
+    goal = None if state is None else goal_of(structures.structure, state.goal)
+    within = goal is None or bool(at_goal(structures, found.position[:1], goal)[0])
     slight = slight_energy(structures)
 
     def known(energy: Array) -> float:
