@@ -11,7 +11,7 @@ import pytest
 from scipy.stats import qmc
 
 from forficula.goals.optimise.axis import Axis, placed
-from forficula.goals.optimise.batches import batches
+from forficula.goals.optimise.batches import ParabolaSearch
 from forficula.goals.optimise.ranking import best_ranked, pareto_front
 from forficula.goals.optimise.relaxation import nearest_trial, relaxations
 from forficula.goals.optimise.trial import Trial
@@ -19,20 +19,15 @@ from forficula.goals.optimise.trial import Trial
 
 def searched(problem, axes, count, objectives=1, batch=16, seed=0):
     """All trials of a search, in their order."""
-    search, trials = batches(axes, objectives, batch, seed), []
-    points = next(search)
-    while True:
+    search, trials = ParabolaSearch(axes, objectives, batch, seed), []
+    while len(trials) < count and (points := search.ask()):
         told = []
         for point in points:
             costs, margins = problem(np.array(point))
             told.append(Trial(point=point, objectives=tuple(map(float, costs)), margins=tuple(map(float, margins))))
+        search.tell(told)
         trials += told
-        if len(trials) >= count:
-            return trials
-        try:
-            points = search.send(told)
-        except StopIteration:
-            return trials
+    return trials
 
 
 def sphere(x):
@@ -196,13 +191,14 @@ MIXED = (Axis(), Axis(), Axis(levels=7))
 ASK_AGAIN = """
 import json, sys
 from forficula.goals.optimise.axis import Axis
-from forficula.goals.optimise.batches import batches
+from forficula.goals.optimise.batches import ParabolaSearch
 from forficula.goals.optimise.trial import Trial
 told = json.loads(sys.stdin.read())
-search = batches((Axis(), Axis(), Axis(levels=7)), 1, 16, 3)
-asked = [next(search)]
+search = ParabolaSearch((Axis(), Axis(), Axis(levels=7)), 1, 16, 3)
+asked = [search.ask()]
 for batch in told:
-    asked.append(search.send([Trial(point=tuple(p), objectives=(f,), margins=(m,)) for p, f, m in batch]))
+    search.tell([Trial(point=tuple(p), objectives=(f,), margins=(m,)) for p, f, m in batch])
+    asked.append(search.ask())
 print(json.dumps(asked))
 """
 

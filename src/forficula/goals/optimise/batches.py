@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 import scipy
@@ -35,49 +36,72 @@ _ENDS, _LEAST_SPAN = 2, 1e-12
 _END_EVERY = 4
 
 
-def batches(
-    axes: Sequence[Axis], objectives: int, batch: int, seed: int, starts: Sequence[Point] = ()
-) -> Generator[list[Point], Sequence[Trial], None]:
-    """Batches of points to look at; each is handed on when the trials of the one before are sent.
+class Optimiser(Protocol):
+    """A method that looks for the best points of the unit cube, batch after batch."""
+
+    def ask(self) -> list[Point]:
+        """Return the points to try next; none where no point is left."""
+        ...
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        """Learn from trials of the points that were tried, which may be others than those that `ask` returned."""
+        ...
+
+
+class ParabolaSearch:
+    """Search that fits parabolas to the trials around the best points and proposes the optimum of the parabolas.
 
     Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas through the trials around the best ones,
     apart from one another, propose where their optimum is, further ones are drawn around these, and the rest comes from
     differential evolution, which finds what parabolas do not see. Points are a pure function of the arguments and of
-    what was sent, in their order: a search that is told the same again asks the same again. It ends where no point is
-    left that was not looked at.
-
-    Args:
-        axes: of the unit cube.
-        objectives: how many, 1 to 3.
-        batch: points at a time.
-        seed: of all that is drawn.
-        starts: points to look at first.
+    what was told, in their order: a search that is told the same again asks the same again.
     """
-    trials: list[Trial] = []
-    asked: set[Point] = set()
-    filling = scipy.stats.qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
-    weights, number = aim_weights(objectives), 0
-    while True:
-        generator = np.random.default_rng([seed, number])
-        if len(trials) < filling_count(axes, batch):
-            wanted = [*placed(axes, np.array(starts).reshape(-1, len(axes)))] if number == 0 else []
-            wanted += placed(axes, _filling_points(filling, batch))
+
+    def __init__(
+        self, axes: Sequence[Axis], objectives: int, batch: int, seed: int, starts: Sequence[Point] = ()
+    ) -> None:
+        """Start a search.
+
+        Args:
+            axes: of the unit cube.
+            objectives: how many, 1 to 3.
+            batch: points at a time.
+            seed: of all that is drawn.
+            starts: points to look at first.
+        """
+        self._axes, self._batch, self._seed, self._starts = axes, batch, seed, starts
+        self._weights = aim_weights(objectives)
+        self._filling = scipy.stats.qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+        self._trials: list[Trial] = []
+        self._tried: set[Point] = set()
+        self._number = 0
+
+    def ask(self) -> list[Point]:
+        """Return the next batch of points, none of which was tried before; none where no point is left."""
+        axes, batch = self._axes, self._batch
+        generator = np.random.default_rng([self._seed, self._number])
+        if len(self._trials) < filling_count(axes, batch):
+            wanted = [*placed(axes, np.array(self._starts).reshape(-1, len(axes)))] if self._number == 0 else []
+            wanted += placed(axes, _filling_points(self._filling, batch))
         else:
-            wanted = _near(axes, archive_of(trials), weights, batch, number, generator)
-            rest = batch - len(_new(wanted, asked, batch))
-            spread = 0 if any(trial.feasible for trial in trials) else round(_FILLING * rest)
-            wanted += placed(axes, _filling_points(filling, spread)) if spread else []
-            wanted += varied(axes, best_ranked(trials, _POPULATION * batch), rest - spread, generator)
-        points = _new(wanted, asked, batch)
+            wanted = _near(axes, archive_of(self._trials), self._weights, batch, self._number, generator)
+            rest = batch - len(_new(wanted, self._tried, batch))
+            spread = 0 if any(trial.feasible for trial in self._trials) else round(_FILLING * rest)
+            wanted += placed(axes, _filling_points(self._filling, spread)) if spread else []
+            wanted += varied(axes, best_ranked(self._trials, _POPULATION * batch), rest - spread, generator)
+        points = _new(wanted, self._tried, batch)
         # what differential evolution repeats is of no use: fill instead, as long as there is anything to fill
         for _ in range(8):
             if len(points) < batch:
-                points += _new(placed(axes, _filling_points(filling, batch)), asked | set(points), batch - len(points))
-        if not points:
-            return
-        asked |= set(points)
-        trials += yield points
-        number += 1
+                more = placed(axes, _filling_points(self._filling, batch))
+                points += _new(more, self._tried | set(points), batch - len(points))
+        return points
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        """Learn from the trials of a batch."""
+        self._trials += trials
+        self._tried |= {trial.point for trial in trials}
+        self._number += 1
 
 
 def filling_count(axes: Sequence[Axis], batch: int) -> int:
