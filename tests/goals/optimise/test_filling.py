@@ -4,11 +4,9 @@ import pytest
 
 from forficula.goals import goal_of
 from forficula.goals.optimise import optimise_goal
-from forficula.goals.optimise.axis import Axis
-from forficula.goals.optimise.batches import ParabolaSearch
-from forficula.goals.optimise.filling import filling_count, filling_text
-from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.trial import Trial
+from forficula.goals.optimise.parabola_search import ParabolaSearch
+from forficula.goals.optimise.telling import filling_count, filling_text, told
+from forficula.goals.optimise.trials import Axis, Trial
 
 AREA = {"tendon.area": {"low": "1 mm^2", "high": "9 mm^2"}}
 

@@ -10,8 +10,8 @@ from scipy.optimize import brentq, minimize_scalar
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of
-from forficula.goals.optimise.batches import ParabolaSearch
 from forficula.goals.optimise.optimise import optimise_goal
+from forficula.goals.optimise.parabola_search import ParabolaSearch
 from forficula.goals.optimise.telling import told
 from forficula.goals.static_values import static_values
 

@@ -17,16 +17,23 @@ from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.goal import Goal
-from forficula.goals.optimise.axis import Point
-from forficula.goals.optimise.batches import Optimiser, ParabolaSearch
-from forficula.goals.optimise.candidate import Candidate, asks_probability, axes_of, costs, trial_of, wanted_share
-from forficula.goals.optimise.neighbours import neighbour_offsets, neighbours_of
+from forficula.goals.optimise.candidate import (
+    Candidate,
+    Verification,
+    asks_probability,
+    axes_of,
+    costs,
+    neighbour_offsets,
+    neighbours_of,
+    trial_of,
+    verified,
+    wanted_share,
+)
 from forficula.goals.optimise.optimum import Effort, Optimum
 from forficula.goals.optimise.optimum_table import optimum_table
-from forficula.goals.optimise.ranking import best_ranked, pareto_front
-from forficula.goals.optimise.relaxation import relaxations
+from forficula.goals.optimise.parabola_search import Optimiser, ParabolaSearch
 from forficula.goals.optimise.screening import screened
-from forficula.goals.optimise.verification import Verification, verified
+from forficula.goals.optimise.trials import Point, best_ranked, pareto_front, relaxations
 from forficula.study.journal import Row
 from forficula.study.run_study import Evaluate
 

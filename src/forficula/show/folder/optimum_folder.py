@@ -12,11 +12,10 @@ from forficula.design import save_design
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.goal import own_limits
-from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.candidate import Neighbours, Verification
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.verification import Verification
 from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.goals.optimum_figures import draw_candidates, draw_front
