@@ -14,6 +14,8 @@ from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.goal import own_limits
 from forficula.goals.optimise.neighbours import Neighbours
 from forficula.goals.optimise.optimum import Effort, Optimum
+from forficula.goals.optimise.candidate import Neighbours, Verification
+from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.optimise.relaxation import Relaxation
 from forficula.goals.optimise.telling import told
