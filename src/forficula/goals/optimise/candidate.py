@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from forficula.goals.optimise.screening import Screened, screened
 from forficula.goals.optimise.trials import Axis, Point, Trial
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.goals.share_interval import share_interval
+from forficula.serial import Written
 
 # Neighbours that are asked first; each time after that twice as many are known.
 _FIRST = 8
@@ -39,12 +41,12 @@ class Neighbours:
 
     works: int
     tried: int
-    wanted: int
-    runs: int
-    looks: int = 1
+    wanted: Annotated[int, Written.NEVER]
+    runs: Annotated[int, Written.NEVER]
+    looks: Annotated[int, Written.NEVER] = 1
 
     @property
-    def share(self) -> float:
+    def share(self) -> Annotated[float, Written.ALWAYS]:
         """Of those that were asked, the ones that work."""
         return self.works / self.tried
 
@@ -52,6 +54,11 @@ class Neighbours:
     def interval(self) -> tuple[float, float]:
         """Of the share, at 95 %."""
         return share_interval(self.works, self.tried, self.looks)
+
+    @property
+    def ends(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
+        """The ends of the interval by name."""
+        return dict(zip(("low", "high"), self.interval, strict=True))
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> Array:

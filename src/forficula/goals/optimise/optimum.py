@@ -11,13 +11,10 @@ from numpy.typing import NDArray
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.goals.goal import Goal
-from forficula.goals.optimise.candidate import Candidate
-from forficula.goals.optimise.relaxation import Relaxation
-from forficula.goals.optimise.verification import Verification
-from forficula.serial import Key, Written
 from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
 from forficula.goals.optimise.candidate import Candidate, Verification
 from forficula.goals.optimise.trials import Relaxation
+from forficula.serial import Key, Written
 from forficula.study.kept_runs import RunToKeep
 
 if TYPE_CHECKING:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array, Flags
+from forficula.serial import Key, Written
 
 Point = tuple[float, ...]
 # Fine enough for every quantity, and coarse enough that the last bit of a sum is not another point.
@@ -206,11 +208,11 @@ class Relaxation:
         trial: that has `alone`, or None.
     """
 
-    limit: int
-    best: float
-    alone: float
-    unseen: float
-    trial: Trial | None
+    limit: Annotated[int, Written.NEVER]
+    best: Annotated[float, Key("best_margin")]
+    alone: Annotated[float, Key("best_where_others_hold")]
+    unseen: Annotated[float, Written.NEVER]
+    trial: Annotated[Trial | None, Written.NEVER]
 
 
 def relaxations(trials: Sequence[Trial]) -> list[Relaxation]:
