@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from forficula.errors import error_prefix
+from forficula.errors import InputError
 
 
 def schema(
@@ -17,5 +17,7 @@ def schema(
     """Print the JSON schema of what --json writes."""
     from forficula.analysis.json_schemas import json_schema
 
-    with error_prefix("schema: "):
+    try:
         print(json.dumps(json_schema(kind), indent=2))  # type: ignore[arg-type]
+    except InputError as error:
+        raise InputError(f"schema: {error}") from None

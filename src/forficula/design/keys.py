@@ -221,7 +221,7 @@ def siblings(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
     """The keys that are allowed in the section of a place, the protocol last."""
     section = _section(place[:-1], model)
     names = [] if section is None else sorted(section.model_fields, key=lambda name: name == "protocol")
-    return [*(["based_on"] if section is not None and issubclass(section, Design) else []), *names]
+    return [*([] if len(place) > 1 or not issubclass(model, Design) else ["based_on"]), *names]
 
 
 def needed_keys(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:

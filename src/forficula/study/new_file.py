@@ -14,7 +14,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.keys import parts_of
+from forficula.design.key_table import field_forms
 from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
 from forficula.design.part import Part, entry_part
 from forficula.errors import InputError
@@ -80,13 +80,18 @@ def _lines(model: type[Part], texts: Mapping[str, str]) -> Iterator[str]:
         elif entry_part(field) is not None:
             yield from comment
             yield "\n\n".join(_line(f"[[{name}]]\n{text}", active=text is examples[0]) for text in examples)
-        elif parts := list(parts_of(field.annotation)):
+        elif (section := _section(field)) is not None:
             yield from (*comment, _line(f"[{name}]", active=field.default is not None))
-            for key, inside in parts[0].model_fields.items():
+            for key, inside in section.model_fields.items():
                 lines = _examples(key, inside, texts)
                 yield from (_line(f"{text}  # {inside.description}", active=False) for text in lines)
         else:
             yield from (_line(f"{text}  # {field.description}", active=is_needed) for text in examples)
+
+
+def _section(field: FieldInfo) -> type[Part] | None:
+    """The class of a table of a file; None of a field that is no table."""
+    return next((form for form in field_forms(field) if isinstance(form, type) and issubclass(form, Part)), None)
 
 
 def _examples(name: str, field: FieldInfo, texts: Mapping[str, str]) -> list[str]:
