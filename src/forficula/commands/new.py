@@ -17,7 +17,7 @@ _File = Annotated[Path, Parameter(help="Where to write it; must end with .toml a
 Kind = Annotated[
     str,
     Parameter(
-        help="What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
+        help="Kind of crease pattern, such as earwig-fan, joint, miura-ori or fold-file; an unknown name lists all."
     ),
 ]
 _Switch = Annotated[bool, Parameter(show=False, negative=())]

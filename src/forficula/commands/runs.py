@@ -27,8 +27,8 @@ from forficula.options import (
     read_size,
     read_unit,
     tell_replaced,
+    tell_written,
 )
-from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -104,13 +104,12 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder, engine=not no_engine, copies=copies)
-    came_to(folder / "summary.json")
     print_outcome(chosen.name, outcome)
     print_storage(record, outcome)
     print_strength(record)
     _print_assumptions(chosen, folder)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "run")
     return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
 
 

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
 from forficula.design.design import Design
-from forficula.design.fan import BY_VEIN, ONE_FOR_ALL, FanDesign
+from forficula.design.fan import FanDesign
 from forficula.design.key_table import key_facts
-from forficula.design.keys import hint, is_key, known_keys, needed_keys, siblings
-from forficula.design.kinds import reference_of
+from forficula.design.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
 from forficula.design.part import Part
 from forficula.design.tables import RejectedError, written_key
-from forficula.names import near_name, unknown_key
+from forficula.names import listed, near_name, unknown_key
 from forficula.quantities import as_written
 
 _PartOf = TypeVar("_PartOf", bound=Part)
@@ -43,15 +43,28 @@ def rejected(error: ValidationError, model: type[Part]) -> RejectedError:
     # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
     errors: list[Any] = list(error.errors(include_url=False))
     worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
-    place = [str(part) for part in worst["loc"] if part not in (ONE_FOR_ALL, BY_VEIN)]
-    key = written_key(place)
     kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
+    # what pydantic puts in for a form or a kind of section
+    tags = [part for part in map(str, worst["loc"]) if re.fullmatch(r"<[a-z -]+>", part)]
+    place, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
+    if kind.startswith("union_tag_"):
+        # of a section of several kinds, that its key `kind` does not say which
+        kinds, place = section_kinds(place, model), [*place, "kind"]
+        if not isinstance(value, dict):
+            kind, place = "model_type", place[:-1]
+        elif "kind" in value:
+            kind, value, bounds = "literal_error", value["kind"], {"expected": listed(map(as_written, kinds), "or")}
+        else:
+            kind = "missing"
+    key = written_key(place)
     if kind == "value_error":
-        return _of_a_check(place, str(bounds["error"]), model)
+        return _of_a_check(place, str(bounds["error"]), model, which)
     if kind == "extra_forbidden":
+        if place[-1] in siblings(place, model):
+            return RejectedError(place, f'{key}: is not for kind = "{which}"')
         return RejectedError(place, unknown_key(key, value, hint(place, model)))
     if kind == "missing":
-        return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model)}")
+        return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model, which)}")
     rule = _rule(place, kind, value, bounds, model)
     near = near_name(value, rule.split('"')[1::2]) if kind == "literal_error" and isinstance(value, str) else ""
     return RejectedError(place, f"{key}: need {rule}, got {as_written(value)}{near}")
@@ -90,12 +103,12 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
     return True
 
 
-def _of_a_check(place: list[str], message: str, model: type[Part]) -> RejectedError:
+def _of_a_check(place: list[str], message: str, model: type[Part], which: str) -> RejectedError:
     """What a check of a value, of a section or of the whole design has found."""
     name = message.partition(":")[0]
     if name in siblings([*place, ""], model) and place:
         place, missing = [*place, name], message.endswith(": is missing")
-        remedy = f"; {_remedy(place, model)}" if missing else ""
+        remedy = f"; {_remedy(place, model, which)}" if missing else ""
         return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
     if is_key(name, model):  # a check of several values, no one of them to blame
         return RejectedError([], message)
@@ -104,12 +117,12 @@ def _of_a_check(place: list[str], message: str, model: type[Part]) -> RejectedEr
     return RejectedError(place, message)
 
 
-def _remedy(place: list[str], model: type[Part]) -> str:
-    """What to do about a key that is missing."""
+def _remedy(place: list[str], model: type[Part], which: str) -> str:
+    """What to do about a key that is missing, of a section of a kind."""
     if not issubclass(model, Design):
         (fact,) = key_facts(".".join(place), model)
         return f"give it ({fact.allowed})"
-    reference = reference_of(model)
+    reference = model.reference
     to_inherit = f'give it, or begin the file with based_on = "{reference}"' if reference else "give it"
     if place[-2:-1] == ["law"]:
         return 'give it, or name a material as in tendon.law = "tpu-82a"'
@@ -120,7 +133,7 @@ def _remedy(place: list[str], model: type[Part]) -> str:
         # the design to begin from has no such section
         return f"give it, or leave out [{place[0]}]"
     if any(part.isdecimal() for part in place):
-        return f"needed here: {', '.join(needed_keys(place, model))}"
+        return f"needed here: {', '.join(needed_keys(place, model, which))}"
     return to_inherit
 
 

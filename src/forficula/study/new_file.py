@@ -14,9 +14,9 @@ from pydantic.fields import FieldInfo
 
 from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.key_table import field_forms
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
-from forficula.design.part import Part, entry_part
+from forficula.design.keys import entry_of, section_fields
+from forficula.design.kinds import KINDS, OTHER_REFERENCE
+from forficula.design.part import Part
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import one_of
@@ -41,7 +41,7 @@ def write_new_file(path: str | os.PathLike[str], file: FileKind[Any], kind: str 
     if kind not in KINDS:
         raise InputError(f"kind: need {one_of(KINDS, kind)}")
     check_new(path := Path(path), ".toml")
-    design = load_design(name := REFERENCES.get(kind, OTHER_REFERENCE))
+    design = load_design(name := KINDS[kind].reference or OTHER_REFERENCE)
     transitions, key = structure_of(design).transitions, design.varied_key
     low = value_text(design, key, 0.5)
     texts = {
@@ -77,21 +77,16 @@ def _lines(model: type[Part], texts: Mapping[str, str]) -> Iterator[str]:
         if by_key(field) is not None and examples:
             yield from (*comment, f"[{name}]")
             yield from (_line(text, active=is_needed and text is examples[0]) for text in examples)
-        elif entry_part(field) is not None:
+        elif section_fields(entry_of(field.annotation)):
             yield from comment
             yield "\n\n".join(_line(f"[[{name}]]\n{text}", active=text is examples[0]) for text in examples)
-        elif (section := _section(field)) is not None:
+        elif fields := section_fields(field.annotation):
             yield from (*comment, _line(f"[{name}]", active=field.default is not None))
-            for key, inside in section.model_fields.items():
+            for key, inside in fields.items():
                 lines = _examples(key, inside, texts)
                 yield from (_line(f"{text}  # {inside.description}", active=False) for text in lines)
         else:
             yield from (_line(f"{text}  # {field.description}", active=is_needed) for text in examples)
-
-
-def _section(field: FieldInfo) -> type[Part] | None:
-    """The class of a table of a file; None of a field that is no table."""
-    return next((form for form in field_forms(field) if isinstance(form, type) and issubclass(form, Part)), None)
 
 
 def _examples(name: str, field: FieldInfo, texts: Mapping[str, str]) -> list[str]:

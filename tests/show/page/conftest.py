@@ -15,6 +15,7 @@ from forficula.study import run_study
 from forficula.study.runs import run
 from forficula.study.study_file import study_of
 from tests.show.page.goal_results import write_pages_of_goals
+from tests.show.page.live_wing import HALF_SECOND, write_wing
 from tests.show.page.page_kinds import write_pages
 
 # drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
@@ -244,6 +245,13 @@ def watch_all(context):
     """As `watch`, for a page that all tests of a module share."""
     with watching(context) as watch:
         yield watch
+
+
+@pytest.fixture(scope="session")
+def recorded(tmp_path_factory):
+    """A run of half a second, its outcome, and its page, in which it can be moved."""
+    path = tmp_path_factory.mktemp("recorded") / "report.html"
+    return *write_wing(path, HALF_SECOND), path
 
 
 @pytest.fixture(scope="session")

@@ -7,17 +7,11 @@ import pytest
 
 from forficula.design import design_from_text, with_values
 from forficula.show.page import write_run_page
-from tests.show.page.live_wing import HALF_SECOND, SMALL, LiveWing, write_wing
+from tests.show.page.live_wing import SMALL, LiveWing, write_wing
 from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
-
-
-@pytest.fixture(scope="module")
-def page_with_engine(tmp_path_factory):
-    """A run, its outcome, and its page."""
-    path = tmp_path_factory.mktemp("trial") / "report.html"
-    return *write_wing(path, HALF_SECOND), path
+WINDOW = {"width": 500, "height": 500}  # pixels, which are soon drawn
 
 
 @pytest.fixture(scope="module")
@@ -29,9 +23,9 @@ def diverging_page(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def one_page(watch_all, page_with_engine):
+def one_page(watch_all, recorded):
     """The page with its panel open, at its fastest."""
-    opened = watch_all(page_with_engine[-1])
+    opened = watch_all(recorded[-1], viewport=WINDOW)
     opened.live = LiveWing(opened.page.evaluate)
     return opened
 
@@ -49,10 +43,10 @@ def begin_again(opened, shares=None):
     assert opened.live.do("Start again") == "Settled."
 
 
-def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, page_with_engine):
-    assert page_with_engine[-1].stat().st_size < MOST
+def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, recorded):
+    assert recorded[-1].stat().st_size < MOST
     others = len(context.pages)
-    opened = watch(page_with_engine[-1])
+    opened = watch(recorded[-1])
     assert opened.page.get_by_role("button", name="Try it").is_enabled()
     assert opened.page.evaluate("forficula.trial.panel") is None
     assert len(context.pages) == others + 1
@@ -116,14 +110,14 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
         assert live.do("Fold").startswith("Diverged at t = ")
 
 
-def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, page_with_engine):
+def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, recorded):
     begin_again(trial, {"tendon.stiffness": 0.7, "protocol.fold_torque": 0.5})
     changes = trial.live.changes
     assert set(changes) == {"tendon.stiffness", "protocol.fold_torque"}
     address = trial.page.get_by_role("link", name="This setting as a design file").get_attribute("href")
     text = base64.b64decode(address.partition("base64,")[2]).decode()
     tomllib.loads(text)
-    assert design_from_text(text).hash == with_values(page_with_engine[0].design, changes).hash
+    assert design_from_text(text).hash == with_values(recorded[0].design, changes).hash
 
 
 def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
@@ -162,8 +156,8 @@ def test_a_tip_that_is_pushed_moves_and_comes_back_when_it_is_left(trial):
     assert page.locator(".pushed").inner_text() == ""
 
 
-def test_a_page_without_its_engine_offers_nothing(page_with_engine, tmp_path):
-    write_run_page(*page_with_engine[:2], tmp_path / "report.html", engine=False)
+def test_a_page_without_its_engine_offers_nothing(recorded, tmp_path):
+    write_run_page(*recorded[:2], tmp_path / "report.html", engine=False)
     text = (tmp_path / "report.html").read_text("utf-8")
     assert "wasm-unsafe-eval" not in text.partition("<title>")[0]
     assert 'id="try"' not in text
@@ -176,7 +170,7 @@ def test_axe_finds_nothing_in_the_open_panel_and_it_fits_its_window(trial, size,
     wrong, _ = asked(trial.page, ALL)
     assert wrong == []
     assert trial.page.evaluate("document.documentElement.scrollWidth") <= size[0]
-    trial.show()
+    trial.show(**WINDOW)
 
 
 def test_sliders_and_buttons_act_by_the_keyboard(trial):
