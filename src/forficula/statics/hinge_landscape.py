@@ -21,7 +21,7 @@ from forficula.statics.snap import FOLD_START, final_speed, fold_time, time_scal
 from forficula.structure import Structure
 
 _QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
-_FINE = 1801  # angles among which states are looked for
+_FINE, _COARSE = 1801, 46  # angles among which states and peaks are looked for, with a spring and without one
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -224,6 +224,11 @@ class _Path:
         turned = -fold - self.spring.rest_angle
         return energy + self.spring.stiffness / 2 * turned**2, slope - self.spring.stiffness * turned
 
+    @property
+    def places(self) -> int:
+        """How many angles to look at; a tendon alone has its special angles among any."""
+        return _COARSE if self.spring is None else _FINE
+
     def curvature(self, fold: float) -> float:
         """Second derivative of the energy, N m/rad."""
         return float(self.hinge.stiffness(-fold)) + (0.0 if self.spring is None else self.spring.stiffness)
@@ -231,12 +236,14 @@ class _Path:
 
 def _places(path: _Path) -> tuple[PathState, ...]:
     """Where a hinge stays, and the tops between, from the overbend to the fold limit."""
-    folds = -special_angles(path.hinge, _FINE)
+    folds = -special_angles(path.hinge, path.places)
     largest = float(np.abs(path(folds)[1]).max())
-    if path.spring is None:
-        # where the tendon is slack nothing moves the hinge, however short that range is
-        return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
-    return states_along(path, folds, force=_QUIET * largest)
+    if path.spring is not None:
+        return states_along(path, folds, force=_QUIET * largest)
+    # a place between any two special ones, at which the moment may be none
+    folds = np.sort(np.concatenate([folds, (folds[1:] + folds[:-1]) / 2]))
+    # where the tendon is slack nothing moves the hinge, however short that range is
+    return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
 def _top_of(found: tuple[PathState, ...]) -> PathState | None:
@@ -264,7 +271,7 @@ def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> P
         start, end = -hinge.overbend, places[0]
     else:
         return None
-    folds = np.linspace(start, end, _FINE)
+    folds = np.linspace(start, end, path.places)
     slope = path(folds)[1]
     steepest = int(np.argmin(slope))
     before, after = folds[max(steepest - 1, 0)], folds[min(steepest + 1, len(folds) - 1)]
