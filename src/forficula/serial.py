@@ -218,8 +218,9 @@ def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
         alternatives = _alternatives(entry.hint)
         known = [each for each in alternatives if each is not type(None)]
         if Written.BESIDE not in entry.how:
-            schema = _schema(entry.hint, parts)
-            schema = _any_of([schema, {"type": "null"}]) if Written.OR_NULL in entry.how else schema
+            allowed = known if Written.IF_KNOWN in entry.how else alternatives
+            null = [{"type": "null"}] if Written.OR_NULL in entry.how else []
+            schema = _any_of([*(_schema(each, parts) for each in allowed), *null])
             properties[entry.key] = {"description": entry.meaning, **schema} if entry.meaning else schema
             required += [entry.key] if Written.IF_KNOWN not in entry.how else []
         elif is_dataclass(known[0]):

@@ -246,7 +246,7 @@ def _transition(structure: Structure, transition: Transition, outcome: Outcome) 
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Numbers:
+class _StateNumbers:
     """A quantity of a state that has a key of its own.
 
     Attributes:
@@ -284,27 +284,29 @@ def _state(structure: Structure, state: State, confirmation: Confirmation | None
     )
 
 
-def _readings(structure: Structure) -> list[_Numbers]:
+def _readings(structure: Structure) -> list[_StateNumbers]:
     """Return the measured values of a state."""
     return [
-        _Numbers(name=each.name, unit="rad" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
+        _StateNumbers(name=each.name, unit="rad" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
         for each in structure.measures
     ]
 
 
-def _energies(structure: Structure, state: State) -> Iterator[_Numbers]:
+def _energies(structure: Structure, state: State) -> Iterator[_StateNumbers]:
     """Yield the energies of hinges, springs and couplings, lengths and energies of tendons, and that of membranes."""
     for kind in SPRUNG:
         if f"{kind}.energy" not in state.values:
             continue
-        yield _Numbers(name=f"{kind}_energy", unit="J", numbers=itemgetter(f"{kind}.energy"))
+        yield _StateNumbers(name=f"{kind}_energy", unit="J", numbers=itemgetter(f"{kind}.energy"))
         groups = hinge_groups(structure) if kind == "hinge" else {}
         for group, hinges in groups.items():
             if group != "hinges":
-                yield _Numbers(name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges))
-    yield _Numbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
-    yield _Numbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
-    yield _Numbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
+                yield _StateNumbers(
+                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges)
+                )
+    yield _StateNumbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
+    yield _StateNumbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
+    yield _StateNumbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
 
 
 def _summed(hinges: Sequence[int], values: StateValues) -> float:

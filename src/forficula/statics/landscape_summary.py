@@ -105,7 +105,7 @@ class LandscapeSummary:
         remarks: what does not exist, and what to know of the rest.
         net: states, saddles and courses of points that slide and of plates in loops.
         design_hash: hash of all values of the design.
-        simulation: snap of one hinge in a run, beside its prediction.
+        simulation: snap of one hinge in a run, beside its prediction; null without a run.
         rests_apart: distances between the states of the run and of statics, m.
         versions: of the packages that computed the landscape.
         figures: names of the figures in the folder.
@@ -125,7 +125,7 @@ class LandscapeSummary:
     remarks: Sequence[str]
     net: Annotated[Mapping[str, Any] | None, Written.IF_KNOWN]
     design_hash: str
-    simulation: Annotated[Mapping[str, Any] | None, Written.IF_KNOWN] = None
+    simulation: Mapping[str, Any] | None = None
     rests_apart: Annotated[Mapping[str, Metres | None] | None, Written.IF_KNOWN] = None
     versions: Annotated[Mapping[str, str] | None, Written.IF_KNOWN] = None
     figures: Annotated[Sequence[str] | None, Written.IF_KNOWN] = None
