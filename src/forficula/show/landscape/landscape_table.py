@@ -251,8 +251,8 @@ def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
 def _withstands(landscape: EnergyLandscape) -> Iterator[Row]:
     """Loads by row, and by state up to where it withstands them."""
     states = [state for state in net_states(landscape) if state.withstands]
-    for load in dict.fromkeys(each.load for state in states for each in state.withstands):
-        held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+    held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+    for load in dict.fromkeys(load for _, load in held):
         yield {"": load, **{state.name: held.get((state.name, load), "") for state in states}}
 
 
