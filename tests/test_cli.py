@@ -336,6 +336,11 @@ def test_a_switch_of_earlier_versions_writes_the_same_file_and_warns(in_an_empty
     assert [path.read_bytes() for path in old] == [path.read_bytes() for path in new]
 
 
+def test_a_misspelt_kind_of_new_file_is_refused_with_the_nearest(refusal):
+    said = 'new: need "design", "study", "goal", "observations" or "tests", got "stduy"; did you mean "study"?'
+    assert refusal("new", "stduy", "new.toml") == said
+
+
 def test_switches_of_earlier_versions_exclude_each_other(refusal):
     said = "new: need one of design, study, goal, observations or tests, got --goal and --tests"
     assert refusal("new", "other.toml", "--goal", "--tests") == said

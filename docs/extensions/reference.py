@@ -32,6 +32,7 @@ _STUDY_PAGE = "reference/study-file"
 _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
+_PARAMETERS = "**Parameters**:"
 _FILES: dict[str, type[Part]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
 _NUMBER = re.compile(r"\.0\.")
 
@@ -126,7 +127,8 @@ class CommandsDirective(SphinxDirective):
         told = cli.generate_docs(output_format="markdown").replace("<", r"\<")
         # the program that builds these pages
         told = re.sub(r" -m \S+", "", told)
-        sections = [text for text in re.split(r"^## ", told, flags=re.M) if text.startswith("forficula ")]
+        # a sub-command of a command is a section, too
+        sections = [text for text in re.split(r"^###? ", told, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
             raise self.error("the command line tells no commands")
         found: list[nodes.Node] = []
@@ -136,6 +138,8 @@ class CommandsDirective(SphinxDirective):
                 continue
             # that of every command stands above
             lines = [line for line in body.splitlines() if not line.startswith(_EVERYWHERE)]
+            if "".join(lines).endswith(_PARAMETERS):
+                lines = lines[: lines.index(_PARAMETERS)]
             section = nodes.section(ids=[nodes.make_id(title)], names=[title.lower()])
             section += nodes.title("", "", nodes.literal("", title))
             self.state.document.note_explicit_target(section)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from cyclopts import Parameter, Token
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.names import listed, one_of
 from forficula.quantities import as_written
 from forficula.terminal import came_to, remark
@@ -117,10 +117,8 @@ def read_option(option: str, read: Callable[[], T]) -> T:
     Raises:
         InputError: what `read` raises.
     """
-    try:
+    with error_prefix(f"{option}: "):
         return read()
-    except InputError as error:
-        raise InputError(f"{option}: {error}") from None
 
 
 def read_quantity(option: str, text: object, unit: Unit) -> float:

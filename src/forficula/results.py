@@ -137,6 +137,7 @@ KINDS: tuple[Kind, ...] = (
         classes=("IdentificationTable",),
         data="identified.nc",
         json="identified",
+        shape="forficula.show.folder.identify_folder:IdentificationSummary",
         marker="identified.json",
         named_by="name",
         has_rows=True,

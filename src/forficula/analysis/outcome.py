@@ -404,7 +404,8 @@ def _way(record: Record, transition: Transition) -> _Way:
     holds = False
     if state is not None and rest_state is not None:
         # a stage that was not to end at a bound does not say whether it was reached, but what it left does
-        holds = reached and _within(state.coordinates, transition.released if asked else rest_state.bounds)
+        kept = goal_of(structure, transition.released if asked else rest_state.goal)
+        holds = reached and _within(state.coordinates, kept)
         # what held before the drive did anything is not its doing
         holds = holds and not early_goal(record, driven)
     return _Way(transition=transition, driven=driven, state=state, holds=holds)
@@ -515,7 +516,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         hinge_energy=hinges,
         spring_energy=springs,
         coupling_energy=couplings,
-        within=rest_state is not None and _within(mean, rest_state.bounds),
+        within=rest_state is not None and _within(mean, goal_of(record.structure, rest_state.goal)),
         swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
         or any(bool(np.any(each.high - each.low > far)) for each in moved),
         furthest=furthest,

@@ -11,7 +11,7 @@ import scipy
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.serial import Metres, SquareMetres, Written
-from forficula.structure import Structure, goal_coordinates, state_of
+from forficula.structure import Structure, goal_coordinates, goal_of, state_of
 
 _FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
 _ALIKE = 1e-9  # of unit vectors
@@ -121,7 +121,8 @@ def _holds(record: Record, name: str, row: int) -> bool:
     values = goal_coordinates(
         record.structure, record.series["hinge_angle"][[row]], None if distances is None else distances[[row]]
     )[0]
-    return bool(np.all((values >= state.bounds.least) & (values <= state.bounds.most)))
+    goal = goal_of(record.structure, state.goal)
+    return bool(np.all((values >= goal.least) & (values <= goal.most)))
 
 
 def open_package(record: Record) -> Package:

@@ -75,8 +75,8 @@ def optimise(
 ) -> int:
     """Look for the design that does best what a goal asks, or go on with it where it stopped."""
     from forficula.goals import load_goal
-    from forficula.goals.optimise.filling import filling_text
     from forficula.goals.optimise.optimise import estimate_optimise
+    from forficula.goals.optimise.telling import filling_text
     from forficula.study.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
@@ -96,7 +96,7 @@ def optimise(
     tell_replaced(folder, "optimisation", _ROWS_STAY)
     found = _optimised(asked, folder, share, dask)
 
-    from forficula.goals.optimise.kept_candidates import candidates_to_keep
+    from forficula.goals.optimise.optimum import candidates_to_keep
     from forficula.show import study_progress
     from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
     from forficula.show.goals.optimum_text import print_optimum

@@ -9,7 +9,7 @@ from typing import Annotated
 from cyclopts import App, Parameter
 
 from forficula.errors import InputError
-from forficula.names import listed
+from forficula.names import listed, one_of
 from forficula.options import check_apart
 
 USUAL_KIND = "earwig-fan"
@@ -83,7 +83,7 @@ _COMMANDS = {"design": write_design, "study": write_study, "goal": write_goal, "
 def write_by_switch(
     file: Annotated[Path, Parameter(show=False)],
     /,
-    *,
+    *more: Annotated[str, Parameter(show=False)],
     kind: Annotated[str, Parameter(show=False)] = USUAL_KIND,
     study: _Switch = False,
     goal: _Switch = False,
@@ -91,6 +91,8 @@ def write_by_switch(
     tests: _Switch = False,
 ) -> None:
     """Write a design file; with one of the switches of earlier versions, another file."""
+    if more:
+        raise InputError(f"new: need {one_of([*_COMMANDS, 'tests'], str(file))}")
     switches = {"study": study, "goal": goal, "observations": observations, "tests": tests}
     given = [name for name, wanted in switches.items() if wanted]
     if len(given) > 1:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
@@ -210,10 +210,8 @@ def film(
 
     read_option("--out", lambda: check_film(out))
     pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)
-    try:
+    with error_prefix("--"):
         check_choices(pixels, fps, slower)
-    except InputError as error:
-        raise InputError(f"--{error}") from None
     record = read_run(run)
     with film_progress() as progress:
         write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=progress)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from forficula.errors import InputError
+from forficula.errors import error_prefix
 
 
 def schema(
@@ -17,7 +17,5 @@ def schema(
     """Print the JSON schema of what --json writes."""
     from forficula.results import json_schema
 
-    try:
+    with error_prefix("schema: "):
         print(json.dumps(json_schema(kind), indent=2))
-    except InputError as error:
-        raise InputError(f"schema: {error}") from None

@@ -12,6 +12,7 @@ from pydantic import Field, field_validator
 
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
+from forficula.design.named_protocol import NamedProtocol
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
 from forficula.design.provenance import WORDS, check_paper
@@ -50,6 +51,10 @@ class Design(Displayed, Part):
     # a named design that a new file begins with; None: `example` has the keys of a pattern to begin with
     reference: ClassVar[str | None] = None
     example: ClassVar[Mapping[str, object]] = {}
+    # keys, or starts of keys, of what matters to where it rests, but for its tendons
+    rest_keys: ClassVar[tuple[str, ...]]
+    # the section that says how heavy it is, which matters to where it rests under gravity
+    weight_section: ClassVar[str]
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
@@ -107,6 +112,15 @@ class Design(Displayed, Part):
     def identity(self) -> DesignIdentity:
         """Its name and hash, as files of results have them."""
         return DesignIdentity(design=self.name, design_hash=self.hash)
+
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """Its protocol by names, in the form that designs of every kind have."""
+        named: NamedProtocol = self.once("named protocol", self._named_protocol)
+        return named
+
+    def _named_protocol(self) -> NamedProtocol:
+        raise NotImplementedError
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

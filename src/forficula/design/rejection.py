@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
 from forficula.design.design import Design
-from forficula.design.fan import BY_VEIN, ONE_FOR_ALL, FanDesign
+from forficula.design.fan import FanDesign
 from forficula.design.key_table import key_facts
 from forficula.design.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
 from forficula.design.part import Part
@@ -43,7 +44,9 @@ def rejected(error: ValidationError, model: type[Part]) -> RejectedError:
     errors: list[Any] = list(error.errors(include_url=False))
     worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
     kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
-    place, which = _without_kinds([str(part) for part in worst["loc"]], model)
+    # what pydantic puts in for a form or a kind of section
+    tags = [part for part in map(str, worst["loc"]) if re.fullmatch(r"<[a-z -]+>", part)]
+    place, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
     if kind.startswith("union_tag_"):
         # of a section of several kinds, that its key `kind` does not say which
         kinds, place = section_kinds(place, model), [*place, "kind"]
@@ -57,7 +60,7 @@ def rejected(error: ValidationError, model: type[Part]) -> RejectedError:
     if kind == "value_error":
         return _of_a_check(place, str(bounds["error"]), model, which)
     if kind == "extra_forbidden":
-        if which and place[-1] in siblings(place, model):
+        if place[-1] in siblings(place, model):
             return RejectedError(place, f'{key}: is not for kind = "{which}"')
         return RejectedError(place, unknown_key(key, value, hint(place, model)))
     if kind == "missing":
@@ -85,25 +88,6 @@ def origin(place: Sequence[str], files: Sequence[File], settings: Iterable[str])
         if any(f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}.") for key in keys):
             return ""
     return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
-
-
-def _without_kinds(location: list[str], model: type[Part]) -> tuple[list[str], str]:
-    """The place of an error without what pydantic puts in where a section is of several kinds, and this kind.
-
-    Args:
-        location: of the error, as pydantic has it.
-        model: of the file.
-    """
-    place: list[str] = []
-    which = ""
-    for part in location:
-        if part in (ONE_FOR_ALL, BY_VEIN):
-            continue
-        if not which and part in section_kinds(place, model):
-            which = part
-        else:
-            place.append(part)
-    return place, which
 
 
 def _stands_in(tables: object, place: Sequence[str]) -> bool:

@@ -186,19 +186,19 @@ class DisplacementDrive(_AnyDrive):
     rise: float | None = _RISE
 
 
-def _kind(given: object) -> str | None:
-    """The kind of a drive, or of the table of one; None where it has no text there."""
+def _tag(given: object) -> str | None:
+    """The tag of a drive, or of the table of one, by its kind; None where it has no text there."""
     kind = given.get("kind") if isinstance(given, dict) else getattr(given, "kind", None)
-    return kind if isinstance(kind, str) else None
+    return f"<{kind}>" if isinstance(kind, str) else None
 
 
-# pydantic's own discriminators are keys that nothing reads before they are checked
+# pydantic finds a kind by a key only where nothing reads it before; no tag may be taken for a key in errors
 SheetDrive = Annotated[
-    Annotated[TorqueDrive, Tag("torque")]
-    | Annotated[ForceDrive, Tag("force")]
-    | Annotated[DisplacementDrive, Tag("displacement")]
-    | Annotated[RestAngleDrive, Tag("rest-angle")],
-    Discriminator(_kind),
+    Annotated[TorqueDrive, Tag("<torque>")]
+    | Annotated[ForceDrive, Tag("<force>")]
+    | Annotated[DisplacementDrive, Tag("<displacement>")]
+    | Annotated[RestAngleDrive, Tag("<rest-angle>")],
+    Discriminator(_tag),
 ]
 
 

@@ -32,7 +32,7 @@ _SHARE = Unit(display="%", si="", example="10 %")
 _NINETY_FIVE = float(scipy.special.ndtri(0.975))
 
 
-class ToleranceTable(Part):
+class ToleranceEntry(Part):
     """A tolerance as files have it where it is no text."""
 
     distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", "uniform")
@@ -137,7 +137,7 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
                 raise InputError(f'{key}: has no tolerance that "none" could take away{near_name(key, found)}')
             continue
         with error_prefix(f"{key}."):
-            table = read_part(ToleranceTable, value if isinstance(value, Mapping) else {"size": value})
+            table = read_part(ToleranceEntry, value if isinstance(value, Mapping) else {"size": value})
         if table.intervals_of is None:
             found[key] = _deviation(key, table, design)
             continue
@@ -146,7 +146,7 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
     return tuple(found.values())
 
 
-def _deviation(key: str, table: ToleranceTable, design: Design) -> Deviation:
+def _deviation(key: str, table: ToleranceEntry, design: Design) -> Deviation:
     """One tolerance of one key."""
     quantity = key_quantity(key, type(design), table.size)
     value = key_value(design, key)
@@ -173,7 +173,7 @@ def _size(key: str, given: object, quantity: Quantity | None) -> tuple[float, bo
     return size, relative
 
 
-def _fitted(key: str, table: ToleranceTable, design: Design) -> Iterator[Deviation]:
+def _fitted(key: str, table: ToleranceEntry, design: Design) -> Iterator[Deviation]:
     """The 95 % intervals of a law's fit as normal distributions about the design's own values."""
     if table.model_fields_set != {"intervals_of"} or table.intervals_of is None:
         given = as_written(table.model_dump(exclude_unset=True))

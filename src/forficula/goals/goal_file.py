@@ -23,28 +23,28 @@ from forficula.design.file_fields import (
 from forficula.design.part import Part
 from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
-from forficula.goals.deviation import SIZE, Deviation, ToleranceTable, read_deviations
+from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
 from forficula.goals.goal import Goal, Objective
 from forficula.goals.limit import Limit, check_limits, read_limit
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantities_of, quantity_of
-from forficula.goals.parameter import Parameter, RangeTable, read_parameter
-from forficula.names import listed, one_of
+from forficula.goals.parameter import Parameter, RangeEntry, read_parameter
+from forficula.names import check_known, listed, one_of
 from forficula.study.factors import VALUES
 from forficula.study.named_file import FileKind, base_design, load_named, named_files
-from forficula.study.search_file import TorqueSearchTable, check_search_keys, read_search
+from forficula.study.search_file import TorqueSearchTable, read_search
 from forficula.study.search_steps import Search
 
 _MOST_OBJECTIVES = 3
 _Count = Annotated[Whole, Field(le=1_000_000)]
 _Parameters = Annotated[
     dict[str, Any],
-    BeforeValidator(ByKey(allowed=f"{VALUES}; or table", entry=RangeTable)),
+    BeforeValidator(ByKey(allowed=f"{VALUES}; or table", entry=RangeEntry)),
 ]
 _Limits = Annotated[
     dict[str, Any], BeforeValidator(ByKey(allowed='">= 5 N cm", "<= 5 N cm", or a list', placeholder="QUANTITY"))
 ]
 _Objectives = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed='"least" or "largest"', placeholder="QUANTITY"))]
-_Tolerances = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=f'{SIZE}, or "none"', entry=ToleranceTable))]
+_Tolerances = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=f'{SIZE}, or "none"', entry=ToleranceEntry))]
 
 
 class GoalSearchTable(TorqueSearchTable):
@@ -269,5 +269,5 @@ def _search(table: GoalSearchTable, asked: Sequence[OutcomeQuantity], base: Desi
     own = table.model_dump(exclude_unset=True, exclude=set(counts))
     if any(quantity.source == "search" for quantity in asked):
         return read_search("least-torques", own, base)
-    check_search_keys(own, counts)
+    check_known(own, counts, "search.")
     return None

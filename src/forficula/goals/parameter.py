@@ -18,7 +18,7 @@ from forficula.study.factors import Factor, read_factor, undivided
 _MOST_STEPS = 1_000_000
 
 
-class RangeTable(Part):
+class RangeEntry(Part):
     """A range between two values as files have it."""
 
     low: DesignValue = entry("least value of a key that varies between two", ...)
@@ -100,7 +100,7 @@ def read_parameter(key: str, given: object, design: Design) -> Parameter:
     """
     if isinstance(given, Mapping):
         with error_prefix(f"{key}."):
-            table = read_part(RangeTable, given)
+            table = read_part(RangeEntry, given)
         return _between(key, table.model_dump(exclude_unset=True), design)
     factor = read_factor(key, given, type(design))
     values = [_si(factor, value) for value in factor.values]

@@ -15,7 +15,7 @@ from forficula.statics.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, rest
 from forficula.statics.sheet import sheet_energy
-from forficula.structure import RigidFold, Structure, drive_of, state_of
+from forficula.structure import RigidFold, Structure, drive_of, goal_of, state_of
 
 # Moment that counts as none: of the tendons' largest about the ring, or, where they have none, of E t l^2 of the
 # membrane.
@@ -189,7 +189,8 @@ def _name(structure: Structure, path: FoldPath, state: PathState) -> str:
     fold = rigid_fold(structure)
     ring = float(np.interp(state.far_coordinate, path.pleat_angle, path.ring_angle))
     folded = state_of(structure, fold.end)
-    enough = folded is not None and bool(np.all(-ring <= folded.bounds.most[list(fold.folds)]))
+    most = None if folded is None else goal_of(structure, folded.goal).most[list(fold.folds)]
+    enough = most is not None and bool(np.all(-ring <= most))
     closed = enough or state.far_coordinate >= math.pi
     if state.coordinate <= 0:
         return "anywhere" if closed else fold.start

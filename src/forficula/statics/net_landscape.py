@@ -23,7 +23,7 @@ from forficula.statics.net.stable_states import StableStates, find_stable_states
 from forficula.statics.net.supports import supported
 from forficula.statics.net_course import Course, drive_course, short_of
 from forficula.statics.net_state import NetState, known, mobility, net_state, stored_parts
-from forficula.structure import Structure, drive_of, first_state, state_of
+from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]
 
@@ -142,7 +142,7 @@ def _rests(
     found = []
     for name, rest in places:
         state = state_of(structure, name)
-        within = state is None or short_of(structure, net, state.bounds, rest.shape) <= 0
+        within = state is None or short_of(structure, net, goal_of(structure, state.goal), rest.shape) <= 0
         found.append((name if within or state is None else state.missed, rest, within))
     return tuple(found)
 

@@ -12,7 +12,7 @@ from forficula.statics.net_landscape import Progress, net_landscape, slow_course
 from forficula.statics.potential import ensemble
 from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.statics.tree_landscape import tree_landscape
-from forficula.structure import Structure, drive_of, structure_of
+from forficula.structure import Structure, drive_of, goal_of, structure_of
 
 # up to how many times its own strength a drive is tried
 _MORE = 4.0
@@ -78,5 +78,5 @@ def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
         else:
             before = state_beyond(structures, transition)
         found[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
-        held = bool(at_goal(structures, before.position, transition.released)[0])
+        held = bool(at_goal(structures, before.position, goal_of(structure, transition.released))[0])
     return found

@@ -35,7 +35,7 @@ from forficula.statics.quasi_static import (
     state_beyond,
 )
 from forficula.statics.tip_stiffness import tip_stiffness
-from forficula.structure import Structure, Transition, drive_of, first_state, state_of
+from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it
 _MOST_OPENING = 4.0
@@ -118,7 +118,7 @@ def _protocol(
             )
         )
         remarks += slow_remarks(structure, transition, largest, slow, span, helped)
-        before, held = after, bool(at_goal(structures, after.position, transition.released)[0])
+        before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
     return tuple(rests), tuple(courses), tuple(remarks)
 
 
@@ -135,7 +135,8 @@ def _passes(path: FoldPath) -> tuple[Pass, ...]:
 
 def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
     state, position = state_of(structures.structure, name), found.position[0]
-    within = state is None or bool(at_goal(structures, found.position[:1], state.bounds)[0])
+    goal = None if state is None else goal_of(structures.structure, state.goal)
+    within = goal is None or bool(at_goal(structures, found.position[:1], goal)[0])
     slight = slight_energy(structures)
 
     def known(energy: Array) -> float:

@@ -35,10 +35,10 @@ from forficula.structure.parts import (
     Stops,
     Tendon,
 )
+from forficula.structure.protocol import with_protocol
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
-from forficula.structure.sheet_protocol import with_protocol
 from forficula.structure.structure import Structure
 
 # rad; a crease this near to being folded onto itself as built is so in its own sense

@@ -22,9 +22,9 @@ from forficula.structure.facet_plates import corner_name, facet_plates, largest_
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Stops
+from forficula.structure.protocol import pushed_name, with_protocol
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
@@ -58,7 +58,7 @@ def plate_structure(design: SheetDesign) -> Structure:
     measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
     for drive in design.drive:
         for place, text in enumerate(places_of(drive)):
-            add(pushed_name(drive, place), "pushed", place_on(pattern, text))
+            add(pushed_name(drive.name, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),

@@ -89,7 +89,7 @@ DISTRIBUTIONS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "no
 VALUES = 'list, or range such as "10..60 N/cm step 10"'
 
 
-class DistributionTable(Part):
+class DistributionEntry(Part):
     """A distribution as files have it."""
 
     distribution: Literal["uniform", "log-uniform", "normal"] = entry(
@@ -104,7 +104,7 @@ class DistributionTable(Part):
 Values = Annotated[Any, VALUES]
 Grid = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=VALUES))]
 Factors = Annotated[
-    dict[str, Any], BeforeValidator(ByKey(allowed=f"{VALUES}, or distribution", entry=DistributionTable))
+    dict[str, Any], BeforeValidator(ByKey(allowed=f"{VALUES}, or distribution", entry=DistributionEntry))
 ]
 
 
@@ -137,7 +137,7 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
         return Factor(key=key, values=values, model=model)
     if isinstance(given, Mapping):
         with error_prefix(f"{key}."):
-            table = read_part(DistributionTable, given)
+            table = read_part(DistributionEntry, given)
         return Factor(key=key, distribution=_distribution(key, table, quantity), model=model)
     rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
     if names_law(key):
@@ -293,7 +293,7 @@ def _written(key: str, value: float, model: type[Design]) -> object:
     return value if quantity is None else format_quantity(value, quantity.unit)
 
 
-def _distribution(key: str, table: DistributionTable, quantity: Quantity | None) -> Distribution:
+def _distribution(key: str, table: DistributionEntry, quantity: Quantity | None) -> Distribution:
     name = table.distribution
     names = DISTRIBUTIONS[name]
     if table.model_fields_set != {"distribution", *names}:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 from pydantic import ConfigDict, Field
@@ -12,7 +11,7 @@ from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
 from forficula.design.part import Part
 from forficula.errors import InputError, error_prefix
-from forficula.names import one_of, unknown_key
+from forficula.names import check_known, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
 from forficula.study.factors import Values, range_values
@@ -76,9 +75,11 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
         return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]
     names = [f"{each.name}_torques" for each in (first, *others)]
-    check_search_keys(given, (names[0], f"{first.name}_with", *names[1:], "refinements"))
+    check_known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    drives = [drive_of(structure, each.drive) for each in (first, *others)]
     steps = [
-        _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
+        _torque_step(each, drive, given, none=each is not first)
+        for each, drive in zip((first, *others), drives, strict=True)
     ]
     if len({step.key for step in steps}) < len(steps):
         raise InputError(
@@ -86,34 +87,21 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
             f' {first.name} and {others[0].name}; ask "least-value" of one'
         )
     # with its own torque of the first transition a point is what a run of the same values is
-    own = abs(drive_of(structure, first.drive).strength)
-    large = given.get(f"{first.name}_with", _shown(own or steps[0].values[-1]))
+    own = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)
+    name = f"{first.name}_with"
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_torques(f"{first.name}_with", [large])[0],
+        reference=_rising(name, [given.get(name, own)], TORQUE, none=False)[0],
         next_drive=next((each.drive for each in others), None),
         start_state=start,
         refinements=given.get("refinements", 0),
     )
 
 
-def check_search_keys(given: Mapping[str, object], names: Sequence[str]) -> None:
-    """Refuse keys of the table `search` other than some.
-
-    Raises:
-        InputError: which is unknown, and which is near.
-    """
-    for key, value in given.items():
-        if key not in names:
-            near = difflib.get_close_matches(key, names, n=1)
-            hint = f"did you mean search.{near[0]}?" if near else f"allowed here: {', '.join(names)}"
-            raise InputError(unknown_key(f"search.{key}", value, hint))
-
-
 def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
     """A search for the least value of any key that reaches a state."""
-    check_search_keys(given, ("key", "values", "state", "refinements"))
+    check_known(given, ("key", "values", "state", "refinements"), "search.")
     states = {transition.state: transition for transition in structure.transitions}
     state, key = given.get("state", next(iter(states))), given.get("key")
     if state not in states:
@@ -153,7 +141,7 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or _tenths(drive.strength)), none=none),
+        values=_rising(name, given.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
         unit=TORQUE,
         sign=-1.0 if drive.strength < 0 else 1.0,
     )
@@ -161,15 +149,8 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
 
 def _tenths(torque: float) -> list[str]:
     """Ten torques up to one's size, or none at all."""
-    return [_shown(abs(torque) * tenths / 10) for tenths in range(1, 11)] if torque else [_shown(0.0)]
-
-
-def _shown(torque: float) -> str:
-    return format_quantity(torque, TORQUE)
-
-
-def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, TORQUE, none=none)
+    torques = [abs(torque) * tenths / 10 for tenths in range(1, 11)] if torque else [0.0]
+    return [format_quantity(each, TORQUE) for each in torques]
 
 
 def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:

@@ -32,7 +32,7 @@ from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
 
-class SamplingTable(Part):
+class PointSampling(Part):
     """How points are drawn."""
 
     method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
@@ -71,7 +71,7 @@ class StudyFile(Part):
         ),
     )
     grid: Grid = entry("values that are crossed at every choice of factors that vary one at a time", {})
-    sampling: SamplingTable | None = entry("how points are drawn from distributions")
+    sampling: PointSampling | None = entry("how points are drawn from distributions")
     search: SearchTable | None = entry('which values are tried, with ask = "least-torques" or "least-value"')
 
 
@@ -115,7 +115,8 @@ def _study(file: StudyFile, folder: Path) -> Study:
     if file.vary == "grid":  # otherwise a setting says where the others vary from
         check_not_settled(file.settings, "factors", factors, base)
     grid = _repeated_grid(file, factors, folder, base)
-    _check_drawn(file, base, (*factors, *grid), drawn)
+    if file.sampling is not None and not drawn:
+        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
     search = _search(file, base, (*factors, *grid))
     choices: tuple[Mapping[str, object], ...] = ()
     if file.vary == "one-at-a-time":
@@ -123,7 +124,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
         choices = one_at_a_time(base, factors)
     if drawn:
         with error_prefix("sampling."):
-            sampling = file.sampling or read_part(SamplingTable, {})
+            sampling = file.sampling or read_part(PointSampling, {})
         points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
     elif choices:
         points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]
@@ -143,16 +144,6 @@ def _study(file: StudyFile, folder: Path) -> Study:
     )
 
 
-def _check_drawn(file: StudyFile, base: Design, factors: Sequence[Factor], drawn: Sequence[Factor]) -> None:
-    """Refuse to draw values between which there are none, and to say how where none are drawn."""
-    if file.sampling is not None and not drawn:
-        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
-    for factor in factors:
-        now = key_value(base, factor.key)
-        if factor in drawn and key_quantity(factor.key, factor.model) is None and not isinstance(now, float):
-            raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
-
-
 def read_factors(given: Mapping[str, object], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
     """The factors of a table of a file.
 
@@ -169,9 +160,12 @@ def read_factors(given: Mapping[str, object], name: str, folder: Path, base: Des
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
     with error_prefix(f"{name}."):
         check_keys_once(given, base)
-        return tuple(
-            read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in given.items()
-        )
+        factors = [read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in given.items()]
+        for factor in factors:
+            now, quantity = key_value(base, factor.key), key_quantity(factor.key, factor.model)
+            if factor.distribution is not None and quantity is None and not isinstance(now, float):
+                raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
+    return tuple(factors)
 
 
 def check_not_settled(settings: Mapping[str, object], name: str, factors: Sequence[Factor], base: Design) -> None:

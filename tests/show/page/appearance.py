@@ -1,76 +1,53 @@
-"""Pages as pictures, beside those in reference/, which people have looked at."""
+"""What a page with a structure and plots must show, whatever its pixels are."""
 
 import io
-import os
-from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
-from tests.show.page.conftest import missing
+_DARKEST, _LIGHTEST = 60, 200  # of 255: grounds of a dark and of a light page are beyond
+_COLOURED = 24  # of 255: between the channels of a colour that is no grey
+_LEAST, _MOST = 0.02, 0.9  # of a stage, that a structure covers
+_INK = 1000  # pixels that a plot has at least
+_PARTS = """() => { const box = (each) => { const { x, y, width, height } = each.getBoundingClientRect();
+    return [x, y, x + width, y + height]; };
+  const shown = (each) => each.checkVisibility();
+  const boxes = (selector) => [...document.querySelectorAll(selector)].filter(shown).map(box);
+  const inks = [...document.querySelectorAll(".chart canvas")].map((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    let ink = 0;
+    for (let at = 3; at < data.length; at += 4) ink += data[at] > 0;
+    return ink; });
+  return { stage: boxes(".stage"), plots: boxes(".chart"), legend: boxes(".legend"), inks,
+    ground: getComputedStyle(document.body).backgroundColor.match(/\\d+/g).slice(0, 3).map(Number) }; }"""
 
-KEPT = Path(__file__).parent / "reference"
-RENEW = (
-    "FORFICULA_KEEP_PICTURES=1 .venv/bin/python -m pytest tests/show/page -k looks_as_it_was_kept; look at them, too"
-)
-WIDEST = 512  # pixels of a picture that is kept
-BLOCK = 8  # pixels: letters become grey, panels and plots stay what they are
-FONT = "DejaVu Sans"  # which comes with Debian's Chromium
-# Mean difference of blocks, of 255. Where the wings are drawn: 0.7 at most between SwiftShader, Mesa and two pixels for
-# one; 2.2 at least for a missing membrane, 6 for a blank canvas, 180 for light in place of dark. Beside them: 1.8 at
-# most; 3.7 at least for plots that overlap or have lost their columns.
-PICTURE, BESIDE = 1.2, 3.0
 
+def check_shown(opened, scheme="light", *, beside=False):
+    """Check that a structure is drawn, on the ground of the scheme, with plots and a legend, none over another.
 
-def check_look(opened, name, top="#player"):
-    """Compare a page, from an element on, with the picture of this name; keep it as that where this is asked for."""
+    Args:
+        opened: a page.
+        scheme: light or dark.
+        beside: whether its plots are in one row.
+    """
     page = opened.page
-    if not page.evaluate(_HAS_FONT):
-        missing(f"the font {FONT} is missing; install it, as with: apt-get install fonts-dejavu-core")
-    style = page.add_style_tag(content=f'* {{ font-family: "{FONT}" !important; }}')
-    page.evaluate("top => document.querySelector(top).scrollIntoView()", top)
+    page.locator(".stage").first.scroll_into_view_if_needed()
     opened.settle()
-    now, path = _picture(page), KEPT / f"{name.replace(' ', '-')}.png"
-    box = page.locator(".stage").bounding_box()
-    style.evaluate("each => each.remove()")
-    if os.environ.get("FORFICULA_KEEP_PICTURES") == "1":
-        KEPT.mkdir(exist_ok=True)
-        now.save(path, optimize=True)
-    with Image.open(path) as image:
-        kept = image.convert("RGB")
-    assert now.size == kept.size, f"{name}: {RENEW}"
-    block = BLOCK * page.viewport_size["width"] / now.width
-    away = _difference(now, kept)
-    drawn = np.zeros(away.shape, dtype=bool)
-    rows, columns = (
-        slice(*(round(max(edge, 0) / block) for edge in (box[start], box[start] + box[size])))
-        for start, size in (("y", "height"), ("x", "width"))
-    )
-    drawn[rows, columns] = True
-    for part, most in ((away[drawn], PICTURE), (away[~drawn], BESIDE)):
-        assert part.mean() < most, f"{name}: blocks differ by {part.mean():.1f}, not {most}; if that is right: {RENEW}"
-
-
-# a browser without a font takes the next one of the list
-_HAS_FONT = f"""() => {{
-    const context = document.createElement("canvas").getContext("2d");
-    const width = (font) => {{ context.font = font; return context.measureText("wing").width; }};
-    return width('20px "{FONT}", monospace') !== width("20px monospace");
-}}"""
-
-
-def _picture(page):
-    """The window as it is, not wider than the pictures that are kept."""
-    shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
-    if shot.width <= WIDEST:
-        return shot
-    return shot.resize((WIDEST, round(shot.height * WIDEST / shot.width)), Image.Resampling.BOX)
-
-
-def _difference(first, second):
-    """By how much the blocks of two pictures differ in the colour that differs most, 0 to 255, (row, column)."""
-    blocks = (
-        np.asarray(each.resize((each.width // BLOCK, each.height // BLOCK), Image.Resampling.BOX), dtype=float)
-        for each in (first, second)
-    )
-    return np.abs(np.subtract(*blocks)).max(axis=2)
+    found = page.evaluate(_PARTS)
+    (left, top, right, bottom), *_ = found["stage"]
+    clip = {"x": left, "y": top, "width": right - left, "height": bottom - top}
+    picture = np.asarray(Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int)
+    # what is written over it is grey
+    drawn = np.ptp(picture, axis=2) > _COLOURED
+    assert _LEAST < drawn.mean() < _MOST, "nothing is drawn, or it fills all"
+    for ground in (found["ground"], picture[0, 0]):
+        assert np.mean(ground) < _DARKEST if scheme == "dark" else np.mean(ground) > _LIGHTEST, f"not a {scheme} page"
+    assert found["legend"], "no legend"
+    assert min(found["inks"]) > _INK, "an empty plot"
+    boxes = [*found["stage"], *found["legend"], *found["plots"]]
+    for number, first in enumerate(boxes):
+        for second in boxes[:number]:
+            across, upwards = (min(first[at + 2], second[at + 2]) - max(first[at], second[at]) for at in (0, 1))
+            assert min(across, upwards) < 1, "one thing lies on another"
+    if beside:
+        assert len({round(top) for _, top, _, _ in found["plots"]}) == 1, "plots below one another"

@@ -9,7 +9,7 @@ from forficula.cli import main
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.show.page import compare_runs
-from tests.show.page.appearance import check_look
+from tests.show.page.appearance import check_shown
 
 
 @pytest.fixture(scope="module")
@@ -110,11 +110,11 @@ def test_in_a_narrow_window_the_clock_stays_in_sight_of_every_wing(opened):
         assert 0 <= play["y"] < 400 - play["height"]
 
 
-def test_the_page_looks_as_it_was_kept(opened):
+def test_wings_plots_and_a_legend_are_shown_none_over_another(opened):
     opened.show(width=1280, height=1000)
     show(opened, "whole runs", 0.03)
     opened.page.evaluate("forficula.player.stage.eye.show({ towards: [0.37, -0.695, 0.616] })")
-    check_look(opened, "compare")
+    check_shown(opened)
 
 
 def refusal(*arguments):

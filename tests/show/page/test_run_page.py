@@ -16,7 +16,7 @@ from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import face_strains, surface_at
 from forficula.structure import drawn_points
 from forficula.study.runs import run
-from tests.show.page.appearance import check_look
+from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 
 # positions are floats of four bytes, and between two frames off by half of this at most
@@ -394,39 +394,37 @@ def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_m
 
 
 @pytest.mark.parametrize(
-    ("name", "width", "height", "scheme", "state"),
-    [
-        ("run flat", 1280, 1000, "light", 0),
-        ("run folded", 1280, 1000, "light", 1),
-        ("run dark", 1280, 1000, "dark", 1),
-        ("run phone", 360, 600, "light", 1),
-    ],
+    ("width", "height", "scheme"),
+    [(1280, 1000, "light"), (1280, 1000, "dark"), (360, 600, "light")],
+    ids=["light", "dark", "phone"],
 )
-def test_the_page_looks_as_it_was_kept(opened, name, width, height, scheme, state):
+def test_the_wing_plots_and_a_legend_are_shown_none_over_another(opened, width, height, scheme):
     opened.show(width, height, scheme)
-    go_to(opened, state)
-    check_look(opened, name)
+    for state in (0, 1):
+        go_to(opened, state)
+        check_shown(opened, scheme, beside=width > 1000)
 
 
 @pytest.mark.parametrize(
-    ("scheme", "fault"),
+    ("fault", "what"),
     [
-        ("light", "document.querySelector('canvas').style.visibility = 'hidden'"),
-        ("dark", "undefined"),
-        ("light", "document.querySelector('.plots').style.display = 'block'"),
-        ("light", "document.querySelector('.legend').style.display = 'none'"),
+        ("document.querySelector('canvas').style.visibility = 'hidden'", "nothing is drawn"),
+        ("document.body.style.background = 'black'", "not a light page"),
+        ("document.querySelector('.plots').style.display = 'block'", "plots below one another"),
+        ("document.querySelector('.legend').style.display = 'none'", "no legend"),
+        ("document.querySelector('.plots').style.marginTop = '-500px'", "one thing lies on another"),
     ],
-    ids=["a blank canvas", "a wrong scheme", "plots below one another", "no legend"],
 )
-def test_a_page_does_not_look_as_it_was_kept_with(opened, scheme, fault):
-    opened.show(1280, 1000, scheme)
+def test_a_page_that_does_not_show_them_is_seen_to_do_so(opened, fault, what):
+    """A control: without it the checks of what is shown could not fail."""
+    opened.show(1280, 1000)
     go_to(opened, 1)
     opened.page.evaluate(fault)
     try:
-        with pytest.raises(AssertionError, match="differ"):
-            check_look(opened, "run folded")
+        with pytest.raises(AssertionError, match=what):
+            check_shown(opened, beside=True)
     finally:
-        for changed in (".plots", "canvas", ".legend"):
+        for changed in (".plots", "canvas", ".legend", "body"):
             opened.page.locator(changed).first.evaluate("each => each.removeAttribute('style')")
 
 

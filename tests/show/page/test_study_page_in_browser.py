@@ -12,7 +12,7 @@ from forficula.show.page.study_page import write_study_page
 from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
 from forficula.study.kept_runs import kept_runs, runs_to_keep
-from tests.show.page.appearance import check_look
+from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 from tests.show.study.test_maps import many_ends, planted, sampled
 
@@ -430,11 +430,11 @@ def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page)
     assert watched.messages == []
 
 
-def test_the_page_looks_as_it_was_kept(opened):
+def test_the_structure_plots_and_a_legend_are_shown_none_over_another(opened):
     opened.show(1280, 1000)
     open_folding(opened.page, 2)
     opened.page.evaluate(
         "() => { const { clock, clips } = forficula.panel.playing; clock.seek(clips[0].marks[1].time); }"
     )
-    check_look(opened, "study", top="#explorer")
+    check_shown(opened)
     opened.show()

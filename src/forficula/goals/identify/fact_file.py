@@ -16,7 +16,7 @@ from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.row_quantity import Combination, is_state, read_combination, row_quantities
-from forficula.names import one_of, shown_name
+from forficula.names import check_known, one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.structure import structure_of
 from forficula.study.factors import Factor, Grid, Values, grid_points, range_values, read_factor
@@ -36,9 +36,11 @@ class LeastTable(Part):
     monotone: YesOrNo = entry("whether all larger values reach it, too", False)
 
 
-class TermTable(Part):
-    """What is observed."""
+class FactTable(Part):
+    """A table `fact`."""
 
+    name: str = entry("short name that no other fact has", ...)
+    source: str = entry("who says so, and where", "")
     quantity: Annotated[Any, "text"] = entry(
         'a state, a number of runs, a sum of some, or "least value"', left_out="needed"
     )
@@ -53,13 +55,6 @@ class TermTable(Part):
     rising: _Keys = entry("keys along which the state, once it holds, goes on holding", [])
     falling: _Keys = entry("keys along which the state does so in the inverse order of the values", [])
     least: LeastTable | None = entry("value that is searched for under every condition")
-
-
-class FactTable(TermTable):
-    """A table `fact`."""
-
-    name: str = entry("short name that no other fact has", ...)
-    source: str = entry("who says so, and where", "")
     equals: Annotated[Any, "number, text with a unit, or table"] = entry(
         "what the quantity is to be: a value, or another quantity"
     )
@@ -72,6 +67,13 @@ class FactTable(TermTable):
     scale: Annotated[Any, "as tolerance"] = entry(
         "scale of the distance from the fact in sums over facts", left_out="the samples' spread"
     )
+
+
+# what a table under `equals`, `at_least` or `at_most` may have: what it leaves out is as in the fact
+_OF_TERM = (
+    *("quantity", "statistic", "over", "settings", "until", "where"),
+    *("absent", "rising", "falling", "least"),
+)
 
 
 def read_fact(table: FactTable, base: Design, folder: Path) -> Fact:
@@ -133,11 +135,10 @@ def _bound(table: FactTable, order: str, term: Term, base: Design, folder: Path)
     value = getattr(table, order)
     if not isinstance(value, Mapping):
         return _number(value, term, order)
+    check_known(value, _OF_TERM, f"{order}.")
+    own = table.model_dump(include={"name", *_OF_TERM}, exclude_unset=True)
     with error_prefix(f"{order}."):
-        given = read_part(TermTable, value)
-    own = {name: getattr(table, name) for name in TermTable.model_fields if name in table.model_fields_set}
-    changed = {name: getattr(given, name) for name in given.model_fields_set}
-    other = _term(TermTable.model_construct(**own | changed), base, folder)
+        other = _term(read_part(FactTable, own | dict(value)), base, folder)
     if other.unit != term.unit:
         raise InputError(f"{order}: need a quantity in the same unit")
     return other
@@ -153,7 +154,7 @@ def _number(value: object, term: Term, key: str) -> float:
     return float(value)
 
 
-def _term(table: TermTable, base: Design, folder: Path) -> Term:
+def _term(table: FactTable, base: Design, folder: Path) -> Term:
     with error_prefix("quantity: "):
         quantity = () if table.quantity == LEAST_VALUE else read_combination(table.quantity, row_quantities(base))
     over = _over(table.over, folder, base)
@@ -254,7 +255,7 @@ def _check_directions(key: str, keys: Sequence[str], over: Sequence[Factor], *, 
             raise InputError(f"{key}: need {one_of(known, each)}")
 
 
-def _absent(table: TermTable, unit: Unit | None, least: LeastValue | None) -> float:
+def _absent(table: FactTable, unit: Unit | None, least: LeastValue | None) -> float:
     if table.absent is None:
         if least is not None and table.quantity == LEAST_VALUE:
             # a step above all that were tried

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, Field
 
-from forficula.design import Design, key_quantity, key_value, numbered_key
+from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.part import Part, Quantity
 from forficula.design.rejection import read_part
@@ -28,7 +28,7 @@ from forficula.study.study_file import check_not_settled, read_factors
 _Count = Annotated[Whole, Field(le=MOST_VALUES)]
 
 
-class SamplingTable(Part):
+class PriorSampling(Part):
     """How many values are drawn."""
 
     samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
@@ -97,7 +97,7 @@ class ObservationsFile(Part):
             '"$key" = ["$low", "$value", "$high"]',
         ),
     )
-    sampling: SamplingTable = entry("how many values are drawn", SamplingTable())
+    sampling: PriorSampling = entry("how many values are drawn", PriorSampling())
     fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
         "what was observed, a table for each fact", (), examples=_FACT_EXAMPLES
     )
@@ -172,10 +172,7 @@ def _priors(file: ObservationsFile, folder: Path, base: Design) -> tuple[Factor,
     priors = read_factors(file.unknown, "unknown", folder, base)
     check_not_settled(file.settings, "unknown", priors, base)
     for prior in priors:
-        now, quantity = key_value(base, prior.key), key_quantity(prior.key, prior.model)
-        if prior.distribution is not None and quantity is None and not isinstance(now, float):
-            raise InputError(f"unknown.{prior.key}: need a list or a range; only numbers with fractions are drawn")
-        if quantity is not None:
+        if (quantity := key_quantity(prior.key, prior.model)) is not None:
             _check_allowed(prior, quantity)
     return priors
 

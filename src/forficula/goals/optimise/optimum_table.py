@@ -12,7 +12,7 @@ from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
-from forficula.goals.optimise.ranking import pareto_front
+from forficula.goals.optimise.trials import pareto_front
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.parameter import Parameter
 from forficula.quantities import as_written, parse_quantity

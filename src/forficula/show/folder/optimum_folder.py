@@ -12,12 +12,11 @@ from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.goal import own_limits
-from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.candidate import Neighbours, Verification
 from forficula.goals.optimise.optimum import Effort, Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
-from forficula.goals.optimise.relaxation import Relaxation
 from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.verification import Verification
+from forficula.goals.optimise.trials import Relaxation
 from forficula.serial import Seconds, Written, json_text
 from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation

@@ -203,7 +203,7 @@ def _course_data(model: Model) -> dict[str, Any]:
         "stageStates": list(structure.stage_states),
         "states": [
             {"name": state.name, "missed": state.missed, "unknown": state.unknown}
-            | {"bounds": _goal_data(goal_in_units(model, state.bounds))}
+            | {"bounds": _goal_data(_goal_named(model, state.goal))}
             for state in structure.states
         ],
         "transitions": [_transition_data(model, each) for each in structure.transitions],
@@ -224,7 +224,7 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
         "goal": transition.goal,
         "asked": _goal_data(_goal_named(model, transition.goal)),
         "state": transition.state,
-        "released": _goal_data(goal_in_units(model, transition.released)),
+        "released": _goal_data(_goal_named(model, transition.released)),
         "reading": reading,
         "furthest": transition.furthest,
         "kind": transition.kind,
