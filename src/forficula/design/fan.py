@@ -28,7 +28,7 @@ from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TO
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection, check_on_bars
-from forficula.design.tendon_tables import entries_by_vein
+from forficula.design.tendon_tables import is_by_vein
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
@@ -95,7 +95,7 @@ class FanDesign(Design):
     ] = None
     tendon: Annotated[
         Annotated[TendonSection, Tag(ONE_FOR_ALL)] | Annotated[tuple[TendonSection | None, ...], Tag(BY_VEIN)],
-        Discriminator(lambda given: BY_VEIN if isinstance(given, list | tuple) else ONE_FOR_ALL),
+        Discriminator(lambda given: BY_VEIN if isinstance(given, tuple) else ONE_FOR_ALL),
         Field(description="one for every vein, or by the number of the vein, None for one without"),
     ]
     guard: GuardSection
@@ -107,11 +107,10 @@ class FanDesign(Design):
     @field_validator("tendon", mode="before")
     @classmethod
     def _by_vein(cls, given: object) -> object:
-        """A list of tables that name their veins, as a list that has them in their places."""
-        if not isinstance(given, list):
+        """Tables by the numbers of their veins, in a tuple that has them in their places."""
+        if not is_by_vein(given):
             return given
-        entries = entries_by_vein(given)
-        return [entries.get(vein) for vein in range(max(entries, default=-1) + 1)]
+        return tuple(given.get(str(vein)) for vein in range(max(map(int, given), default=-1) + 1))
 
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
@@ -253,12 +252,10 @@ class FanDesign(Design):
             )
 
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
-        """The design as TOML tables; tendons of a list name their veins."""
+        """The design as tables; tendons that are not one for all by the numbers of their veins."""
         tables = super().as_tables(write)
         if isinstance(self.tendon, tuple):
-            tables["tendon"] = [
-                {"vein": vein} | entry for vein, entry in enumerate(tables["tendon"]) if entry is not None
-            ]
+            tables["tendon"] = {str(vein): entry for vein, entry in enumerate(tables["tendon"]) if entry is not None}
         return tables
 
     def hash_values(self) -> dict[str, Any]:
