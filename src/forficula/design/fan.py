@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -81,7 +81,11 @@ class FanDesign(Design):
     varied_key: ClassVar[str] = "tendon.stiffness"
     weight_section: ClassVar[str] = "vein"
     rest_keys: ClassVar[tuple[str, ...]] = (
-        *("pattern", "membrane", "hinge", "coupling", "guard"),
+        "pattern",
+        "membrane",
+        "hinge",
+        "coupling",
+        "guard",
         *REST_KEYS,
         "protocol.driven_veins",
     )
@@ -168,15 +172,18 @@ class FanDesign(Design):
 
     def _tendons_on_bars(self) -> None:
         """Refuse tendons on veins that are not there, and such as do not end on their bars."""
-        last = self.fan.vein_count - 1
-        for key, tendon in self._written_tendons():
-            vein = key.removeprefix("tendon.")
-            if vein.isdecimal() and int(vein) > last:
+        last, lengths = self.fan.vein_count - 1, (self.pattern.proximal_length, self.pattern.distal_length)
+        if isinstance(self.tendon, TendonSection):
+            check_on_bars("tendon", self.tendon, *lengths)
+            return
+        for vein, tendon in enumerate(self.tendon):
+            if tendon is not None and vein > last:
                 raise InputError(
-                    f"{key}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
+                    f"tendon.{vein}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
                     f" {self.pattern.units}"
                 )
-            check_on_bars(key, tendon, self.pattern.proximal_length, self.pattern.distal_length)
+            if tendon is not None:
+                check_on_bars(f"tendon.{vein}", tendon, *lengths)
 
     def _driven_veins_there(self) -> None:
         """Refuse motors on veins that are not there, and two on one."""
@@ -187,20 +194,12 @@ class FanDesign(Design):
                 f" {self.pattern.units}, got {list(driven)}"
             )
 
-    def _written_tendons(self) -> Iterator[tuple[str, TendonSection]]:
-        """The sections of the tendons, each with its key."""
-        if isinstance(self.tendon, TendonSection):
-            yield "tendon", self.tendon
-            return
-        for vein, tendon in enumerate(self.tendon):
-            if tendon is not None:
-                yield f"tendon.{vein}", tendon
-
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
 
-    def _named_protocol(self) -> NamedProtocol:
+    @property
+    def named_protocol(self) -> NamedProtocol:
         """Torques about the axes of the driven veins, and about all ring folds."""
         protocol, veins = self.protocol, self.driven_veins
         every = len(veins) == self.fan.vein_count
@@ -267,12 +266,6 @@ class FanDesign(Design):
             values["tendon"] = by_vein[0] if alike else by_vein
         return values
 
-    def tendon_on(self, vein: int) -> TendonSection | None:
-        """The tendon of a vein, by its number; None where it has none."""
-        if isinstance(self.tendon, TendonSection):
-            return self.tendon
-        return self.tendon[vein] if vein < len(self.tendon) else None
-
     @property
     def idle(self) -> tuple[str, ...]:
         """What is given and does nothing, a sentence each."""
@@ -289,7 +282,10 @@ class FanDesign(Design):
     @property
     def tendons(self) -> tuple[TendonSection | None, ...]:
         """The tendon of every vein, (vein,); None where it has none."""
-        return tuple(self.tendon_on(vein) for vein in range(self.fan.vein_count))
+        count = self.fan.vein_count
+        if isinstance(self.tendon, TendonSection):
+            return (self.tendon,) * count
+        return (*self.tendon, *[None] * (count - len(self.tendon)))
 
     @property
     def fan(self) -> EarwigFan:
