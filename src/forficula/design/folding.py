@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, TypeVar
 
 from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
@@ -96,6 +97,7 @@ def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Dri
     )
 
 
+@lru_cache(maxsize=256)  # designs that are run one after another have few different ones
 def _distal(relation: str, angle: float) -> str:
     """A bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
     return f"distal_angle {relation} {format_quantity(angle, ANGLE)}"

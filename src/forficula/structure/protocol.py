@@ -76,11 +76,13 @@ def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor]
         for action in drive.actions
         if action.kind == "torque"
     ]
+    following: dict[int, tuple[int, ...]] = {}
+    for place, (_, _, hinges) in enumerate(acting):
+        for hinge in hinges:
+            following[hinge] = (*following.get(hinge, ()), place)
     shared: dict[tuple[int, ...], list[int]] = {}
-    for hinge in range(len(structure.hinges)):
-        following = tuple(place for place, (_, _, hinges) in enumerate(acting) if hinge in hinges)
-        if following:
-            shared.setdefault(following, []).append(hinge)
+    for hinge in sorted(following):
+        shared.setdefault(following[hinge], []).append(hinge)
     # motors of creases in the order of these, those of named hinges in that of the actions
     order = sorted(shared, key=lambda places: places[0] if acting[places[0]][1].hinges else 0)
     motors: list[Motor] = []
@@ -100,10 +102,11 @@ def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor]
 
 def _hinges(structure: Structure, action: Action) -> list[int]:
     """Numbers of the hinges that an action is on, rising."""
+    edges, names = set(action.edges), set(action.hinges)
     return [
         number
         for number, hinge in enumerate(structure.hinges)
-        if hinge.edge in action.edges or hinge.role in action.hinges or hinge.name in action.hinges
+        if hinge.edge in edges or hinge.role in names or hinge.name in names
     ]
 
 
