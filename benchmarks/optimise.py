@@ -1,14 +1,21 @@
-"""How many runs the best wing takes to find, beside other ways to look for it, and what it costs to be robust."""
+"""Compare optimisers on five goals at equal numbers of designs, and measure the price of robustness of the wing.
+
+Every optimiser is behind `ask` and `tell`. The libraries beside SciPy are compared where they are installed:
+pip install cmaes cma
+"""
 
 from __future__ import annotations
 
 import argparse
+import contextlib
+import importlib.util
 import json
 import math
 import platform
+import queue
 import tempfile
-from collections.abc import Sequence
-from dataclasses import replace
+import threading
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,16 +28,16 @@ from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.goal import Goal
 from forficula.goals.goal_file import goal_of
-from forficula.goals.optimise.axis import placed
 from forficula.goals.optimise.candidate import Candidate, axes_of, trial_of
 from forficula.goals.optimise.optimise import optimise_goal
-from forficula.goals.optimise.ranking import standing
+from forficula.goals.optimise.parabola_search import Optimiser, ParabolaSearch
 from forficula.goals.optimise.screening import screened
-from forficula.goals.optimise.trial import Trial
+from forficula.goals.optimise.trials import Axis, Point, Trial, placed, standing
+from forficula.quantities import parse_quantity
 
-# the trial of the reference wing that this answers: fold with 30, open with 60 N cm, and hold as well as can be
+# the reference wing that 30 N cm fold and 60 N cm open, and that holds itself open best
 _WING = {
-    "name": "wing-that-holds",
+    "name": "wing",
     "design": "binder2025",
     "vary": {
         "tendon.stiffness": {"low": "4 N/cm", "high": "40 N/cm"},
@@ -40,79 +47,280 @@ _WING = {
     },
     "limits": {"least_fold_torque": "<= 30 N cm", "least_unfold_torque": "<= 60 N cm"},
     "objectives": {"hinge_holding_torque": "largest"},
-    "tolerances": {"all": "10 %"},
 }
+_TOLERANCES = {"all": "10 %"}
 _WANTED = {"probability": ">= 95 %"}
+PROBLEMS: dict[str, dict[str, Any]] = {
+    "wing": _WING,
+    # the named goal clasp-5-to-8 without tolerances, with the static limits 10 % within those of its protocol
+    "clasp": {
+        "name": "clasp",
+        "design": "force-clasp",
+        "vary": {
+            "tendon.band.stiffness": {"low": "5 N/cm", "high": "12 N/cm"},
+            "tendon.band.rest_length": {"low": "44 mm", "high": "54 mm"},
+            "crease.rest_angle": {"low": "0 deg", "high": "50 deg"},
+        },
+        "limits": {"slow_open": [">= 5.5 N", "<= 7.2 N"]},
+        "objectives": {"closed_tendon_energy": "least"},
+    },
+    # the lightest joint on two limits, both of which bind; statics alone
+    "joint": {
+        "name": "joint",
+        "design": "binder2025-joint",
+        "simulate": False,
+        "vary": {
+            "tendon.area": {"low": "1 mm^2", "high": "20 mm^2"},
+            "tendon.rest_length": {"low": "4 cm", "high": "9 cm"},
+        },
+        "limits": {"hinge_holding_torque": ">= 8 N cm", "hinge_opening_torque": "<= 32 N cm"},
+        "objectives": {"mass": "least"},
+    },
+    # statics of every hinge of the wing
+    "wing-statics": {
+        "name": "wing-statics",
+        "design": "binder2025",
+        "simulate": False,
+        "vary": _WING["vary"],
+        "limits": {"hinge_opening_torque": "<= 40 N cm", "hinge_barrier": "<= 8 mJ"},
+        "objectives": {"hinge_holding_torque": "largest"},
+    },
+    # the joint that is hardest to snap shut, for one torque that opens it and another that its stop bears
+    "joint-barrier": {
+        "name": "joint-barrier",
+        "design": "binder2025-joint",
+        "simulate": False,
+        "vary": {
+            "tendon.area": {"low": "1 mm^2", "high": "20 mm^2"},
+            "tendon.rest_length": {"low": "4 cm", "high": "9 cm"},
+            "tendon.proximal_attachment": {"low": "4 cm", "high": "8 cm"},
+            "tendon.distal_attachment": {"low": "4 cm", "high": "8 cm"},
+            "hinge.overbend": {"low": "1 deg", "high": "10 deg"},
+        },
+        "limits": {"hinge_opening_torque": "<= 40 N cm", "hinge_holding_torque": "<= 10 N cm"},
+        "objectives": {"hinge_barrier": "largest"},
+    },
+}
+
+
+class Spread:
+    """Scrambled Sobol points, whatever became of those before."""
+
+    def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
+        self._axes, self._batch = axes, batch
+        self._points = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+
+    def ask(self) -> list[Point]:
+        return placed(self._axes, np.array([self._points.random()[0] for _ in range(self._batch)]))
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        pass
+
+
+def cost(trial: Trial) -> float:
+    """An objective, or, far above all, by how much limits fail."""
+    return trial.objectives[0] if trial.feasible else 1e3 * sum(standing(trial)[:3])
+
+
+class ClosedError(Exception):
+    """Nothing more is told."""
+
+
+class Turned:
+    """An optimiser that calls a function of points, in a thread of its own, as one that asks and is told."""
+
+    def __init__(self, axes: Sequence[Axis], run: Callable[[Callable[[np.ndarray], list[Trial]]], Any]) -> None:
+        self._axes = axes
+        self._asked: queue.Queue[np.ndarray | None] = queue.Queue()
+        self._told: queue.Queue[Sequence[Trial] | None] = queue.Queue()
+
+        def evaluate(points: np.ndarray) -> list[Trial]:
+            self._asked.put(points)
+            told = self._told.get()
+            if told is None:
+                raise ClosedError
+            return list(told)
+
+        def work() -> None:
+            with contextlib.suppress(ClosedError):
+                run(evaluate)
+            self._asked.put(None)
+
+        threading.Thread(target=work, daemon=True).start()
+
+    def ask(self) -> list[Point]:
+        points = self._asked.get()
+        return [] if points is None else placed(self._axes, points)
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        self._told.put(trials)
+
+    def close(self) -> None:
+        """End the thread: COBYQA holds a lock as long as it runs."""
+        self._told.put(None)
+
+
+def evolution(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
+    """SciPy's differential evolution at its own settings but for a population of one batch."""
+
+    def run(evaluate: Callable[[np.ndarray], list[Trial]]) -> None:
+        optimize.differential_evolution(
+            lambda points: np.array([cost(each) for each in evaluate(points.T)]),
+            [(0.0, 1.0)] * len(axes),
+            popsize=max(1, batch // len(axes)),
+            maxiter=10_000,
+            rng=np.random.default_rng(seed),
+            polish=False,
+            updating="deferred",
+            vectorized=True,
+            tol=0.0,
+        )
+
+    return Turned(axes, run)
+
+
+def cobyqa(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
+    """SciPy's COBYQA, one point at a time, from the best of a batch of Sobol points, again and again."""
+
+    def run(evaluate: Callable[[np.ndarray], list[Trial]]) -> None:
+        points = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+        while True:
+            first = np.array([points.random()[0] for _ in range(batch)])
+            start = min(zip(evaluate(first), first, strict=True), key=lambda pair: cost(pair[0]))[1]
+            known: dict[bytes, Trial] = {}
+
+            def at(place: np.ndarray, known: dict[bytes, Trial] = known) -> Trial:
+                if place.tobytes() not in known:
+                    (known[place.tobytes()],) = evaluate(place[None])
+                return known[place.tobytes()]
+
+            def margins(place: np.ndarray, at: Callable[[np.ndarray], Trial] = at) -> np.ndarray:
+                return np.nan_to_num(np.array(at(place).margins), nan=-1.0)
+
+            optimize.minimize(
+                lambda place, at=at: float(np.nan_to_num(at(place).objectives[0], nan=1e3)),
+                start,
+                method="COBYQA",
+                bounds=[(0.0, 1.0)] * len(axes),
+                constraints=optimize.NonlinearConstraint(margins, 0.0, np.inf),
+                options={"initial_tr_radius": 0.1, "final_tr_radius": 1e-5},
+            )
+
+    return Turned(axes, run)
+
+
+class Adaptation:
+    """CMA-ES of the package `cmaes`, at its own settings, from the middle; trials are ranked as ours are."""
+
+    def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
+        from cmaes import CMA
+
+        bounds = np.array([[0.0, 1.0]] * len(axes))
+        self._axes, self._points = axes, np.zeros((0, len(axes)))
+        self._method = CMA(mean=np.full(len(axes), 0.5), sigma=0.3, bounds=bounds, seed=seed)
+
+    def ask(self) -> list[Point]:
+        self._points = np.array([self._method.ask() for _ in range(self._method.population_size)])
+        return placed(self._axes, self._points)
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        self._method.tell([(point, cost(trial)) for point, trial in zip(self._points, trials, strict=True)])
+
+
+class Lagrangian:
+    """CMA-ES of the package `cma` with its augmented Lagrangian of the limits, at its own settings, from the middle."""
+
+    def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
+        import cma
+
+        self._axes, self._told = axes, {}
+        options = {"bounds": [0, 1], "seed": seed + 1, "verbose": -9}
+        self._method = cma.CMAEvolutionStrategy(np.full(len(axes), 0.5), 0.3, options)
+        self._cost = cma.ConstrainedFitnessAL(
+            lambda place: self._told[tuple(place)][0], lambda place: self._told[tuple(place)][1], logging=False
+        )
+
+    def ask(self) -> list[Point]:
+        self._points = self._method.ask()
+        return placed(self._axes, np.array(self._points))
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        for point, trial in zip(self._points, trials, strict=True):
+            margins = np.nan_to_num(np.array(trial.margins), nan=-1.0)
+            self._told[tuple(point)] = float(np.nan_to_num(trial.objectives[0], nan=1e3)), list(-margins)
+        self._method.tell(self._points, [self._cost(point) for point in self._points])
+        self._cost.update(self._method)
+
+
+METHODS: dict[str, Callable[[Sequence[Axis], int, int], Optimiser]] = {
+    "ours": lambda axes, batch, seed: ParabolaSearch(axes, 1, batch, seed),
+    "Sobol points": Spread,
+    "differential evolution": evolution,
+    "COBYQA": cobyqa,
+    "CMA-ES (cmaes)": Adaptation,
+    "CMA-ES (cma)": Lagrangian,
+}
+_NEEDS = {"CMA-ES (cmaes)": "cmaes", "CMA-ES (cma)": "cma"}
 
 
 def main() -> None:
     """Measure and print tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--runs", type=int, default=256, help="designs that each way may try")
+    parser.add_argument("--runs", type=int, default=128, help="designs that each method may try")
     parser.add_argument("--batch", type=int, default=16, help="designs at a time; at least 4")
-    parser.add_argument("--seeds", type=int, default=3, help="how often each way tries")
-    parser.add_argument("--only", choices=("ways", "robust"), help="one of the two comparisons")
+    parser.add_argument("--seeds", type=int, default=5, help="how often each method tries")
+    parser.add_argument("--only", choices=("methods", "robust"), help="one of the two comparisons")
+    parser.add_argument("--goals", nargs="+", choices=PROBLEMS, default=list(PROBLEMS), help="of the comparison")
+    parser.add_argument("--methods", nargs="+", choices=METHODS, default=list(METHODS), help="that are compared")
+    parser.add_argument("--folder", type=Path, help="where runs are kept, so that none is made twice")
     parser.add_argument("--json", type=Path, help="write the numbers here, too")
     arguments = parser.parse_args()
     numbers: dict[str, Any] = {"machine": {"python": platform.python_version(), **versions()}}
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = arguments.folder or Path(temporary)
         if arguments.only != "robust":
-            numbers["ways"] = measure_ways(Path(folder) / "ways", arguments.runs, arguments.batch, arguments.seeds)
-            show_ways(numbers["ways"], arguments.batch)
-        if arguments.only != "ways":
-            numbers["robust"] = measure_robust(Path(folder), arguments.runs, arguments.batch)
+            numbers["methods"] = {}
+            for name in arguments.goals:
+                goal = goal_of(PROBLEMS[name])
+                courses = {
+                    method: measure_method(
+                        folder / name, goal, method, arguments.runs, arguments.batch, arguments.seeds
+                    )
+                    for method in arguments.methods
+                    if method not in _NEEDS or importlib.util.find_spec(_NEEDS[method])
+                }
+                numbers["methods"][name] = courses
+                show_methods(goal, courses)
+        if arguments.only != "methods":
+            numbers["robust"] = measure_robust(folder, arguments.runs, arguments.batch)
             show_robust(numbers["robust"])
     if arguments.json is not None:
         arguments.json.write_text(json.dumps(numbers, indent=2) + "\n")
 
 
-def measure_ways(folder: Path, runs: int, batch: int, seeds: int) -> dict[str, list[list[float]]]:
-    """The best holding torque, N m, after every batch, by way and seed; nan before anything works.
+def measure_method(folder: Path, goal: Goal, method: str, runs: int, batch: int, seeds: int) -> list[list[float]]:
+    """The best objective, SI, after every design, by seed; nan before anything meets the goal.
 
     What is ruled out before any run counts as tried, as it does in the goal.
     """
-    found: dict[str, list[list[float]]] = {"ours": [], "Sobol": [], "differential evolution": []}
-    # without tolerances, which no way looks at: only the best design of one way would be checked for them
-    goal = goal_of(
-        {key: value for key, value in _WING.items() if key != "tolerances"} | {"search": {"batch": batch, "runs": runs}}
-    )
-    for seed in range(seeds):
-        ours = optimise_goal(replace(goal, seed=seed), folder)
-        found["ours"].append(_course(goal, [trial_of(goal, each) for each in ours.candidates]))
-        with open_assessor(folder, goal.base) as assess:
-            points = qmc.Sobol(len(goal.parameters), rng=np.random.default_rng(seed)).random(runs)
-            found["Sobol"].append(_course(goal, _trials(goal, assess, points)))
-            found["differential evolution"].append(_course(goal, _by_evolution(goal, assess, runs, seed)))
-    return found
+    courses = []
+    with open_assessor(folder, goal.base, threads=1) as assess:
+        for seed in range(seeds):
+            optimiser = METHODS[method](axes_of(goal), batch, seed)
+            trials: list[Trial] = []
+            while len(trials) < runs and (points := optimiser.ask()):
+                told = _trials(goal, assess, points)
+                optimiser.tell(told)
+                trials += told
+            if isinstance(optimiser, Turned):
+                optimiser.close()
+            courses.append(_course(goal, trials[:runs]))
+    return courses
 
 
-def _by_evolution(goal: Goal, assess: Assessor, runs: int, seed: int) -> list[Trial]:
-    """All trials of scipy's, at its own settings but for a population of one batch; what fails costs what it misses."""
-    trials: list[Trial] = []
-
-    def cost(points: np.ndarray) -> np.ndarray:
-        told = _trials(goal, assess, points.T)
-        trials.extend(told)
-        return np.array([each.objectives[0] if each.feasible else 1e3 * sum(standing(each)[:3]) for each in told])
-
-    optimize.differential_evolution(
-        cost,
-        [(0.0, 1.0)] * len(goal.parameters),
-        popsize=goal.batch // len(goal.parameters),
-        maxiter=math.ceil(runs / goal.batch) - 1,
-        rng=np.random.default_rng(seed),
-        polish=False,
-        updating="deferred",
-        vectorized=True,
-        tol=0.0,
-    )
-    return trials[:runs]
-
-
-def _trials(goal: Goal, assess: Assessor, points: Sequence[Sequence[float]]) -> list[Trial]:
+def _trials(goal: Goal, assess: Assessor, points: Sequence[Point]) -> list[Trial]:
     """What becomes of points of the unit cube."""
-    places = placed(axes_of(goal), np.array(points))
-    values = [goal.values(place) for place in places]
+    values = [goal.values(point) for point in points]
     designs = []
     for each in values:
         try:
@@ -121,24 +329,47 @@ def _trials(goal: Goal, assess: Assessor, points: Sequence[Sequence[float]]) -> 
             designs.append(str(error))
     found = screened(goal, assess, designs)
     return [
-        trial_of(goal, Candidate(point=place, values=value, found=each))
-        for place, value, each in zip(places, values, found, strict=True)
+        trial_of(goal, Candidate(point=point, values=value, found=each))
+        for point, value, each in zip(points, values, found, strict=True)
     ]
 
 
 def _course(goal: Goal, trials: Sequence[Trial]) -> list[float]:
-    """The best so far after every batch."""
-    return [
-        max((-each.objectives[0] for each in trials[:last] if each.feasible), default=math.nan)
-        for last in range(goal.batch, len(trials) + 1, goal.batch)
-    ]
+    """The best so far after every design."""
+    best, course = math.nan, []
+    for trial in trials:
+        if trial.feasible:
+            best = trial.objectives[0] if math.isnan(best) else min(best, trial.objectives[0])
+        course.append(abs(best) if goal.objectives[0].kind == "largest" else best)
+    return course
+
+
+def show_methods(goal: Goal, courses: Mapping[str, list[list[float]]]) -> None:
+    """Print the best objective by designs tried: the median of the seeds, and at last the worst and the best."""
+    objective = goal.objectives[0]
+    display, scale = (
+        objective.quantity.unit.display,
+        parse_quantity(f"1 {objective.quantity.unit.display}", objective.quantity.unit),
+    )
+    most = min(len(course) for every in courses.values() for course in every)
+    counts = sorted({count for count in (32, 64, 128, 256) if count < most} | {most})
+    print(f"{goal.name}: {objective.kind} {objective.quantity.name}, {display}")
+    print(f"{'designs tried':24}", *(f"{count:>10}" for count in counts), f"{'from':>10}", f"{'to':>10}")
+    for name, every in courses.items():
+        # a seed that found nothing is worse than any that did
+        lost = math.inf if objective.kind == "least" else -math.inf
+        values = np.nan_to_num(np.array([course[:most] for course in every]), nan=lost) / scale
+        middle = [float(np.median(values[:, count - 1])) for count in counts]
+        ends = values[:, -1].min(), values[:, -1].max()
+        print(f"{name:24}", *(f"{value:10.4f}" for value in (*middle, *ends)))
 
 
 def measure_robust(folder: Path, runs: int, batch: int) -> dict[str, dict[str, Any]]:
     """The best wing by the plain goal and by the one that wants 95 of 100 neighbours to work, on fresh neighbours."""
     found = {}
+    search = {"batch": batch, "runs": runs}
     for name, limits in (("plain", _WING["limits"]), ("robust", {**_WING["limits"], **_WANTED})):
-        goal = goal_of({**_WING, "limits": limits, "search": {"batch": batch, "runs": runs}})
+        goal = goal_of({**_WING, "limits": limits, "tolerances": _TOLERANCES, "search": search})
         optimum = optimise_goal(goal, folder / name)
         chosen = (*optimum.best, *optimum.discarded)[:1]
         asked = [each.neighbours.share for each in optimum.candidates if each.neighbours is not None]
@@ -152,17 +383,6 @@ def measure_robust(folder: Path, runs: int, batch: int) -> dict[str, dict[str, A
             "runs": optimum.effort.runs,
         }
     return found
-
-
-def show_ways(ways: dict[str, list[list[float]]], batch: int) -> None:
-    """Print the best holding torque by designs tried, the median of the seeds."""
-    counts = [
-        count for count in (32, 64, 128, 256, 512) if all(len(c) * batch >= count for w in ways.values() for c in w)
-    ]
-    print(f"{'designs tried':24}", *(f"{count:>8}" for count in counts))
-    for name, courses in ways.items():
-        middle = [np.nanmedian([course[count // batch - 1] for course in courses]) for count in counts]
-        print(f"{name:24}", *(f"{100 * value:8.3f}" for value in middle), " N cm")
 
 
 def show_robust(robust: dict[str, dict[str, Any]]) -> None:

@@ -70,11 +70,9 @@ def random_fan(number: int) -> Design:
 
 def compare(design: Design) -> list[dict[str, Any]]:
     """What statics and a ramp find for folding, and for opening where the ramp folds the fan."""
-    landscape = ff.energy_landscape(design, points=21)
-    largest = {
-        name: _BEYOND * landscape.least_torque_ranges[name][1] if name in landscape.least_torque_ranges else math.inf
-        for name in ("fold", "unfold")
-    }
+    courses = {each.name: each for each in ff.energy_landscape(design, points=21).courses}
+    spans = {name: each.span or (math.inf, math.inf) for name, each in courses.items()}
+    largest = {name: _BEYOND * spans[name][1] for name in ("fold", "unfold")}
     strengths = {"fold": design.protocol.fold_torque, "unfold": design.protocol.unfold_torque}
     torques = {name: largest[name] if math.isfinite(largest[name]) else strengths[name] for name in largest}
     record = ff.run(with_values(design, ramp(torques["fold"], torques["unfold"])))
@@ -82,8 +80,8 @@ def compare(design: Design) -> list[dict[str, Any]]:
     for name in ("fold", "unfold"):
         if not any(end.stage.drive == name for end in record.stages):
             continue
-        least, helped = landscape.least_torques[name], landscape.inertial_help[name]
-        low, high = landscape.least_torque_ranges.get(name, (math.inf, math.inf))
+        least, helped = courses[name].least, courses[name].inertial_help
+        low, high = spans[name]
         found = let_go(record, name, torques[name])
         rows.append(
             {

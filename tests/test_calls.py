@@ -9,8 +9,8 @@ import pytest
 import xarray
 
 import forficula as ff
-import forficula.analysis.json_schemas
 import forficula.calls
+import forficula.results
 from forficula.design import with_values
 from tests.letters import QUICK
 
@@ -31,7 +31,7 @@ def test_every_example_is_true(tmp_path, monkeypatch, record):
     known = {"ff": ff, "design": ff.load_design("letter-fold", QUICK), "record": record}
     parts = ("goals", "patterns", "runs", "shown", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
-    modules = (*calls, forficula.analysis.json_schemas)
+    modules = (*calls, forficula.results)
     examples = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]
     told = [each for each in examples if each.examples]
     runner = doctest.DocTestRunner()
@@ -117,6 +117,8 @@ def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     results = {
         "landscape": ff.landscape("binder2025-joint"),
         "assumptions": ff.assumptions(design, only=["timestep"]),
+        "study": ff.run_study(ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm"]}), tmp_path / "runs"),
+        "tolerance": ff.tolerance(design, tmp_path / "built", tolerances={"facet.thickness": "1 %"}, runs=8),
     }
     for name, result in results.items():
         ff.page(result, tmp_path / f"{name}.html")
@@ -132,6 +134,28 @@ def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     for other in ({}, xarray.Dataset({"a": ("x", [1.0])})):
         with pytest.raises(ff.InputError, match="need results of forficula or their folder, got a "):
             ff.page(other, tmp_path / "none.html")
+
+
+def test_a_table_is_saved_with_the_files_that_its_command_writes(tmp_path, design):
+    study = ff.new_study(design, {"tendon.left.stiffness": ["0.4 N/cm", "0.5 N/cm"]})
+    table = ff.run_study(study, tmp_path / "runs")
+    ff.save(table, tmp_path / "study")
+    assert {"table.csv", "table.nc", "report.html"} <= {path.name for path in (tmp_path / "study").iterdir()}
+    ff.page(table, tmp_path / "light.html", engine=False)
+    assert (tmp_path / "light.html").stat().st_size < (tmp_path / "study" / "report.html").stat().st_size
+    built = ff.tolerance(design, tmp_path / "built", tolerances={"facet.thickness": "1 %"}, runs=8)
+    ff.save(built, tmp_path / "there")
+    assert {"design.toml", "tolerance.json", "tolerance.nc", "table.csv", "report.html"} == {
+        path.name for path in (tmp_path / "there").iterdir()
+    }
+    with pytest.raises(ff.InputError, match=r"need a folder of its own, got .*, which holds a tolerance"):
+        ff.save(table, tmp_path / "there")
+    # what belongs to a part of a table is not known
+    for part in (table.isel(tendon_left_stiffness=[0]), xarray.load_dataset(tmp_path / "study" / "table.nc")):
+        with pytest.raises(ff.InputError, match="need the whole table of a study as run_study or collect returns it"):
+            ff.save(part, tmp_path / "part")
+    with pytest.raises(ff.InputError, match="need the whole table as tolerance returns it"):
+        ff.page(built.isel(sample=[0]), tmp_path / "part.html")
 
 
 def test_a_study_is_built_without_a_file(design):

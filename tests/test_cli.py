@@ -296,20 +296,55 @@ def test_keys_and_named_studies_are_listed(call, refusal):
     assert "a goal: least mass of binder2025 over vein.diameter" in listed
 
 
+@pytest.mark.parametrize(
+    ("kind", "ending", "next_command"),
+    [
+        ("design", "toml", "forficula run new.toml"),
+        ("study", "toml", "forficula study new.toml"),
+        ("goal", "toml", "forficula optimise new.toml"),
+        ("observations", "toml", "forficula identify new.toml"),
+        ("tests", "csv", "forficula material new-made-up-1.csv new-made-up-2.csv new-made-up-3.csv"),
+    ],
+)
+def test_a_new_file_names_the_command_that_takes_it(call, kind, ending, next_command):
+    said = call("new", kind, f"new.{ending}").out
+    assert next_command in said
+
+
 def test_a_new_study_runs_as_it_is(call):
-    assert "run it with: forficula study new.toml" in call("new", "new.toml", "--study").out
+    call("new", "study", "new.toml")
     assert "3 points, at most 3 runs" in call("study", "new.toml", "--dry-run").out
 
 
-def test_a_new_goal_is_a_goal_as_it_is(call, refusal):
-    assert "forficula optimise new.toml" in call("new", "new.toml", "--goal").out
-    assert load_goal("new.toml").objectives
-    assert refusal("new", "other.toml", "--goal", "--tests").startswith("new: need one of --study, --goal, --")
+def test_a_new_goal_is_a_goal_as_it_is(call):
+    call("new", "goal", "new.toml", "--kind", "pleats")
+    assert load_goal("new.toml").base.name == "letter-fold"
 
 
 def test_new_observations_are_observations_as_they_are(call):
-    assert "forficula identify new.toml" in call("new", "new.toml", "--observations").out
+    call("new", "observations", "new.toml")
     assert "new: 384 samples" in call("identify", "new.toml", "--dry-run").out
+
+
+@pytest.mark.parametrize("kind", ["study", "goal", "observations", "tests"])
+def test_a_switch_of_earlier_versions_writes_the_same_file_and_warns(in_an_empty_folder, call, kind):
+    ending = "csv" if kind == "tests" else "toml"
+    call("new", kind, f"new.{ending}")
+    written = call("new", f"old.{ending}", f"--{kind}")
+    assert f"warning: --{kind} will be removed; use: forficula new {kind} old.{ending}" in written.err
+    old, new = (sorted(in_an_empty_folder.glob(f"{name}*")) for name in ("old", "new"))
+    assert [path.read_bytes() for path in old] == [path.read_bytes() for path in new]
+
+
+def test_a_misspelt_kind_of_new_file_is_refused_with_the_nearest(refusal):
+    said = 'new: need "design", "study", "goal", "observations" or "tests", got "stduy"; did you mean "study"?'
+    assert refusal("new", "stduy", "new.toml") == said
+
+
+def test_switches_of_earlier_versions_exclude_each_other(refusal):
+    said = "new: need one of design, study, goal, observations or tests, got --goal and --tests"
+    assert refusal("new", "other.toml", "--goal", "--tests") == said
+    assert refusal("new", "other.csv", "--tests", "--kind", "pleats").startswith("--tests: cannot be used with --kind")
 
 
 def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, refusal):

@@ -12,9 +12,9 @@ import pytest
 
 import forficula as ff
 from forficula.cli import app
-from forficula.design.key_table import facts_within, key_facts
+from forficula.design.key_table import key_facts
 from forficula.design.kinds import KINDS
-from forficula.study.study_keys import STUDY_KEYS
+from forficula.study.study_file import StudyFile
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if "_build" not in path.parts and "gallery" not in path.parts)
@@ -47,7 +47,7 @@ walk = loaded("walk")
 @pytest.fixture(scope="module")
 def keys():
     """Every key of a design or of a study, and every section; entries of lists have no number."""
-    facts = [*facts_within("", STUDY_KEYS), *(fact for model in KINDS.values() for fact in key_facts("", model))]
+    facts = [fact for model in (StudyFile, *KINDS.values()) for fact in key_facts("", model)]
     whole = {re.sub(r"\.0(?=\.|$)", "", fact.key) for fact in facts}
     return whole | {".".join(key.split(".")[:depth]) for key in whole for depth in range(1, 5)}
 
@@ -73,7 +73,9 @@ def test_commands_have_the_names_and_options_that_there_are(page):
         assert words[0] == "forficula", words
         if words[1] in ("COMMAND", "--install-completion", "..."):
             continue
-        options = {name for argument in app[words[1]].assemble_argument_collection() for name in argument.names}
+        command = app[words[1]]
+        command = command[words[2]] if len(words) > 2 and words[2] in command else command
+        options = {name for argument in command.assemble_argument_collection() for name in argument.names}
         given = {word.split("=")[0] for word in words[2:] if word.startswith("--")}
         assert given <= options | {"--help", "--json", "--quiet"}, words
 

@@ -3,7 +3,7 @@ When is a hinge bistable?
 =========================
 
 A tendon across a hinge holds it open, until a push carries the hinge past straight. How high the barrier is, and where
-the tendon goes slack, follows from its energy alone: nothing is simulated here.
+the tendon goes slack, follows from its energy alone, without a simulation.
 """
 
 # %%
@@ -29,3 +29,38 @@ plt.show()
 # On the right the hinge rests on its stop, 3 deg past straight; on the left the tendon is slack, and nothing moves it.
 # Short tendons store more and pull until the hinge is folded nearly all the way. The barrier is the small step between
 # the stop and straight: it grows with the stretch, and with the square of the angle of the stop.
+
+# %%
+# The landscape is found along the angle of the hinge, whatever acts there. For one tendon between equal arms *a*, with
+# a linear law of stiffness *k* and with bars square to the axis, the numbers have closed forms (see
+# :doc:`/model/tendons`). ``hinge`` is that ideal hinge, and both must agree.
+
+from scipy.special import ellipk
+
+arm, stiffness, stop, start = 0.055, 1000, np.radians(3), np.radians(1)
+free = ff.landscape(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})).hinge
+scale = np.sqrt(free.hinge.inertia / (stiffness * arm**2))
+share = 9 / 11  # resting length by the length at straight, of the last hinge above
+known = {
+    "barrier without a resting length (mJ)": (
+        1e3 * free.barrier,
+        1e3 * stiffness / 2 * (2 * arm) ** 2 * np.sin(stop / 2) ** 2,
+    ),
+    "time to fold without a resting length (ms)": (1e3 * free.fold_time, 1e3 * scale * ellipk(np.cos(start / 2) ** 2)),
+    "growth rate at straight (1/s)": (hinge.growth_rate, np.sqrt(1 - share) / hinge.time_scale),
+    "holding torque (N cm)": (
+        100 * hinge.holding_torque,
+        100 * stiffness * arm**2 * 2 * np.sin(stop / 2) * (np.cos(stop / 2) - share),
+    ),
+    "slack beyond (deg)": (np.degrees(hinge.slack_angle), np.degrees(-2 * np.arccos(share))),
+}
+for name, (found, closed) in known.items():
+    print(f"{name}: {found:.9g} along the angle, {closed:.9g} in closed form")
+
+# %%
+# The hinges of the wing differ from the ideal one, because a ring crease is not square to the veins. Their landscapes
+# are in ``tendons``; with a spring in the hinge or with tendons that stand off the bars there are no closed forms.
+
+wing = ff.landscape("binder2025")
+for name, one in (("ideal hinge", wing.hinge), ("second hinge of the wing", wing.tendons[1])):
+    print(f"{name}: barrier {1e3 * one.barrier:.4f} mJ, held open by {100 * one.holding_torque:.3f} N cm")

@@ -19,31 +19,26 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
-from forficula.design.key_table import KeyFact, facts_within, key_facts
+from forficula.design.key_table import KeyFact, key_facts
 from forficula.design.kinds import KINDS
+from forficula.design.part import Part
 from forficula.errors import InputError
-from forficula.goals.goal_keys import GOAL_KEYS
-from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
-from forficula.study.study_keys import STUDY_KEYS
+from forficula.goals.goal_file import GoalFile
+from forficula.goals.identify.observations_file import ObservationsFile
+from forficula.study.study_file import StudyFile
 
 _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
 _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
+_PARAMETERS = "**Parameters**:"
+_FILES: dict[str, type[Part]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
 _NUMBER = re.compile(r"\.0\.")
 
 
 def facts_of(kind: str) -> list[KeyFact]:
-    match kind:
-        case "study":
-            return facts_within("", STUDY_KEYS)
-        case "goal":
-            return facts_within("", GOAL_KEYS)
-        case "observations":
-            return facts_within("", OBSERVATION_KEYS)
-        case _:
-            return key_facts("", KINDS[kind])
+    return key_facts("", {**KINDS, **_FILES}[kind])
 
 
 def known_key(key: str) -> str | None:
@@ -132,7 +127,8 @@ class CommandsDirective(SphinxDirective):
         told = cli.generate_docs(output_format="markdown").replace("<", r"\<")
         # the program that builds these pages
         told = re.sub(r" -m \S+", "", told)
-        sections = [text for text in re.split(r"^## ", told, flags=re.M) if text.startswith("forficula ")]
+        # a sub-command of a command is a section, too
+        sections = [text for text in re.split(r"^###? ", told, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
             raise self.error("the command line tells no commands")
         found: list[nodes.Node] = []
@@ -142,6 +138,8 @@ class CommandsDirective(SphinxDirective):
                 continue
             # that of every command stands above
             lines = [line for line in body.splitlines() if not line.startswith(_EVERYWHERE)]
+            if "".join(lines).endswith(_PARAMETERS):
+                lines = lines[: lines.index(_PARAMETERS)]
             section = nodes.section(ids=[nodes.make_id(title)], names=[title.lower()])
             section += nodes.title("", "", nodes.literal("", title))
             self.state.document.note_explicit_target(section)

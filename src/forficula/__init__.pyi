@@ -3,7 +3,6 @@
 from .analysis import Outcome as Outcome
 from .analysis import Verdict as Verdict
 from .analysis import measure as measure
-from .analysis.json_schemas import json_schema as json_schema
 from .analysis.sizing import TendonSizes as TendonSizes
 from .analysis.sizing import size_tendons as size_tendons
 from .calls import assumptions as assumptions
@@ -56,6 +55,7 @@ from .pattern import earwig_pattern as earwig_pattern
 from .pattern import read_fold as read_fold
 from .pattern import read_folded_frames as read_folded_frames
 from .pattern import write_fold as write_fold
+from .results import json_schema as json_schema
 from .statics import EnergyLandscape as EnergyLandscape
 from .statics import StableState as StableState
 from .statics import barrier as barrier

@@ -17,6 +17,7 @@ from typing import Annotated, Any
 from cyclopts import App, CycloptsError, MissingArgumentError, Parameter, UnusedCliTokensError
 
 from forficula.commands import designs, goals, landscapes, materials, parts, runs, schemas, studies
+from forficula.commands.new import new
 from forficula.errors import InputError
 from forficula.memory_limit import check_room_for_libraries
 from forficula.names import listed
@@ -30,49 +31,31 @@ app = App(
     help_format="plaintext",
     suppress_keyboard_interrupt=False,
 )
-_COMMANDS = (
-    runs.run,
-    designs.pattern,
-    parts.make,
-    landscapes.landscape,
-    studies.converge,
-    studies.assumptions,
-    runs.compare,
-    designs.open_design,
-    studies.study,
-    goals.optimise,
-    goals.tolerance,
-    goals.identify,
-    materials.material,
-    materials.size,
-    runs.figure,
-    runs.film,
-    materials.materials,
-    designs.new,
-    designs.scale,
-    designs.designs,
-    studies.studies,
-    designs.keys,
-    schemas.schema,
-)
-# those that come to something that other programs would read
-_WITH_DATA = (
-    runs.run,
-    parts.make,
-    landscapes.landscape,
-    studies.converge,
-    studies.assumptions,
-    studies.study,
-    goals.optimise,
-    goals.tolerance,
-    goals.identify,
-    materials.material,
-    materials.materials,
-    materials.size,
-    designs.designs,
-    studies.studies,
-    designs.keys,
-)
+# commands, and whether they have JSON for other programs
+_COMMANDS: dict[Callable[..., int | None], bool] = {
+    runs.run: True,
+    designs.pattern: False,
+    parts.make: True,
+    landscapes.landscape: True,
+    studies.converge: True,
+    studies.assumptions: True,
+    runs.compare: False,
+    designs.open_design: False,
+    studies.study: True,
+    goals.optimise: True,
+    goals.tolerance: True,
+    goals.identify: True,
+    materials.material: True,
+    materials.size: True,
+    runs.figure: False,
+    runs.film: False,
+    materials.materials: True,
+    designs.scale: False,
+    designs.designs: True,
+    studies.studies: True,
+    designs.keys: True,
+    schemas.schema: False,
+}
 _AsJson = Annotated[
     bool, Parameter(name="--json", help="Write what came of it as JSON, and nothing else there.", negative=())
 ]
@@ -92,9 +75,10 @@ def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | No
     return offered
 
 
-for each in _COMMANDS:
+for each, has_data in _COMMANDS.items():
     # a function that is called as its command would hide a name that Python has
-    app.command(_offering_json(each) if each in _WITH_DATA else each, name=each.__name__.removesuffix("_design"))
+    app.command(_offering_json(each) if has_data else each, name=each.__name__.removesuffix("_design"))
+app.command(new)
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )
@@ -114,9 +98,9 @@ def _launch(
 ) -> int | None:
     command, bound, _ = app.parse_args(tokens, exit_on_error=False, print_error=False)
     as_json = as_json or bound.arguments.get("as_json", False)
-    if as_json and command.__name__ not in [each.__name__ for each in _WITH_DATA]:
-        names = listed([each.__name__ for each in _WITH_DATA], "or")
-        raise InputError(f"--json: need {names}, got {as_written(' '.join(tokens[:1]))}")
+    with_data = [each.__name__ for each, has_data in _COMMANDS.items() if has_data]
+    if as_json and command.__name__ not in with_data:
+        raise InputError(f"--json: need {listed(with_data, 'or')}, got {as_written(' '.join(tokens[:1]))}")
     check_room_for_libraries()
     start = monotonic()
     with speaking(quiet=quiet, as_json=as_json):

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from forficula.allowed_files import check_may_read
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.lock import held
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
@@ -408,7 +408,5 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
         InputError: no such file, it cannot be read, or it is not UTF-8 or not TOML.
     """
     text = read_text(path)
-    try:
+    with error_prefix(f"{path}: "):
         return parse_toml(text, what)
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from None

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import difflib
-import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 from forficula.errors import InputError
 from forficula.quantities import as_written, is_whole
@@ -47,26 +46,38 @@ def unknown_key(key: str, value: object, hint: str) -> str:
     return f"{key}: unknown key{got}; {hint}"
 
 
-def as_given(value: object) -> str:
-    """The end of an error: what was given in place of what is needed, or that nothing was."""
-    return "none is given" if value is None else f"got {as_written(value)}"
+def check_known(given: Mapping[str, object], names: Sequence[str], prefix: str) -> None:
+    """Refuse keys of a table other than some names.
+
+    Args:
+        given: the table.
+        names: that its keys may be.
+        prefix: what is before a key in errors, such as "search.".
+
+    Raises:
+        InputError: which key is unknown, and which is near.
+    """
+    for key, value in given.items():
+        if key not in names:
+            near = difflib.get_close_matches(key.lower(), names, n=1)
+            hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(names)}"
+            shown = key if re.fullmatch(r"[\w-]+", key) else as_written(key)
+            raise InputError(unknown_key(f"{prefix}{shown}", value, hint))
 
 
-def check_whole(key: str, value: object, least: int, most: float = math.inf) -> int:
-    """Take a whole number between bounds.
+def check_whole(key: str, value: object, least: int) -> int:
+    """Return a whole number that is not below a bound.
 
     Args:
         key: by which errors call it.
-        value: as given, None where it is not.
+        value: as given.
         least: allowed.
-        most: allowed.
 
     Raises:
-        InputError: it is no whole number, or out of bounds; the message has both.
+        InputError: the value is no whole number, or below the bound.
     """
-    if not is_whole(value, least, most):
-        upper = f" and <= {most}" if most < math.inf else ""
-        raise InputError(f"{key}: need a whole number >= {least}{upper}, {as_given(value)}")
+    if not is_whole(value, least):
+        raise InputError(f"{key}: need a whole number >= {least}, got {as_written(value)}")
     return value
 
 

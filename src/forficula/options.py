@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 from cyclopts import Parameter, Token
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.names import listed, one_of
 from forficula.quantities import as_written
-from forficula.terminal import remark
+from forficula.terminal import came_to, remark
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -117,10 +117,8 @@ def read_option(option: str, read: Callable[[], T]) -> T:
     Raises:
         InputError: what `read` raises.
     """
-    try:
+    with error_prefix(f"{option}: "):
         return read()
-    except InputError as error:
-        raise InputError(f"{option}: {error}") from None
 
 
 def read_quantity(option: str, text: object, unit: Unit) -> float:
@@ -242,6 +240,19 @@ def tell_replaced(folder: Path, what: str, left: str = "") -> None:
 
     if replaced := replaced_text(folder, what):
         remark(f"{folder}: replaces {replaced} there{left}")
+
+
+def tell_written(folder: Path, kind: str) -> None:
+    """Say where results were written, and hand their JSON on.
+
+    Args:
+        folder: of the results.
+        kind: of them, of `forficula.results`.
+    """
+    from forficula.results import json_file
+
+    came_to(folder / json_file(kind))
+    print(f"\nwritten to {folder}")
 
 
 def read_unit(unit: str | None) -> float | None:

@@ -6,7 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -26,7 +26,7 @@ _LONGEST_UNIT = 60
 _LONGEST_SHOWN = 60
 _MOST_DIGITS = 12  # beyond, a number in the display unit shows the rounding of its factor
 # name, factor from SI, and the SI value from which on it is read in that unit; below the last, that one
-_READING = {
+READING_UNITS = {
     "J": (("J", 1.0, 0.1), ("mJ", 1e3, 1e-4), ("µJ", 1e6, 1e-7), ("nJ", 1e9, 1e-10)),
     "N m": (("N cm", 1e2, 1e-3), ("mN cm", 1e5, 1e-6), ("µN cm", 1e8, 1e-9), ("nN cm", 1e11, 1e-12)),
     "m": (("m", 1.0, 2.0), ("cm", 1e2, 0.02), ("mm", 1e3, 1e-4), ("µm", 1e6, 1e-7)),
@@ -68,19 +68,23 @@ _USUAL = {
 }
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Unit:
     """How one kind of quantity is written.
 
     Attributes:
-        display: the unit that people use for it, such as "N/cm".
         si: the coherent SI unit, such as "N/m"; its factor is exactly 1.
-        example: a right value, quoted in errors.
+        display: the unit that people use for it, such as "N/cm"; the SI unit if not given.
+        example: a right value, quoted in errors; needed only for what is read.
     """
 
-    display: str
     si: str
-    example: str
+    display: str = field(default="", kw_only=True)
+    example: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not self.display:
+            object.__setattr__(self, "display", self.si)
 
 
 def parse_quantity(text: object, unit: Unit) -> float:
@@ -230,7 +234,7 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
     Returns:
         The unit's name and its factor from SI; a torque's is in N cm, as the field has it.
     """
-    names = _READING.get(unit, ((unit, 1.0, 0.0),))
+    names = READING_UNITS.get(unit, ((unit, 1.0, 0.0),))
     fitting = (entry for entry in names if largest >= entry[2] or largest == 0)
     return next(fitting, names[-1])[:2]
 

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from forficula.errors import InputError
+from forficula.names import one_of
 from forficula.quantities import as_written
+from forficula.serial import schema_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,6 +27,8 @@ class Kind:
         module: of `forficula.show.folder`, whose `PRESENTATION` draws and writes it.
         classes: names of the classes of its results.
         data: file in its folder from which its figures are drawn again.
+        json: name of its JSON and of the schema of that; the file in the folder, where there is one, ends with ".json".
+        shape: the data class that `forficula.serial` writes as this JSON, as "module:class".
         marker: file in its folder that only this kind has; empty where it is an addition to the folder of another kind.
         named_by: key of the marker, a JSON file, whose value names the result.
         verdict: key of the marker that has the verdict; empty where it has none.
@@ -34,6 +40,8 @@ class Kind:
     module: str
     classes: tuple[str, ...]
     data: str
+    json: str = ""
+    shape: str = ""
     marker: str = ""
     named_by: str = "design"
     verdict: str = ""
@@ -47,15 +55,26 @@ KINDS: tuple[Kind, ...] = (
         module="run_folder",
         classes=("Record",),
         data="record.nc",
+        json="summary",
+        shape="forficula.analysis.summary:Summary",
         marker="summary.json",
         verdict="status",
     ),
-    Kind(name="cycles", module="cycling_folder", classes=("Cycling",), data="cycles.json"),
+    Kind(
+        name="cycles",
+        module="cycling_folder",
+        classes=("Cycling",),
+        data="cycles.json",
+        json="cycles",
+        shape="forficula.show.folder.cycling_folder:CyclingSummary",
+    ),
     Kind(
         name="landscape",
         module="landscape_folder",
         classes=("EnergyLandscape",),
         data="landscape.json",
+        json="landscape",
+        shape="forficula.analysis.json_schemas:landscape_schema",
         marker="landscape.json",
     ),
     Kind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
@@ -64,6 +83,8 @@ KINDS: tuple[Kind, ...] = (
         module="convergence_folder",
         classes=("Convergence",),
         data="convergence.nc",
+        json="convergence",
+        shape="forficula.show.folder.convergence_folder:ConvergenceSummary",
         marker="convergence.json",
         verdict="verdict",
     ),
@@ -72,6 +93,8 @@ KINDS: tuple[Kind, ...] = (
         module="assumptions_folder",
         classes=("Assumptions",),
         data="assumptions.json",
+        json="assumptions",
+        shape="forficula.study.assumptions:Assumptions",
         marker="assumptions.json",
         verdict="verdict",
     ),
@@ -80,6 +103,8 @@ KINDS: tuple[Kind, ...] = (
         module="material_folder",
         classes=("Characterisation",),
         data="material.json",
+        json="material",
+        shape="forficula.material.characterisation:Characterisation",
         marker="material.json",
         named_by="material",
     ),
@@ -89,6 +114,8 @@ KINDS: tuple[Kind, ...] = (
         module="optimum_folder",
         classes=("Optimum",),
         data="optimum.json",
+        json="optimum",
+        shape="forficula.show.folder.optimum_folder:OptimumSummary",
         marker="optimum.json",
         named_by="goal",
         has_rows=True,
@@ -99,6 +126,8 @@ KINDS: tuple[Kind, ...] = (
         module="tolerance_folder",
         classes=("ToleranceTable",),
         data="tolerance.nc",
+        json="tolerance",
+        shape="forficula.show.folder.tolerance_folder:ToleranceSummary",
         marker="tolerance.json",
         has_rows=True,
     ),
@@ -107,6 +136,8 @@ KINDS: tuple[Kind, ...] = (
         module="identify_folder",
         classes=("IdentificationTable",),
         data="identified.nc",
+        json="identified",
+        shape="forficula.show.folder.identify_folder:IdentificationSummary",
         marker="identified.json",
         named_by="name",
         has_rows=True,
@@ -116,12 +147,39 @@ KINDS: tuple[Kind, ...] = (
         module="study_folder",
         classes=("StudyTable",),
         data="table.nc",
+        json="row",
+        shape="forficula.study.table:TableRow",
         marker="table.nc",
         has_rows=True,
     ),
 )
 # rows of a study or a search that is not done; the command that continues it checks whose they are
 _ROWS = "journal*.jsonl"
+
+
+def json_schema(name: str) -> dict[str, Any]:
+    """Return the JSON schema (draft 2020-12) of the JSON that commands write to a folder and print with `--json`.
+
+    Args:
+        name: "summary" of a run, "landscape", "row" of a study, "assumptions", or that of another kind of results.
+
+    Raises:
+        InputError: another name.
+
+    >>> sorted(ff.json_schema("row")["required"])
+    ['status', 'verdict']
+    """
+    shapes = {kind.json: kind.shape for kind in KINDS if kind.shape}
+    if name not in shapes:
+        raise InputError(f"need {one_of(shapes, name)}")
+    module, _, shape = shapes[name].partition(":")
+    found = getattr(import_module(module), shape)
+    return schema_of(found, name) if isinstance(found, type) else found()
+
+
+def json_file(kind: str) -> str:
+    """Return the name of the file in a folder that has the JSON of a kind of results."""
+    return f"{_named(kind).json}.json"
 
 
 def kind_of_class(name: str) -> Kind | None:

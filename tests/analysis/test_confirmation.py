@@ -11,11 +11,11 @@ import pytest
 import forficula as ff
 from forficula.analysis import Ending, Verdict, measure, summary
 from forficula.analysis.confirmation import HALF_STEP, OTHER_START, confirm, same_ending, uncertainties
-from forficula.analysis.json_schemas import json_schema
 from forficula.cli import main
 from forficula.design import with_values
 from forficula.dynamics import Check, load_record, save_record
 from forficula.quantities import show_uncertain, uncertain_number
+from forficula.results import json_schema
 from forficula.study.evaluate import evaluate
 from forficula.study.runs import run
 

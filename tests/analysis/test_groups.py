@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.analysis.groups import changed, dominance, groups_of
 from forficula.analysis.scales import scale_of
-from forficula.analysis.summary import groups_summary, summary
+from forficula.analysis.summary import summary
 from forficula.design import load_design, scale_design, with_values
+from forficula.serial import plain
 from forficula.structure import GROUND, Body, Hinge, Point, Structure, structure_of
 
 REFERENCE = load_design("binder2025")
@@ -168,7 +169,7 @@ def test_corners_of_a_crease_turn_against_each_other():
 def test_what_nothing_elastic_folds_has_no_groups():
     soft = with_values(REFERENCE, {"tendon.stiffness": 0.0})
     assert groups(soft) is None
-    assert groups_summary(None) is None
+    assert plain(None) is None
 
 
 @pytest.mark.parametrize("stiffness", [1e-300, 1e300])
@@ -179,7 +180,7 @@ def test_numbers_that_cannot_be_computed_with_give_no_groups(stiffness):
 @pytest.mark.parametrize("name", [name for name in ff.named_designs() if name != "binder2025-thick"])
 def test_every_named_design_has_groups_that_json_can_hold(name):
     found = groups(load_design(name))
-    assert json.dumps(groups_summary(found), allow_nan=False)
+    assert json.dumps(plain(found), allow_nan=False)
     assert len({group.name for group in found.every}) == len(found.every)
     assert dominance(found).endswith(".")
 

@@ -7,12 +7,13 @@ import pytest
 
 import forficula as ff
 from forficula.analysis import summary
-from forficula.analysis.json_schemas import json_schema
 from forficula.cli import main
 from forficula.dynamics import versions
 from forficula.errors import InputError
+from forficula.results import KINDS, json_schema
 from forficula.statics import landscape_summary
 from forficula.study.table import table_json
+from tests.golden.cases import kept
 
 SHORT = {
     "protocol.stages": [
@@ -36,8 +37,27 @@ def valid(kind, data):
 
 
 def test_schemas_are_schemas():
-    for kind in ("summary", "landscape", "row", "assumptions"):
-        jsonschema.Draft202012Validator.check_schema(json_schema(kind))
+    for kind in (kind for kind in KINDS if kind.shape):
+        jsonschema.Draft202012Validator.check_schema(json_schema(kind.json))
+
+
+KEPT = {
+    "summary": ("run-of-a-joint", "run-of-a-sheet"),
+    "identified": ("identification",),
+    "landscape": ("landscape-of-a-joint", "landscape-of-a-net", "landscape-of-a-sheet", "landscape-with-a-run"),
+    "assumptions": ("assumptions",),
+    "material": ("material",),
+    "cycles": ("cycles",),
+    "convergence": ("convergence",),
+    "optimum": ("optimum",),
+    "tolerance": ("tolerance",),
+}
+
+
+@pytest.mark.parametrize(("kind", "case"), [(kind, case) for kind, cases in KEPT.items() for case in cases])
+def test_what_commands_wrote_before_is_valid_today(kind, case):
+    left_out = {"versions": {}} if "versions" in json_schema(kind)["properties"] else {}
+    valid(kind, kept(case) | left_out)
 
 
 def test_the_summary_of_plates_is_valid(letter):
@@ -94,5 +114,5 @@ def test_what_is_wrong_is_refused(letter, wrong):
 def test_a_schema_is_printed(capsys):
     main(["schema", "row"])
     assert json.loads(capsys.readouterr().out) == json_schema("row")
-    with pytest.raises(InputError, match=r'need "summary", "landscape", "row" or "assumptions", got "sumary"'):
+    with pytest.raises(InputError, match=r'need "summary", .*, got "sumary"; did you mean "summary"'):
         json_schema("sumary")

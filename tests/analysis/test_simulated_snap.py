@@ -10,11 +10,16 @@ from forficula.analysis.simulated_snap import (
     finely_sampled,
     hinge_name,
     inner_tendon,
-    predicted_snap,
     simulated_snap,
 )
-from forficula.statics import ideal_hinges
+from forficula.statics import crossed_hinges
 from forficula.structure import hinges_of, structure_of
+
+
+def snap_of(record):
+    """Of the hinge of an inner tendon."""
+    crossed = crossed_hinges(record.structure, 2)
+    return simulated_snap(record, next(each for each in crossed if each.tendon == inner_tendon(record.structure)))
 
 
 def folding(record, angle):
@@ -30,7 +35,7 @@ def test_a_known_fold_is_timed_to_what_straight_lines_between_rows_allow(referen
     rate, start = 30.0, math.radians(1)
     # grows as a hinge does that leaves straight, and stops at its limit
     record = folding(reference_run, lambda time: np.minimum(start / 2 * np.exp(rate * time), math.pi))
-    snap = simulated_snap(record)
+    snap = snap_of(record)
     # rows 0.1 ms apart: the chord of an exponential errs by (rate * interval)^2 / 8 of its height, so by 4e-8 s
     assert snap.folded_time == pytest.approx(math.log(150) / rate, abs=1e-7)
     assert snap.fold_time == pytest.approx(math.log(180) / rate, abs=1e-4)
@@ -42,27 +47,27 @@ def test_a_fold_counts_from_the_last_time_that_the_hinge_leaves_straight(referen
         early = 0.1 * np.sin(2 * math.pi * time / 0.1)  # beyond 1 deg, and back
         return np.where(time < 0.1, early, 100 * (time - 0.1))
 
-    snap = simulated_snap(folding(reference_run, angle))
+    snap = snap_of(folding(reference_run, angle))
     assert snap.folded_time == pytest.approx((math.radians(150) - math.radians(1)) / 100, abs=1e-6)
 
 
 def test_a_hinge_that_does_not_arrive_has_no_time_but_an_angle(reference_run):
-    snap = simulated_snap(folding(reference_run, lambda time: np.minimum(10 * time, 1.0)))
+    snap = snap_of(folding(reference_run, lambda time: np.minimum(10 * time, 1.0)))
     assert (snap.folded_time, snap.fold_time) == (None, None)
     assert snap.largest_fold == pytest.approx(1.0)
 
 
 def test_a_run_that_diverged_has_no_snap(reference_run):
-    assert simulated_snap(replace(reference_run, diverged_at=0.1)) is None
+    assert snap_of(replace(reference_run, diverged_at=0.1)) is None
 
 
 def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
-    hinge = ideal_hinges(structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"})))[0]
-    scale = math.sqrt(hinge.inertia / (1000 * 0.055**2))
+    structure = structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"}))
+    ideal = crossed_hinges(structure, 2)[0].ideal
+    scale = math.sqrt(ideal.hinge.inertia / (1000 * 0.055**2))
     # theory.md, section 3: t* K(m), m = cos^2(start / 2)
-    predicted = predicted_snap(hinge, reference.protocol.folded_angle)
-    assert predicted.fold_time == pytest.approx(scale * ellipk(math.cos(math.radians(0.5)) ** 2), rel=1e-9)
-    assert 0 < predicted.folded_time < predicted.fold_time
+    assert ideal.fold_time == pytest.approx(scale * ellipk(math.cos(math.radians(0.5)) ** 2), rel=1e-9)
+    assert 0 < ideal.time_to(reference.protocol.folded_angle) < ideal.fold_time
 
 
 def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
@@ -86,7 +91,7 @@ def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
     time = np.linspace(0, 0.2, 2001)
     fold = np.minimum(10 * time, 1.7)
     series = dict(record.series) | {"hinge_angle": np.stack([fold, fold], axis=1)}
-    snap = simulated_snap(replace(record, time=time, series=series, stages=record.stages[:2]))
+    snap = snap_of(replace(record, time=time, series=series, stages=record.stages[:2]))
     # from 1 deg to the 90 deg that its protocol asks for, at 10 rad/s
     assert snap.folded_time == pytest.approx(math.radians(89) / 10, abs=1e-9)
     assert (snap.fold_time, snap.largest_fold) == (None, pytest.approx(1.7))
@@ -95,7 +100,7 @@ def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
 def test_a_fold_counts_from_beside_where_an_offset_tendon_is_longest():
     offset = {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"}
     record = ff.run(ff.load_design("binder2025", offset), confirm=False)
-    snap = simulated_snap(folding(record, lambda time: np.minimum(20 * time, math.pi)))
+    snap = snap_of(folding(record, lambda time: np.minimum(20 * time, math.pi)))
     crossing = record.structure.tendons[1].crossing
     # the top is the offset angle past straight, and 1 deg more is where it is let go
     start = crossing.offset_angle + math.radians(1)

@@ -19,8 +19,15 @@ def test_every_key_of_a_kind_of_design_is_there_with_what_it_means_and_may_be(na
     # a list that is empty is one key, and so is a law that a tendon may have by its name
     wholes = tuple(f"{key}.0." for key in of_one)
     missing = [fact.key for fact in key_facts("", type(design)) if fact.key not in of_one]
-    assert [key for key in missing if not key.startswith(wholes) and ".law." not in key] == []
+    assert [key for key in missing if not key.startswith((*wholes, "drive.0.")) and ".law." not in key] == []
     assert len({key.fact.key for key in held}) == len(held)
+
+
+def test_a_drive_has_the_keys_of_its_kind_and_may_be_of_any_other():
+    held = {key.fact.key: key for key in held_keys(load_design("bistable-clasp"))}
+    own = [key.removeprefix("drive.0.") for key in held if key.startswith("drive.0.")]
+    assert own == ["name", "kind", "of", "value", "no_load_speed", "rise"]
+    assert held["drive.0.kind"].words == ("torque", "force", "displacement", "rest-angle")
 
 
 @pytest.mark.parametrize("name", named_designs())

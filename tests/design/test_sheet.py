@@ -21,9 +21,9 @@ from forficula.design import (
     with_values,
     write_new_design,
 )
+from forficula.design.families.pleats import PleatsDesign
 from forficula.design.keys import known_keys
 from forficula.design.sheet_creases import creases_of
-from forficula.design.sheet_kinds import PleatsDesign
 from forficula.design.sheet_places import place_on
 from forficula.design.stops import StopSection
 from forficula.errors import InputError

@@ -44,6 +44,11 @@ def sheet(*stages, **values):
     return with_values(MIURA, SOFT | {"drive": [LIFT], "protocol.stages": list(stages)} | values)
 
 
+def _without(key):
+    """The drive without one of its keys."""
+    return {name: value for name, value in LIFT.items() if name != key}
+
+
 def moved(record, point, axis):
     """How far a point has gone from where it was, m, (time,)."""
     places = record.series["point_position"][:, point, axis]
@@ -125,8 +130,9 @@ def test_a_servo_shortens_the_longest_timestep():
     ("values", "message"),
     [
         ({"drive": [LIFT | {"force": 1.0}]}, r'drive\.0\.force: is not for kind = "displacement"'),
-        ({"drive": [LIFT | {"distance": None}]}, r"drive\.0\.distance: is missing"),
-        ({"drive": [LIFT | {"direction": None}]}, r"drive\.0\.direction: need the way it points"),
+        ({"drive": [_without("distance")]}, r"drive\.0\.distance: is missing; needed here: .* distance, direction"),
+        ({"drive": [_without("direction")]}, r"drive\.0\.direction: is missing"),
+        ({"drive": [LIFT | {"direction": [0, 0, 0]}]}, r"drive\.0\.direction: need the way it points"),
         ({"drive": [LIFT], "facet.kind": "rigid", "support": []}, r'drive\.0\.kind: need "torque"'),
         ({"drive": [LIFT | {"of": "vertex 0"}]}, r"drive\.0\.of: need a vertex that is free along"),
     ],

@@ -10,7 +10,7 @@ from forficula.analysis import Verdict, measure, summary
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.dynamics.stage_plan import stage_torques
-from forficula.structure import Measure, RestState, built_points, goal_of, structure_of
+from forficula.structure import Measure, RestState, built_points, structure_of
 from tests.places import places
 from tests.structures import compiled
 
@@ -124,9 +124,7 @@ def with_gap(*, until="time", **protocol):
         tips = [number for number, point in enumerate(structure.points) if point.role == "tip"]
         gap = Measure(name="gap", kind="distance", points=(tips[0], tips[-1]), label="gap")
         watching = replace(structure, measures=(*structure.measures, gap), goals=(), states=(), transitions=())
-        narrow = RestState(
-            name="narrow", bounds=goal_of(watching, "gap < 1 m"), missed="not narrow", unknown="after folding"
-        )
+        narrow = RestState(name="narrow", goal="gap < 1 m", missed="not narrow", unknown="after folding")
         return replace(watching, states=(narrow,), stage_states=("", "narrow"))
 
     return compiled(SHORT.model_copy(update={"protocol": changed}), build)

@@ -6,7 +6,7 @@ import pytest
 from forficula.design import key_value
 from forficula.goals.deviation import off_values
 from forficula.goals.goal_file import load_goal, named_goals
-from forficula.goals.optimise.neighbours import neighbour_offsets
+from forficula.goals.optimise.candidate import neighbour_offsets
 from tests.validation.test_forces_at_which_sheets_snap import cell_forces, clasp_forces, snaps
 
 EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")

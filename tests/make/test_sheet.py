@@ -13,10 +13,11 @@ from forficula.make.cut_lines import layer_texts
 from forficula.make.files.bill import bill_of
 from forficula.make.joint_layout import joint_layouts
 from forficula.make.make_parts import make_parts
-from forficula.make.regions import area_of, distance_to, loop_area, region_of, sides_of
+from forficula.make.regions import area_of, loop_area, region_of, sides_of
 from forficula.make.sheet import cut_sheet
 from forficula.make.strap_shape import bows_beside, strap_places
 from forficula.pattern import CreasePattern, vertex_pattern, write_fold, yoshimura_tube
+from forficula.pattern.geometry import distance_to_sides
 from forficula.structure import built_points, structure_of
 from tests.sheets import sheet_design, stage
 
@@ -140,7 +141,7 @@ def test_taut_straps_have_their_gap_in_the_windows_of_a_fan():
             assert all(
                 area_of(region_of([edge + 1e-6 * np.eye(3, 2)]) ^ region_of(sheet.outlines)) == 0 for edge in edges
             )
-            assert min(distance_to(sides, edge) for edge in edges) >= 2e-3 - 1e-6
+            assert min(distance_to_sides(sides, edge) for edge in edges) >= 2e-3 - 1e-6
 
 
 def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_between():
@@ -153,7 +154,7 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
             assert min(np.linalg.norm(hole.place - end) for hole in sheet.holes) < 1e-12
         # the slot ends a peg's diameter, of the sheet between the two, before the hole
         for peg, other in (ends, ends[::-1]):
-            gap = distance_to(sides_of(windows), peg) - 2.5e-3
+            gap = distance_to_sides(sides_of(windows), peg) - 2.5e-3
             assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's way is half a kerf within
             assert area_of(windows ^ region_of([(peg + other) / 2 + 1e-4 * np.eye(3, 2)])) > 0
     assert failed(sheet) == set()
@@ -289,9 +290,9 @@ def test_no_slit_meets_another_one_or_a_hole_or_the_border(gaps, style, hole):
     for points in slits:
         along = (points[1] - points[0]) / np.linalg.norm(points[1] - points[0])
         tips = points + sheet.kerf / 2 * np.array([-along, along])
-        assert min(distance_to(sides, tip) for tip in tips) >= 1e-3 - 2e-6
+        assert min(distance_to_sides(sides, tip) for tip in tips) >= 1e-3 - 2e-6
         for round_hole in sheet.holes:
-            near = distance_to(tips[None], round_hole.place)
+            near = distance_to_sides(tips[None], round_hole.place)
             assert near >= round_hole.nominal / 2 + 1e-3 - 1e-6
     assert not any(crossing(one, other) for number, one in enumerate(slits) for other in slits[:number])
     assert not failed(sheet) & {"one piece", "slits"}
@@ -313,7 +314,7 @@ def test_no_slit_runs_into_a_window_or_out_of_a_fan(style):
     sheet = sheet_of("binder2025", ("crease_style", style), ("crease_bridge", "1.5 mm"))
     sides = sides_of(region_of(sheet.outlines))
     slits = [line.points for line in of_kind(sheet, "slit")]
-    assert min(distance_to(sides, tip) for points in slits for tip in points) >= 1.5e-3
+    assert min(distance_to_sides(sides, tip) for points in slits for tip in points) >= 1.5e-3
     # and in between there is sheet
     middles = [points.mean(axis=0) for points in slits]
     solid = region_of(sheet.outlines)

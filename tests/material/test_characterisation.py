@@ -11,7 +11,7 @@ from forficula.material.characterisation import characterise, known_length, stra
 from forficula.material.law.law_family import FAMILIES, family_forms
 from forficula.material.law.law_file import load_law, save_law
 from forficula.material.law.law_form import all_forms
-from forficula.material.material_summary import material_summary
+from forficula.serial import plain
 from tests.material.synthetic import AREA, LENGTH, SPEED, cyclic_test, few_rows, tpu
 
 MODULUS = 4.8e6
@@ -100,7 +100,7 @@ def test_without_a_law_the_rest_is_there_and_a_remark_says_why(monkeypatch):
     found = characterise([elastic()])
     assert (found.law, found.fit) == (None, None)
     assert "there is no law: no law can be determined: too few rows" in found.remarks
-    assert json.dumps(material_summary(found), allow_nan=False)
+    assert json.dumps(plain(found), allow_nan=False)
     assert len(found.cycles) == 3
 
 
@@ -138,7 +138,7 @@ def test_families_part_all_forms_but_those_without_a_name():
 
 
 def test_the_summary_is_json_with_units_and_says_what_the_issue_asks(three_elastic):
-    content = json.loads(json.dumps(material_summary(three_elastic), allow_nan=False))
+    content = json.loads(json.dumps(plain(three_elastic), allow_nan=False))
     assert [entry["cycle"] for entry in content["cycles"]] == [2, 3, 4]
     for entry in content["cycles"]:
         assert entry["secant_modulus_Pa"] == pytest.approx(MODULUS, rel=0.01)
@@ -190,7 +190,7 @@ def test_what_a_cycle_does_not_have_is_null_in_the_summary():
         extension=strain * LENGTH,
         force=MODULUS * strain * AREA,
     )
-    content = material_summary(characterise([test], forms=family_forms("linear")))
+    content = plain(characterise([test], forms=family_forms("linear")))
     json.dumps(content, allow_nan=False)
     assert content["cycles"][0]["slack_strain"] is None
     assert content["drift"]["residual_strain"] is None

@@ -12,7 +12,8 @@ import xarray as xr
 import forficula as ff
 from forficula.errors import InputError
 from forficula.reproduction import Comparison, check_reproduction, compare, named_reproduction
-from forficula.reproduction.comparison import comparison_json, comparison_markdown
+from forficula.reproduction.comparison import comparison_markdown
+from forficula.serial import plain
 
 PAPER = named_reproduction("binder2025")
 STIFFNESS = 1000.0 * np.arange(1, 7)  # N/m
@@ -250,9 +251,9 @@ def test_markdown_and_json_hold_every_row(table):
     assert all(line.count("|") == 6 for line in told)
     assert "15 of 16 claims agree" in text
     assert "all but one [derived]" in text
-    plain = json.loads(json.dumps(comparison_json(compared)))
-    assert [entry["claim"] for entry in plain] == [row.claim for row in rows]
-    assert {entry["mark"] for entry in plain} == {"paper", "derived"}
+    written = json.loads(json.dumps(plain(compared.claims)))
+    assert [entry["claim"] for entry in written] == [row.claim for row in rows]
+    assert {entry["mark"] for entry in written} == {"paper", "derived"}
 
 
 def test_the_named_search_is_compared_and_the_choices_are_not(table):

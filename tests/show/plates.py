@@ -149,9 +149,9 @@ def _with_protocol(built: Structure, *, motors: bool, measured: bool) -> Structu
         measures=measures if measured else (),
         goals=(closed, opened),
         states=(
-            RestState(name="flat", bounds=opened, missed="not flat", unknown="not flat"),
-            RestState(name="closed", bounds=closed, missed="not closed", unknown="after closing"),
-            RestState(name="open", bounds=opened, missed="not open", unknown="after opening"),
+            RestState(name="flat", goal="open", missed="not flat", unknown="not flat"),
+            RestState(name="closed", goal="closed", missed="not closed", unknown="after closing"),
+            RestState(name="open", goal="open", missed="not open", unknown="after opening"),
         ),
         stage_states=("flat", "", "closed", "", "open"),
         transitions=tuple(
@@ -161,7 +161,7 @@ def _with_protocol(built: Structure, *, motors: bool, measured: bool) -> Structu
                 stage=stage,
                 goal=goal.name,
                 state=goal.name,
-                released=goal,
+                released=goal.name,
                 measure="fold_angle",
                 furthest=furthest,
                 begun=None,

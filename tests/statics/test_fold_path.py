@@ -12,9 +12,9 @@ from forficula.design import load_design, with_values
 from forficula.pattern import earwig_pattern, fan_fold_angles
 from forficula.statics import fold_path as module
 from forficula.statics import tendon_hinges
-from forficula.statics.hinge import holding_torque
 from forficula.statics.potential import ensemble_of
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import holding_torque
 
 REFERENCE = load_design("binder2025")
 

@@ -11,17 +11,10 @@ from forficula.design import load_design, scale_design, with_values
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.pattern import earwig_pattern, folded_coordinates, hub_points, ring_vertices, tips
-from forficula.statics import (
-    TendonHinge,
-    holding_torque,
-    ideal_hinges,
-    peak_opening_torque,
-    slack_angle,
-    tendon_hinges,
-    top_barrier,
-)
+from forficula.statics import TendonHinge, ideal_hinges, slack_angle, tendon_hinges
 from forficula.statics.hinge import released_energy
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import holding_torque, peak_opening_torque, top_barrier
 
 REFERENCE = load_design("binder2025")
 ANGLES = st.floats(-math.pi, math.radians(30))
@@ -202,8 +195,8 @@ def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_sq
     """theory.md, section 3: U(0) sin^2(overbend / 2)."""
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
-    # rounding, also of small overbends
-    assert top_barrier(hinge) == pytest.approx(closed_form, rel=1e-13)
+    # rounding of the energies, of which a small overbend leaves a small difference
+    assert top_barrier(hinge) == pytest.approx(closed_form, rel=1e-13, abs=1e-15 * float(hinge.energy(0)))
 
 
 @given(hinges())

@@ -2,14 +2,21 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics import TendonHinge, hinge_landscape, hinge_remarks, hinge_states, ideal_hinges, tendon_hinges
+from forficula.statics import TendonHinge, hinge_landscape, hinge_remarks, ideal_hinges, tendon_hinges
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import (
+    closed_barrier,
+    closed_growth_rate,
+    closed_holding_torque,
+    closed_states,
+    hinge_states,
+)
 
 REFERENCE = load_design("binder2025")
 
@@ -48,6 +55,36 @@ def test_no_angle_nearby_has_less_energy_than_a_stable_state(rest_length, overbe
         # rounding
         assert surveyed.energy[around].min() >= state.energy - 1e-14
         assert np.ptp(surveyed.energy[near]) <= 1e-14
+
+
+@given(
+    st.floats(0, 0.12),
+    st.just(0.0) | st.floats(1e-3, 0.1),
+    st.floats(0.2, math.pi),
+    st.floats(0.03, 0.08),
+    st.just(0.0) | st.floats(-0.15, 0.15),
+    st.sampled_from([0.0, 1e6]),
+)
+def test_along_its_angle_a_hinge_has_the_numbers_of_its_closed_forms(
+    rest_length, overbend, fold_limit, distal, offset, cubic
+):
+    hinged = hinge(
+        rest_length, distal=distal, cubic=cubic, overbend=overbend, fold_limit=fold_limit, offset_angle=offset
+    )
+    # a top on a stop is before or beyond it by rounding
+    assume(min(abs(hinged.top_to_overbend), abs(hinged.top_to_fold)) > 1e-6 or offset == 0)
+    surveyed = hinge_landscape(hinged)
+    # rounding of the energies, of which a top just before its stop leaves a small difference
+    rounding = 1e-15 * float(hinged.energy(hinged.top))
+    assert surveyed.barrier == approx_or_none(closed_barrier(hinged), abs=rounding)
+    assert surveyed.holding_torque == approx_or_none(closed_holding_torque(hinged))
+    assert surveyed.growth_rate == approx_or_none(closed_growth_rate(hinged))
+    ends = [(state.angle, state.far_angle) for state in surveyed.states]
+    assert np.array(ends) == pytest.approx(np.array(closed_states(hinged)), rel=0, abs=1e-12)
+
+
+def approx_or_none(expected, **tolerance):
+    return None if expected is None else pytest.approx(expected, rel=1e-9, **tolerance)
 
 
 def test_a_tendon_of_the_reference_is_held_open_and_free_when_folded():

@@ -5,10 +5,14 @@ l^2 = L^2 - rise^2 + h^2, the barrier 2 k (L - sqrt(L^2 - rise^2))^2 (e.g. Bazan
 creases of the pyramid are so soft that they hardly count.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+import forficula as ff
 from forficula.design import load_design
+from forficula.errors import InputError
 from forficula.statics import energy_landscape, landscape_summary
 from forficula.structure import structure_of
 from tests.pyramid import RISE, SIDE, pyramid
@@ -38,8 +42,8 @@ def force(stiffness, height):
 
 
 def test_both_states_are_found_and_called_what_the_protocol_calls_them(landscape):
-    assert [state.name for state in landscape.net.states] == ["up", "down"]
-    heights = [state.readings["height"][0] for state in landscape.net.states]
+    assert [state.name for state in landscape.states] == ["up", "down"]
+    heights = [state.readings["height"][0] for state in landscape.states]
     assert heights[0] - heights[1] == pytest.approx(2 * RISE, rel=1e-3)
     assert [rest.name for rest in landscape.rests] == ["up", "down", "up again"]
     assert landscape.rests[2].same_as == "up"
@@ -47,7 +51,7 @@ def test_both_states_are_found_and_called_what_the_protocol_calls_them(landscape
 
 
 def test_energies_are_told_by_what_stores_them(landscape):
-    up, down = landscape.net.states
+    up, down = landscape.states
     assert up.energy == 0
     assert set(down.stored) == {"creases", "bars"}
     assert sum(down.stored.values()) == pytest.approx(down.energy)
@@ -55,15 +59,36 @@ def test_energies_are_told_by_what_stores_them(landscape):
 
 
 def test_the_barrier_is_that_of_the_bars_pressed_flat(landscape, slanting):
-    (way,) = landscape.net.passes
+    (way,) = landscape.passes
     assert way.ends == (0, 1)
     assert way.barriers == pytest.approx([2 * slanting * (SIDE - HALF) ** 2] * 2, rel=5e-3)
-    assert way.barriers[0] - way.barriers[1] == pytest.approx(landscape.net.states[1].energy, rel=1e-9)
+    assert way.barriers[0] - way.barriers[1] == pytest.approx(landscape.states[1].energy, rel=1e-9)
+
+
+def test_states_and_barriers_of_a_net_are_asked_for_as_those_of_a_wing(landscape):
+    (way,) = landscape.passes
+    assert [state.name for state in ff.stable_states(landscape)] == ["up", "down"]
+    for ends, climb in zip((("up", "down"), ("down", "up")), way.barriers, strict=True):
+        assert ff.barrier(landscape, *ends) == pytest.approx(climb, rel=1e-9)
+    with pytest.raises(InputError, match=r'\(up, down\), got "dwn", did you mean "down"'):
+        ff.barrier(landscape, "up", "dwn")
+    with pytest.raises(InputError, match='no saddle was found that leads from "up" to "down"'):
+        ff.barrier(replace(landscape, passes=()), "up", "down")
+
+
+def test_of_several_ways_the_one_with_the_lowest_top_counts(landscape):
+    up, down = landscape.states
+    between = replace(up, name="between", energy=1.0)
+    direct = replace(landscape.passes[0], energy=9.0)
+    around = (replace(direct, ends=(0, 2), energy=5.0), replace(direct, ends=(1, 2), energy=6.0))
+    three = replace(landscape, states=(up, down, between), passes=(direct, *around))
+    assert ff.barrier(three, "up", "down") == 6.0
+    assert ff.barrier(three, "between", "up") == 4.0
 
 
 def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
     largest = force(slanting, np.linspace(0, RISE, 20001)).max()
-    courses = {course.name: course for course in landscape.net.courses}
+    courses = {course.name: course for course in landscape.courses}
     assert list(courses) == ["push", "pull"]
     for course in courses.values():
         assert course.least == pytest.approx(largest, rel=5e-3)
@@ -74,7 +99,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
 
 
 def test_states_withstand_what_the_bars_do(landscape, slanting):
-    up, down = ({each.load: each for each in state.withstands} for state in landscape.net.states)
+    up, down = ({each.load: each for each in state.withstands} for state in landscape.states)
     largest = force(slanting, np.linspace(0, RISE, 20001)).max()
     assert up["force push"].value == pytest.approx(largest, rel=5e-3)
     assert up["force push"].kind == "limit"
@@ -90,14 +115,14 @@ def test_states_withstand_what_the_bars_do(landscape, slanting):
 def test_it_swings_as_its_bars_and_the_mass_of_its_apex_do(landscape, slanting):
     structure = structure_of(pyramid())
     expected = np.sqrt(4 * slanting * (RISE / SIDE) ** 2 / structure.bodies[0].mass) / (2 * np.pi)
-    assert landscape.net.states[0].frequencies[0] == pytest.approx(expected, rel=5e-3)
+    assert landscape.states[0].frequencies[0] == pytest.approx(expected, rel=5e-3)
 
 
 def test_degrees_of_freedom_and_self_stress_are_counted(landscape):
     # the apex has three ways to go, which any three of its four bars take; the bars of the rim are between supports
     assert landscape.net.built.degrees_of_freedom == 0
     assert landscape.net.built.self_stresses == 1 + 4
-    assert landscape.net.states[1].mobility == landscape.net.built
+    assert landscape.states[1].mobility == landscape.net.built
 
 
 def test_the_same_seed_finds_the_same(landscape):
@@ -120,7 +145,7 @@ def test_what_a_drive_cannot_do_has_no_least_value():
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
     found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
-    pull = next(course for course in found.net.courses if course.name == "pull")
+    pull = next(course for course in found.courses if course.name == "pull")
     assert pull.least is None
     assert found.rests[-1].name == "not low"
     assert not found.rests[-1].within
@@ -130,12 +155,12 @@ def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhe
     loose = {"crease.stiffness": 0.0, "facet.bend_stiffness": 0.0, "support": [], "drive": [], "measure": []}
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
     found = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
-    assert found.net.states == ()
+    assert found.states == ()
     assert any("something moves without any force" in remark for remark in found.remarks)
 
 
 def test_progress_is_told(landscape, told):
-    assert landscape.net.states
+    assert landscape.states
     assert told[0] == "where it rests, and what its drives do"
     assert "what it withstands: down" in told
 
@@ -149,7 +174,7 @@ def pressed(direction):
 
 def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(slanting):
     landscape = pressed([0, 0, -1])
-    course = landscape.net.courses[0]
+    course = landscape.courses[0]
     (told,) = [each for each in landscape_summary(landscape)["net"]["courses"] if each["name"] == "push"]
     path = told["slow"]
     expected = force(slanting, RISE - np.array(path["gone_m"]))
@@ -162,6 +187,6 @@ def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(sl
 
 def test_a_displacement_along_no_axis_is_told_and_the_states_remain():
     landscape = pressed([0, 1, -1])
-    assert len(landscape.net.states) == 2
+    assert len(landscape.states) == 2
     (remark,) = [remark for remark in landscape.remarks if "cannot be told" in remark]
     assert "direction: need x, y or z" in remark

@@ -9,10 +9,11 @@ import pytest
 
 from forficula.design import load_design
 from forficula.statics import partial_folds as module
-from forficula.statics.hinge import tendon_hinges, top_barrier
+from forficula.statics.hinge import tendon_hinges
 from forficula.statics.potential import ensemble_of
 from forficula.statics.quasi_static import start_state
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import top_barrier
 
 
 def partial_folds(design):

@@ -7,10 +7,10 @@ from forficula.design import load_design, with_values
 from forficula.statics import potential as potential_module
 from forficula.statics import quasi_static, tendon_hinges
 from forficula.statics import sheet as sheet_module
-from forficula.statics.hinge import peak_opening_torque
 from forficula.statics.potential import ensemble_of
 from forficula.statics.quasi_static import start_state, state_beyond
 from forficula.structure import Drive, hinges_of, structure_of
+from tests.statics.hinge_numbers import peak_opening_torque
 
 REFERENCE = load_design("binder2025")
 # stiffness in N/cm, resting length in cm: on both sides of the edges of the map

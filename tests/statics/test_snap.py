@@ -12,8 +12,9 @@ from scipy.special import ellipk
 from forficula.design import load_design, scale_design
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics import TendonHinge, final_speed, fold_time, growth_rate, tendon_hinges, time_scale
+from forficula.statics import TendonHinge, final_speed, fold_time, tendon_hinges, time_scale
 from forficula.structure import structure_of
+from tests.statics.hinge_numbers import growth_rate
 
 REFERENCE = load_design("binder2025")
 DEGREE = math.radians(1)

@@ -8,7 +8,6 @@ import pytest
 
 from forficula.design import load_design
 from forficula.statics import HingeSpring, hinge_landscape, ideal_hinges
-from forficula.statics.sprung_hinge import sprung_landscape
 from forficula.structure import structure_of
 
 
@@ -19,7 +18,7 @@ def hinge():
 
 def test_a_spring_that_is_hardly_there_changes_hardly_anything(hinge):
     alone = hinge_landscape(hinge)
-    sprung = sprung_landscape(hinge, HingeSpring(stiffness=1e-9, rest_angle=0.0))
+    sprung = hinge_landscape(hinge, spring=HingeSpring(stiffness=1e-9, rest_angle=0.0))
     assert sprung.barrier == pytest.approx(alone.barrier, rel=1e-6)
     assert sprung.barrier_angle == pytest.approx(0.0, abs=1e-6)
     assert sprung.holding_torque == pytest.approx(alone.holding_torque, rel=1e-6)
@@ -31,7 +30,7 @@ def test_a_spring_that_is_hardly_there_changes_hardly_anything(hinge):
 
 def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
     spring = HingeSpring(stiffness=0.05, rest_angle=math.radians(-20))
-    found = sprung_landscape(hinge, spring)
+    found = hinge_landscape(hinge, spring=spring)
     angle = np.linspace(hinge.overbend, -hinge.fold_limit, 400_001)
     energy = hinge.energy(angle) + 0.05 / 2 * (angle - spring.rest_angle) ** 2
     top = int(np.argmax(energy))
@@ -49,7 +48,7 @@ def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
 
 
 def test_a_spring_that_is_too_stiff_leaves_one_state_and_says_so(hinge):
-    found = sprung_landscape(hinge, HingeSpring(stiffness=10.0, rest_angle=0.0))
+    found = hinge_landscape(hinge, spring=HingeSpring(stiffness=10.0, rest_angle=0.0))
     assert (found.barrier, found.peak_opening, found.growth_rate) == (None, None, None)
     (state,) = found.states
     assert (state.kind, state.angle) == ("minimum", pytest.approx(0.0, abs=1e-9))
@@ -58,6 +57,6 @@ def test_a_spring_that_is_too_stiff_leaves_one_state_and_says_so(hinge):
 
 def test_a_slack_tendon_leaves_the_spring_alone(hinge):
     slack = replace(hinge, law=replace(hinge.law, rest_length=1.0))
-    found = sprung_landscape(slack, HingeSpring(stiffness=0.1, rest_angle=-1.0))
+    found = hinge_landscape(slack, spring=HingeSpring(stiffness=0.1, rest_angle=-1.0))
     assert [state.angle for state in found.states] == pytest.approx([-1.0])
     assert "the spring of its hinge is all that moves it" in found.remarks[0]

@@ -232,7 +232,7 @@ def test_a_structure_in_other_units_is_the_same():
         ),
         (
             {"drive": [{"name": "a", "kind": "force", "of": "vertex 1", "value": 1.0}]},
-            r"drive\.0\.direction: need the way it points",
+            r"drive\.0\.direction: is missing",
         ),
         (
             {"drive": [{"name": "a", "kind": "torque", "of": "creases", "angle": 1.0}]},

@@ -234,8 +234,14 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"distribution": "cauchy", "low": "1 cm", "high": "2 cm"}, ".distribution: need one of uniform"),
-        ({"distribution": ["uniform"], "low": "1 cm", "high": "2 cm"}, ".distribution: need one of uniform"),
+        (
+            {"distribution": "cauchy", "low": "1 cm", "high": "2 cm"},
+            '.distribution: need "uniform", "log-uniform" or "normal"',
+        ),
+        (
+            {"distribution": ["uniform"], "low": "1 cm", "high": "2 cm"},
+            '.distribution: need "uniform", "log-uniform" or "normal"',
+        ),
         ({"distribution": "uniform", "low": "1 cm"}, ": a uniform distribution needs low and high"),
         ({"distribution": "normal", "low": "1 cm", "high": "2 cm"}, ": a normal distribution needs mean and deviation"),
         ({"distribution": "uniform", "low": "2 cm", "high": "1 cm"}, ".high: need > low, 2 cm, got 1 cm"),

@@ -7,8 +7,9 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.make_parts import make_parts
+from forficula.serial import json_text
 from forficula.show.make.made_figure import draw_made
-from forficula.show.make.made_table import made_json, made_lines
+from forficula.show.make.made_table import made_lines
 from forficula.study.made_comparison import made_comparison
 
 
@@ -50,9 +51,9 @@ def test_the_comparison_is_told_drawn_and_written_down(compared):
     told = "\n".join(made_lines(compared))
     assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in told
     assert compared.blame[0].text in told
-    plain = json.loads(json.dumps(made_json(compared), allow_nan=False))
-    assert plain["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
-    assert {each["name"] for each in plain["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
+    written = json.loads(json_text(compared))
+    assert written["hinges"][0]["made"]["barrier_J"] == compared.hinges[0].made.barrier
+    assert {each["name"] for each in written["unkept"]} >= {"mass", "barrier of two straps", "play of the hinges"}
     energy = draw_made(compared).axes[0]
     labels = [line.get_label() for line in energy.lines]
     assert any(label.startswith("as made: barrier") for label in labels)

@@ -136,7 +136,7 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
         (f'design = "bindr2025"\n[factors]\n{LISTED}', '"bindr2025" is neither a named design nor'),
         (f'design = "none.toml"\n[factors]\n{LISTED}', ""),
         ('design = "binder2025"', "factors: need a table with at least one"),
-        ('design = "binder2025"\nfactors = 3', "factors: need a table with at least one"),
+        ('design = "binder2025"\nfactors = 3', "factors: need a table, got 3"),
         (
             f'design = "binder2025"\nfactor = 3\n[factors]\n{LISTED}',
             "factor: unknown key, got 3; did you mean factors?",
@@ -202,15 +202,15 @@ def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_pat
 @pytest.mark.parametrize(
     ("sampling", "message"),
     [
-        ("", "sampling.count: need a whole number >= 1 and <= 1000000, none is given"),
-        ("[sampling]\ncount = 0", "sampling.count: need a whole number >= 1 and <= 1000000, got 0"),
-        ("[sampling]\ncount = true", "sampling.count: need a whole number >= 1 and <= 1000000, got true"),
-        ("[sampling]\ncount = 2.5", "sampling.count: need a whole number >= 1 and <= 1000000, got 2.5"),
+        ("", "sampling.count: is missing; give it (whole number, >= 1, <= 1000000)"),
+        ("[sampling]\ncount = 0", "sampling.count: need >= 1, got 0"),
+        ("[sampling]\ncount = true", "sampling.count: need a whole number, got true"),
+        ("[sampling]\ncount = 2.5", "sampling.count: need a whole number, got 2.5"),
         (
             "[sampling]\ncount = 1_000_000_000_000",
-            "sampling.count: need a whole number >= 1 and <= 1000000, got 1000000000000",
+            "sampling.count: need <= 1000000, got 1000000000000",
         ),
-        ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need a whole number >= 0, got -1"),
+        ("[sampling]\ncount = 3\nseed = -1", "sampling.seed: need >= 0, got -1"),
         ('[sampling]\ncount = 3\nmethod = "grid"', 'sampling.method: need "random" or "sobol"'),
         ("[sampling]\ncounts = 3", "sampling.counts: unknown key, got 3; did you mean sampling.count?"),
     ],
@@ -229,7 +229,7 @@ def test_a_distribution_has_finite_ends(study_file, numbers):
 
 
 def test_sampling_that_is_no_table_is_refused(study_file):
-    with pytest.raises(InputError, match="sampling: need a table, got 3"):
+    with pytest.raises(InputError, match=r"sampling: need a table under \[sampling\], got 3"):
         load_study(study_file(DRAWN, head="sampling = 3"))
 
 
@@ -251,8 +251,8 @@ def test_whole_numbers_and_words_are_not_drawn(study_file):
         ("fold_torques = []", "search.fold_torques: need torques such as"),
         ("fold_torques = [20]", "search.fold_torques: the unit is missing"),
         ('unfold_torques = ["20 N"]', 'search.unfold_torques: "N" is not a unit of the right kind'),
-        ("refinements = -1", "search.refinements: need a whole number from 0 to 20"),
-        ("refinements = true", "search.refinements: need a whole number from 0 to 20"),
+        ("refinements = -1", "search.refinements: need >= 0, got -1"),
+        ("refinements = true", "search.refinements: need a whole number, got true"),
         ("torques = 1", "search.torques: unknown key, got 1; did you mean search.fold_torques?"),
     ],
 )

@@ -235,15 +235,15 @@ def summary_of(record: Record) -> Numbers:
 
 
 def landscape_numbers(landscape: EnergyLandscape) -> Numbers:
-    """Every number of a landscape, but for where it rests, which is new, by the names that the digests were kept by."""
-    numbers = {
-        _kept_name(name): value
-        for name, value in _fields(landscape)
-        if not name.startswith(("structure.", "rests.", "least_torques.", "fold_path.turns", "fold_path.folds"))
-    }
+    """Every number of a landscape that has a digest, by the name that its digest was kept by."""
+    since = ("structure.", "rests.", "states.", "passes.", "courses.", "hinges.", "fold_path.turns", "fold_path.folds")
+    numbers = {_kept_name(name): value for name, value in _fields(landscape) if not name.startswith(since)}
     assert landscape.fold_path is not None
     return {
         **numbers,
+        **dict(_fields(landscape.hinge, "hinge")),
+        **dict(_fields(landscape.tendons, "tendons")),
+        **dict(_fields(tuple(each.ideal for each in landscape.hinges), "ideal_hinges")),
         "wing.veins": landscape.fold_path.turns,
         **{f"{name}_torque": torque for name, torque in landscape.least_torques.items()},
     }

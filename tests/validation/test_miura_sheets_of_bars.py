@@ -15,7 +15,7 @@ from forficula.statics.net.energy import built_shape
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.rigidity import rigidity
 from forficula.statics.net.supports import rigid_motions
-from tests.statics.net.nets import miura, sheet
+from tests.statics.net.nets import mechanisms, miura, sheet
 
 
 @pytest.mark.parametrize(("size", "fold", "expected"), [(4, 0.0, 6), (4, 0.6, 1), (8, 0.0, 14), (8, 0.6, 1)])
@@ -28,13 +28,12 @@ def test_a_flat_sheet_has_many_mechanisms_and_a_folded_one_has_one(agree, size, 
     # the count of Calladine (1978): columns less rows
     rows = len(net.springs.points) + np.count_nonzero(diagonals)
     assert found.degrees_of_freedom + 6 - found.self_stresses == 3 * len(net.nodes) - rows
-    matrix_moves = found.mechanisms.reshape(expected, -1)
-    agree("products of mechanisms", matrix_moves @ matrix_moves.T, np.eye(expected), by="a unit matrix", abs=1e-9)
+    assert len(mechanisms(net, diagonals)) == expected
 
 
 def test_the_single_mechanism_is_the_folding_of_the_sheet(agree):
     net, diagonals = sheet(*miura(4, 4, fold=0.6))
-    mechanism = rigidity(net, built_shape(net), diagonals).mechanisms[0].ravel()
+    mechanism = mechanisms(net, diagonals)[0].ravel()
     folding = (miura(4, 4, fold=0.6 + 1e-5)[0] - miura(4, 4, fold=0.6 - 1e-5)[0]).ravel()
     # up to a motion of the whole
     whole = rigid_motions(net.nodes).reshape(folding.size, -1)

@@ -10,7 +10,7 @@ import pytest
 
 import forficula as ff
 from forficula.design import with_values
-from forficula.statics import holding_torque, ideal_hinges, top_barrier
+from forficula.statics import hinge_landscape, ideal_hinges
 from forficula.structure import structure_of
 from forficula.study import load_study
 
@@ -29,10 +29,12 @@ def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(agree, refer
     agree("crest of a hinge, one end at 6.2 mm", top, known, unit="deg", by="-(h / a)", rel=0.013)
     ends = "both ends at 3.1 mm"
     agree("crest of a hinge, one end at 6.2 mm", top, math.degrees(both.top), unit="deg", by=ends, rel=0.013)
-    agree("its barrier", 1e3 * top_barrier(one), 1e3 * top_barrier(both), unit="mJ", by=ends, rel=0.02)
-    agree("its holding torque", 100 * holding_torque(one), 100 * holding_torque(both), unit="N cm", by=ends, rel=0.02)
-    flush = 10 * top_barrier(hinge(reference, {}))
-    agree("barrier, both ends at 3.1 mm", 1e3 * top_barrier(both), 1e3 * flush, unit="mJ", by="ten times", rel=0.02)
+    first, second, flush = map(hinge_landscape, (one, both, hinge(reference, {})))
+    agree("its barrier", 1e3 * first.barrier, 1e3 * second.barrier, unit="mJ", by=ends, rel=0.02)
+    torques = (100 * each.holding_torque for each in (first, second))
+    agree("its holding torque", *torques, unit="N cm", by=ends, rel=0.02)
+    barriers = 1e3 * second.barrier, 1e4 * flush.barrier
+    agree("barrier, both ends at 3.1 mm", *barriers, unit="mJ", by="ten times", rel=0.02)
 
 
 @pytest.mark.parametrize("offsets", [ONE_END, BOTH_ENDS])

@@ -15,6 +15,7 @@ from forficula.statics.net import built_shape, find_stable_states, rigidity, rig
 from forficula.statics.net.net_of import bends, net_of, start_shape
 from forficula.structure import structure_of
 from tests.sheets import sheet_design, stage
+from tests.statics.net.nets import mechanisms
 
 FREE = {"support": [], "protocol.stages": [stage()]}
 
@@ -30,9 +31,8 @@ def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(agre
     gamma, angle = np.deg2rad(acute), np.deg2rad(fold)
     built = structure_of(sheet_design(miura_pattern(4, 4, 0.03, 0.02, gamma, angle), FREE))
     net = net_of(built)
-    found = rigidity(net, built_shape(net), bends(built))
-    assert found.degrees_of_freedom == 1
-    way = found.mechanisms[0]
+    assert rigidity(net, built_shape(net), bends(built)).degrees_of_freedom == 1
+    way = mechanisms(net, bends(built))[0]
 
     def strain(one, other):
         apart = net.nodes[other] - net.nodes[one]

@@ -7,7 +7,7 @@ import uPlot from "uplot";
 import { placeIn, unpack } from "./clip.js";
 import { lineSample, make } from "./elements.js";
 import { short } from "./format.js";
-import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, valueAxis } from "./plots.js";
+import { ALONG, HEIGHT, axisLook, figureOf, lineSeries, onDrag, valueAxis } from "./plots.js";
 import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
@@ -243,14 +243,7 @@ function seekByPointer(chart, balls, clip, clock) {
     clock.pause();
     clock.seekClip(0, clip.time[nearest]);
   };
-  chart.over.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    chart.over.setPointerCapture(event.pointerId);
-    seek(event);
-  });
-  chart.over.addEventListener("pointermove", (event) => {
-    if (chart.over.hasPointerCapture(event.pointerId)) seek(event);
-  });
+  onDrag(chart, seek);
 }
 
 /**

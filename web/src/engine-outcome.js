@@ -2,7 +2,7 @@
 
 import { within } from "./engine-protocol.js";
 import { summed } from "./engine-wing.js";
-import { filled } from "./format.js";
+import { filled, readable } from "./format.js";
 
 const FIRST_STEP = 1.5; // steps
 
@@ -122,7 +122,7 @@ function underWay({ transition, reading }) {
 }
 
 function readingText(live, { kind }, reading) {
-  if (kind === "distance") return `${Number((1e3 * live.units.length * reading).toPrecision(4))} mm`;
+  if (kind === "distance") return readable(live.units.length * reading, "m");
   return `${((180 / Math.PI) * reading).toFixed(1)} deg`;
 }
 

@@ -6,6 +6,7 @@ import { outcomeOf, readingOf } from "./engine-outcome.js";
 import { makeTracker } from "./engine-protocol.js";
 import { leastValues } from "./engine-search.js";
 import { buildModel, makeWing } from "./engine-wing.js";
+import { takeUnits } from "./format.js";
 
 const FRAME = 16; // ms
 const BUDGET = 12; // ms of them in which it steps
@@ -29,6 +30,7 @@ async function load({ program, text }) {
   wing = null;
   engine ??= await startEngine(program);
   live = JSON.parse(text);
+  takeUnits(live.texts.reading_units);
   wing = makeWing(engine, live, await buildModel(engine, live));
   tracker = makeTracker(wing, live.protocol);
   return { said: "loaded", version: engine.mj_versionString(), frame: frame() };

@@ -22,11 +22,34 @@ export function short(value) {
   return written.replaceAll("-", "\u2212");
 }
 
+let readingUnits = {};
+
+/** Take the units in which values read well, which the package hands over. */
+export function takeUnits(units) {
+  readingUnits = units;
+}
+
+/** The unit in which values in an SI unit read well by the largest of them, and its factor; as in forficula.quantities. */
+export function readingUnit(si, largest) {
+  const units = readingUnits[si];
+  const [unit, factor] = units.find(([, , least]) => largest >= least || largest === 0) ?? units.at(-1);
+  return { unit, factor };
+}
+
+/** The factor from SI of a unit by its name. */
+export function unitFactor(name) {
+  return Object.values(readingUnits).flat().find(([unit]) => unit === name)[1];
+}
+
+/** A value, SI, in the unit in which it reads well. */
+export function readable(value, si) {
+  const { unit, factor } = readingUnit(si, Math.abs(value));
+  return `${short(factor * value)} ${unit}`;
+}
+
 /** The unit in which the times of a span read well, and its factor from s. */
 export function timeUnit(span) {
-  const largest = Math.max(Math.abs(span.start), Math.abs(span.end));
-  if (largest >= 0.2) return { unit: "s", factor: 1 };
-  return largest >= 2e-4 ? { unit: "ms", factor: 1e3 } : { unit: "\u00b5s", factor: 1e6 };
+  return readingUnit("s", Math.max(Math.abs(span.start), Math.abs(span.end)));
 }
 
 /** A time of a span, to about a thousandth of the span. */

@@ -58,7 +58,7 @@ function tell(model, said, all) {
   const { points, noun } = model.study;
   const left = Array.from({ length: points }, (_, point) => point).filter(model.shown);
   const good = left.filter(model.good).length;
-  const word = model.study.words.find((each) => each.sign === "\u25cf")?.word;
+  const word = model.study.words.find((each) => each.good)?.word;
   said.textContent = `${left.length} of ${points} ${noun}s lie within what is asked of the axes${word ? `; ${word}: ${good}` : ""}.`;
   all.hidden = model.asked.size === 0;
 }
@@ -79,10 +79,10 @@ function axisChoice(model, view, redraw) {
 
 function legend(model, view) {
   const entry = (kind, text) => make("li", {}, make("span", { className: `line ${kind}`, "aria-hidden": "true" }), text);
-  const good = model.study.words.find((each) => each.sign === "\u25cf");
+  const good = model.study.words.find((each) => each.good);
   const parts = [];
   if (good) parts.push(entry("good", good.word));
-  if (model.study.words.some((each) => each.sign !== "\u25cf")) parts.push(entry("behind", good ? "the others" : `all ${model.study.noun}s`));
+  if (model.study.words.some((each) => !each.good)) parts.push(entry("behind", good ? "the others" : `all ${model.study.noun}s`));
   if (view.front.length) parts.push(entry("front", "none is better in everything"));
   if (view.best !== null) parts.push(entry("best", view.bestWord));
   parts.push(entry("opened", "open"));

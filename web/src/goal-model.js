@@ -3,9 +3,6 @@
 import { scaleOf } from "./plane.js";
 import { makeModel } from "./study-model.js";
 
-// the sign of what did all that was asked
-const GOOD = "\u25cf";
-
 export function makeGoalModel(study, runs) {
   const model = makeModel(study, runs);
   const factors = study.factors.map((factor) => ({ ...factor, limits: [], aim: "" }));
@@ -25,7 +22,7 @@ export function makeGoalModel(study, runs) {
     asked,
     indexOf: (key) => columns.findIndex((column) => column.key === key),
     shown: (point) => [...asked].every((each) => within(each, point)),
-    good: (point) => model.word(study.verdicts[point]).sign === GOOD,
+    good: (point) => model.word(study.verdicts[point]).good,
     nameOf: (point) => `${study.noun} ${point + 1}: `,
     whenAsked: (listener) => listeners.push(listener),
     /** Ask a column for shares of its scale from a low to a high one; all of it asks nothing. */

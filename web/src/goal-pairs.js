@@ -27,7 +27,7 @@ export function makePairs(model, { marginals, pairs }, over) {
 }
 
 const allOf = (model) => Array.from({ length: model.study.points }, (_, point) => point);
-const drawnOf = (model) => allOf(model).filter((point) => !["\u25b3", "\u2298"].includes(model.word(model.study.verdicts[point]).sign));
+const drawnOf = (model) => allOf(model).filter((point) => !["placed", "unbuilt"].includes(model.word(model.study.verdicts[point]).pattern));
 
 /** A share of every bin, of points. */
 function shares(column, scale, points) {

@@ -1,7 +1,7 @@
 /** Points over two columns that a reader chooses, coloured by what became of them or by a number. */
 
 import { make } from "./elements.js";
-import { coloursOf, patternOf } from "./heat.js";
+import { scaleParts, signOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
 /** `keys` are the columns across and upwards; `open` is called with a point that is pressed. */
@@ -69,17 +69,11 @@ export function makePlane(model, { plane, front, best, best_word, joined }, open
 }
 
 function legendParts(model, { quantity, front, cells, x, y }) {
-  const parts = [];
-  const scale = model.scaleOf(quantity);
-  if (scale) {
-    const bar = make("span", { className: "bar", "aria-hidden": "true" });
-    bar.style.background = coloursOf(quantity).gradient;
-    parts.push(make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high))));
-  }
+  const parts = scaleParts(model, quantity);
   const reasons = quantity.values ? quantity.reasons : model.study.verdicts;
-  const entries = model.study.words.flatMap(({ word, sign }, number) => {
+  const entries = model.study.words.flatMap((entry, number) => {
     const count = reasons.filter((each, point) => each === number && model.shown(point)).length;
-    return count ? [make("li", {}, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`)] : [];
+    return count ? [make("li", {}, signOf(entry), `${entry.word} (${count})`)] : [];
   });
   if (front.length) entries.push(make("li", {}, make("span", { className: "ring", "aria-hidden": "true" }), "none is better in everything"));
   const columns = [x, y].map((index) => model.columns[index]);

@@ -1,5 +1,6 @@
 /** Colours of a map's values, and of what became of points that have none. */
 
+import { make } from "./elements.js";
 import { ENERGY_COLOURS, QUANTITY_COLOURS } from "./scheme.js";
 
 export function coloursOf(quantity) {
@@ -13,31 +14,16 @@ export function cellColour(colours, share) {
   return { face: `rgb(${parts.join(" ")})`, ink: light ? "#000" : "#fff" };
 }
 
-// each sign has a pattern of its own in the style
-const PATTERNS = {
-  "\u25cf": "opened",
-  "\u25c6": "folded",
-  "\u25a0": "closed",
-  "\u00d7": "unfolded",
-  "\u2731": "stuck",
-  "\u21ba": "returned",
-  "\u21bb": "reclosed",
-  "\u25b7": "moving",
-  "\u25c1": "opening",
-  "\u2277": "undecided",
-  "\u2260": "untrusted",
-  "\u271a": "diverged",
-  "\u2298": "unbuilt",
-  "\u2013": "untried",
-  "\u00b7": "unrun",
-  "\u2297": "before",
-  "\u25d0": "missed",
-  "\u25d2": "missed",
-  "\u25cb": "apart",
-  "\u25b3": "placed",
-};
+/** The sign of a word, by what the page has of the word, in its pattern. */
+export function signOf({ sign, pattern }) {
+  return make("span", { className: `what ${pattern}`, "aria-hidden": "true" }, make("span", {}, sign));
+}
 
-/** The style's class for a word's sign. */
-export function patternOf(sign) {
-  return `what ${PATTERNS[sign] ?? "other"}`;
+/** What the colours of a quantity mean; nothing where it has no values. */
+export function scaleParts(model, quantity) {
+  const scale = model.scaleOf(quantity);
+  if (!scale) return [];
+  const bar = make("span", { className: "bar", "aria-hidden": "true" });
+  bar.style.background = coloursOf(quantity).gradient;
+  return [make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high)))];
 }

@@ -2,7 +2,7 @@
 
 import { make } from "./elements.js";
 import { squareSide } from "./floor.js";
-import { short } from "./format.js";
+import { readable, short } from "./format.js";
 import { ENERGY_COLOURS, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 
 /** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
@@ -15,7 +15,7 @@ export function makeLegend(entries, energy, size, whole) {
     { className: "legend" },
     ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
     ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons hang, drawn with their resting length")] : []),
-    make("li", {}, `squares of the grid: ${lengthText(squareSide(size))}`),
+    make("li", {}, `squares of the grid: ${readable(squareSide(size), "m")}`),
     ...ofSeveral.map((text) => make("li", {}, text)),
   );
 }
@@ -42,10 +42,4 @@ function swatch(kind, style) {
   const sample = make("span", { className: `swatch ${kind}`, "aria-hidden": "true" });
   Object.assign(sample.style, style);
   return sample;
-}
-
-function lengthText(length) {
-  const [unit, factor] =
-    length >= 1 ? ["m", 1] : length >= 0.01 ? ["cm", 100] : length >= 1e-4 ? ["mm", 1e3] : ["\u00b5m", 1e6];
-  return `${short(factor * length)} ${unit}`;
 }

@@ -1,15 +1,15 @@
 /** A clip whose present is what the engine says; its past is that of the run, by which pictures are framed. */
 
 import { TENDONS } from "./clip.js";
+import { unitFactor } from "./format.js";
 
 const NOW = Infinity; // the moment that is the engine's
 const SEEN = 1e-4; // of how far it reaches, of an energy, rad: what changes by less is not seen
-const LENGTHS = { m: 1, cm: 1e2, mm: 1e3, "\u00b5m": 1e6 };
 
 /** The present of a structure, as a clip and a clock that pictures and tables take; `show` tells what it is. */
 export function makeLive(clip, live, first) {
   const listeners = new Set();
-  const factors = clip.readings.map(({ unit }) => (unit === "deg" ? 180 / Math.PI : live.units.length * LENGTHS[unit]));
+  const factors = clip.readings.map(({ unit }) => (unit === "deg" ? 1 : live.units.length) * unitFactor(unit));
   // at least a second, in whose unit times are written
   const span = { start: clip.start, end: Math.max(clip.end, clip.start + 1), origins: [0], whole: true };
   let frame = first;

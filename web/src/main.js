@@ -4,6 +4,7 @@ import "./page.css";
 import "./try.css";
 import "./bench.css";
 import { make } from "./elements.js";
+import { takeUnits } from "./format.js";
 import { showBench } from "./page-bench.js";
 import { showComparison } from "./page-compare.js";
 import { showCurves } from "./page-curves.js";
@@ -26,6 +27,7 @@ const PAGES = {
 };
 
 const data = JSON.parse(document.getElementById("data").textContent);
+takeUnits(data.reading_units);
 
 /** Tell that the page's script failed, and stop. */
 function fail(error) {

@@ -283,10 +283,14 @@ function drawMarks(chart, clips, own, span) {
 }
 
 function seekByPointer(chart, clock) {
-  const seek = (event) => {
+  onDrag(chart, (event) => {
     clock.pause();
     clock.seek(chart.posToVal(event.clientX - chart.over.getBoundingClientRect().left, "x"));
-  };
+  });
+}
+
+/** Call `seek` where a chart is pressed, and along the way of a pointer that stays pressed. */
+export function onDrag(chart, seek) {
   chart.over.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     chart.over.setPointerCapture(event.pointerId);

@@ -4,7 +4,6 @@ import { readClip } from "./clip.js";
 import { make } from "./elements.js";
 import { hasEngine, startEngine } from "./engine.js";
 import { capital, short } from "./format.js";
-import { patternOf } from "./heat.js";
 import { makePanel } from "./try-panel.js";
 
 const FINER = 2; // parts of a step between two points
@@ -99,8 +98,8 @@ export function makeAnswers(model) {
       note.textContent = `${number} of ${every.length} points simulated`;
       const found = await ask({ ...live.points[point], ...values }, mine);
       if (!found) return;
-      const sign = model.study.words.find(({ word }) => word === found.word)?.sign ?? "?";
-      cell.className = patternOf(sign);
+      const { sign, pattern } = model.study.words.find(({ word }) => word === found.word) ?? model.study.other;
+      cell.className = `what ${pattern}`;
       cell.replaceChildren(make("span", {}, sign));
       cell.title = `${where}: ${answerText(live, found)}`;
       cell.setAttribute("aria-label", cell.title);

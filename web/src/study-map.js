@@ -1,7 +1,7 @@
 /** A study's map: one quantity over two factors as a grid of cells that can be opened. */
 
 import { make } from "./elements.js";
-import { coloursOf, patternOf } from "./heat.js";
+import { scaleParts, signOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
@@ -133,8 +133,8 @@ function fillCell(cell, model, view, scale, point, numbers) {
   cell.setAttribute("aria-label", text);
   cell.title = text;
   if (value === null) {
-    const { sign } = model.word(quantity.reasons[point]);
-    cell.className = patternOf(sign);
+    const { sign, pattern } = model.word(quantity.reasons[point]);
+    cell.className = `what ${pattern}`;
     cell.append(make("span", {}, numbers ? sign : ""));
     return;
   }
@@ -171,16 +171,10 @@ function listen(table, cells, press) {
 
 /** What the colours and the patterns mean. */
 function legendParts(model, quantity, points) {
-  const parts = [];
-  const scale = model.scaleOf(quantity);
-  if (scale) {
-    const bar = make("span", { className: "bar", "aria-hidden": "true" });
-    bar.style.background = coloursOf(quantity).gradient;
-    parts.push(make("p", { className: "scale" }, `${quantity.title} (${quantity.unit})`, make("span", {}, scale.text(scale.low)), bar, make("span", {}, scale.text(scale.high))));
-  }
+  const parts = scaleParts(model, quantity);
   const reasons = [...countReasons(quantity, points)].map(([number, count]) => {
-    const { word, sign } = model.word(number);
-    return make("li", {}, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`);
+    const entry = model.word(number);
+    return make("li", {}, signOf(entry), `${entry.word} (${count})`);
   });
   if (reasons.length) parts.push(make("ul", {}, ...reasons));
   return parts;

@@ -5,10 +5,6 @@
 
 import { cellColour, coloursOf } from "./heat.js";
 
-/** Quantities of one group that share a scale, so that their maps can be compared. */
-const BY_TORQUE = "time by torque";
-const ONE_SCALE = ["energy", BY_TORQUE];
-
 export function makeModel(study, runs) {
   const { factors, quantities, words } = study;
   const sizes = factors.map((factor) => factor.values.length);
@@ -29,7 +25,8 @@ export function makeModel(study, runs) {
   const pointAt = (places) => places.reduce((point, place, index) => point * sizes[index] + place, 0);
 
   function scaleOf(quantity) {
-    const alike = ONE_SCALE.includes(quantity.group) ? quantities.filter((each) => each.group === quantity.group) : [quantity];
+    // of one group that shares a scale, so that their maps can be compared
+    const alike = quantity.shares ? quantities.filter((each) => each.group === quantity.group) : [quantity];
     const values = alike.flatMap((each) => each.values ?? []).filter((value) => value !== null);
     if (!values.length) return null;
     const [low, high] = [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
@@ -44,7 +41,7 @@ export function makeModel(study, runs) {
     study,
     sizes,
     /** What a point may have one value of beside its factors. */
-    numbers: quantities.filter((quantity) => quantity.values && quantity.group !== BY_TORQUE),
+    numbers: quantities.filter((quantity) => quantity.values && !quantity.tried),
     /** What points can lie over. */
     columns: factors,
     /** Whether a point is not left out. */

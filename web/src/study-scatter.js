@@ -1,7 +1,6 @@
 /** Points over two of their columns, or a quantity over the only one. */
 
 import { make } from "./elements.js";
-import { patternOf } from "./heat.js";
 import { axisParts, draw, makeAxis } from "./plane.js";
 
 const [WIDTH, HEIGHT] = [600, 420];
@@ -49,8 +48,8 @@ function makePoint(model, view, scale, point, [x, y], radius) {
   const value = quantity.values?.[point] ?? null;
   const text = `${model.nameOf(point)}${model.pointText(point)}: ${model.valueText(quantity, point)}`;
   const mark = draw("g", { role: "option", tabindex: "-1", "aria-label": text, "aria-selected": String(view.opened === point), "data-point": point, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` }, draw("title", {}, text));
-  const sign = value === null ? model.word(quantity.reasons[point]).sign : "";
-  if (sign) mark.setAttribute("class", patternOf(sign));
+  const { sign, pattern } = value === null ? model.word(quantity.reasons[point]) : {};
+  if (sign) mark.setAttribute("class", `what ${pattern}`);
   if (!model.shown(point)) mark.classList.add("out");
   if (view.front?.includes(point)) mark.append(draw("circle", { r: radius + 3, class: "front" }));
   mark.append(draw("circle", { r: radius, class: value === null ? "missing" : "found", fill: value === null ? "transparent" : scale.colour(value).face }));

@@ -1,7 +1,7 @@
 /** The table of all points: filter by what became of them, order by any column, download. */
 
 import { make } from "./elements.js";
-import { patternOf } from "./heat.js";
+import { signOf } from "./heat.js";
 
 /**
  * Add to the page's table what a script can; `open` is called with the point of a row whose number is pressed. What it
@@ -37,12 +37,12 @@ export function extendTable(section, model, csv, open) {
 
 function statusFilter(model, changed) {
   const boxes = new Map();
-  const labels = model.study.words.flatMap(({ word, sign, count }, number) => {
-    if (!count) return [];
+  const labels = model.study.words.flatMap((entry, number) => {
+    if (!entry.count) return [];
     const box = make("input", { type: "checkbox", checked: true });
     box.addEventListener("change", changed);
     boxes.set(number, box);
-    return [make("label", {}, box, make("span", { className: patternOf(sign), "aria-hidden": "true" }, make("span", {}, sign)), `${word} (${count})`)];
+    return [make("label", {}, box, signOf(entry), `${entry.word} (${entry.count})`)];
   });
   const element = make("fieldset", { className: "filter" }, make("legend", {}, `Show ${model.study.noun}s that`), ...labels);
   return { element, changed, shown: () => new Set([...boxes].filter(([, box]) => box.checked).map(([number]) => number)) };

@@ -2,7 +2,7 @@
 
 import { firstLook } from "./camera.js";
 import { make } from "./elements.js";
-import { capital, fixed, short, timeText } from "./format.js";
+import { capital, filled, readable, timeText } from "./format.js";
 import { makeLive } from "./live-clip.js";
 import { mountStill } from "./player.js";
 import { mountReadout } from "./readout.js";
@@ -22,13 +22,6 @@ const PACES = [
 const PACE = 0.2; // to begin with: at its own a wing snaps faster than anyone sees
 const ROOM = 1.4; // distance of the eye where no run tells where it goes, by that which fits where it begins
 const MEDDLED = "On the way values were changed or it was pushed, which no run of a design file does; Whole protocol goes through that from the start.";
-const ENERGIES = [
-  ["J", 1, 0.1],
-  ["mJ", 1e3, 1e-4],
-  ["\u00b5J", 1e6, 1e-7],
-  ["nJ", 1e9, 0],
-];
-
 const LEAST = 1e-15; // J, below which an energy is what is left of rounding
 
 /**
@@ -81,7 +74,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     const outcome = frame.stageNumber === null ? frame.ended : null;
     const key = outcome && JSON.stringify([outcome.verdict, ...outcome.stages.map((stage) => stage.end_s)]);
     if (key !== told) {
-      said.textContent = outcome ? sentence(outcome, data.whole) : "";
+      said.textContent = outcome ? sentence(outcome, data.whole, own.texts.outcome) : "";
       advice.textContent = [outcome?.advice, outcome && frame.meddled && MEDDLED].filter(Boolean).join(" ");
     }
     told = key;
@@ -162,26 +155,18 @@ function makeButtons({ protocol }, engine, panel, before) {
 function stageText({ stage, stageNumber, running, ended }, { stages }) {
   const met = stage && !stages[stageNumber].drives.length && ended?.stages.at(-1);
   const goal = met && met.goal_s !== null && stages.find(({ name }) => name === met.name).drives.length;
-  const reached = goal ? `, ${met.name} reached its goal in ${timeOf(met.goal_s - met.start_s)}` : "";
+  const reached = goal ? `, ${met.name} reached its goal in ${readable(met.goal_s - met.start_s, "s")}` : "";
   if (stage) return ` \u00b7 ${stage}${reached}`;
   return running ? " \u00b7 no drive acts" : " \u00b7 at rest";
 }
 
 /** What became of it, with the time and the work of every transition. */
-function sentence({ status, verdict, transitions }, whole) {
+function sentence({ status, verdict, transitions }, whole, texts) {
   const parts = transitions
     .filter(({ took }) => took?.succeeded && took.time_s !== null)
-    .map(({ words, took }) => `${words.did || words.done} in ${timeOf(took.time_s)} for ${energyText(took.work_J)} of work`);
+    .map(({ words, took }) => filled(texts.transition, { did: words.did || words.done, time: readable(took.time_s, "s"), work: energyText(took.work_J) }));
   if (!parts.length) return `${capital(status)}.`;
-  const failed = verdict === "reached" ? "" : `; then: ${status}`;
-  return `The ${whole} ${parts.join(", then ")}${failed}.`;
+  return filled(texts[verdict === "reached" ? "reached" : "missed"], { whole, transitions: parts.join(texts.then), status });
 }
 
-function timeOf(time) {
-  return time >= 1 ? `${fixed(time, 3)} s` : `${short(1e3 * time)} ms`;
-}
-
-function energyText(value) {
-  const [unit, factor] = ENERGIES.find(([, , least]) => Math.abs(value) >= least);
-  return Math.abs(value) < LEAST ? "0 J" : `${short(factor * value)} ${unit}`;
-}
+const energyText = (value) => readable(Math.abs(value) < LEAST ? 0 : value, "J");

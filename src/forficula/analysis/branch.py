@@ -15,6 +15,7 @@ from forficula.structure.facets import BEND
 
 # rad; less is flat: as built, and in the end
 _FLAT_AS_BUILT, _FLAT = 1e-9, math.radians(1.0)
+_ROUNDING = "rounding alone"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,7 +26,7 @@ class Branch:
         as_assigned: how many creases are folded the way that they are assigned in the end.
         against: how many the other way.
         flat: how many less than 1 deg.
-        decided_by: what made it leave the flat state this way; rounding alone if empty.
+        decided_by: what made it leave the flat state this way.
     """
 
     as_assigned: int
@@ -50,7 +51,7 @@ def branch_taken(record: Record) -> Branch | None:
         as_assigned=int(np.sum(ends > _FLAT)),
         against=int(np.sum(ends < -_FLAT)),
         flat=int(np.sum(np.abs(ends) <= _FLAT)),
-        decided_by=(*_by_build(structure, creases), *_by_drives(record)),
+        decided_by=(*_by_build(structure, creases), *_by_drives(record)) or (_ROUNDING,),
     )
 
 
@@ -59,8 +60,9 @@ def branch_text(branch: Branch) -> str:
     every = branch.as_assigned + branch.against + branch.flat
     other = [f"{count} {how}" for count, how in ((branch.against, "the other way"), (branch.flat, "flat")) if count]
     told = ", ".join([f"{branch.as_assigned} of {every} creases folded as assigned", *other])
-    by = " and ".join(branch.decided_by) or "rounding alone: give imperfection.size and seed to choose"
-    return f"out of the flat state {told}; decided by {by}"
+    by = " and ".join(branch.decided_by)
+    hint = ": give imperfection.size and seed to choose" if branch.decided_by == (_ROUNDING,) else ""
+    return f"out of the flat state {told}; decided by {by}{hint}"
 
 
 def _by_build(structure: Structure, creases: list[int]) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +14,7 @@ from forficula.arrays import Array
 from forficula.dynamics import Check
 from forficula.names import listed
 from forficula.quantities import show_value
+from forficula.serial import Key, Seconds, Written
 
 HALF_STEP = "half the timestep"
 OTHER_START = "a slightly different start"
@@ -37,12 +39,12 @@ class Confirmation:
         timestep: of the run, s.
     """
 
+    agree: Annotated[bool, Key("confirmed")]
     checks: tuple[Check, ...]
-    agree: bool
-    uncertainty: Values
+    uncertainty: Annotated[Values, Written.NEVER]
     unsettled: tuple[str, ...]
-    values: Values = field(repr=False)
-    timestep: float
+    values: Annotated[Values, Written.NEVER] = field(repr=False)
+    timestep: Annotated[Seconds, Written.NEVER]
 
     def of(self, name: str, place: int = 0) -> float | None:
         """Return the numerical uncertainty of a value, SI; None where the second runs do not have the value."""

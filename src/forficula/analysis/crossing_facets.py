@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
+from forficula.pattern.geometry import polygon_normal
 from forficula.structure import Structure, facet_triangles
 
 _ROWS = 400  # of a record that are looked at, evenly
@@ -131,8 +132,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
     for first in range(0, len(places) if len(pieces.corners) > 1 else 0, _TOGETHER):
         corners = np.moveaxis(places[first : first + _TOGETHER, pieces.corners], 1, 0)
         pair, row = _near(pieces, corners)
-        away = corners - corners[:, :, :1]
-        normals = np.cross(away, np.roll(away, -1, axis=2)).sum(axis=2)
+        normals = polygon_normal(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-300)
         crosses = _cross(corners[pair, row], normals[pair, row], pieces.half[pair])
         owners = pieces.owner[pair[:, crosses]]

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record
+from forficula.pattern.geometry import triangle_normals
+from forficula.serial import Key, Metres, Seconds
 from forficula.structure import Structure
 
 # rows of a stage that are looked at, and then beside the deepest
@@ -30,9 +33,9 @@ class PanelCrossing:
         time: s.
     """
 
-    depth: float
-    names: tuple[str, ...] = ()
-    time: float
+    depth: Metres
+    names: Annotated[tuple[str, ...], Key("panels")] = ()
+    time: Seconds
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -263,7 +266,7 @@ def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indic
 
 def _normals(corners: Array) -> Array:
     """Unit vectors square to triangles, (row, triangle, 3)."""
-    normals = np.cross(corners[:, :, 1] - corners[:, :, 0], corners[:, :, 2] - corners[:, :, 0])
+    normals = triangle_normals(corners)
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=2)[..., None], np.finfo(float).tiny))
 
 

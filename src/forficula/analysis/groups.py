@@ -8,15 +8,17 @@ what turns about the hinge that it lies across.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from forficula.analysis.scales import Scale, scale_of
 from forficula.names import listed
+from forficula.pattern.geometry import polygon_normal, triangle_areas
+from forficula.serial import Key, Written
 from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
 # m/s^2, for what a run without gravity leaves out
@@ -56,8 +58,18 @@ class Groups:
         every: in the order of tables.
     """
 
-    scale: Scale
-    every: tuple[Group, ...]
+    scale: Annotated[Scale, Key("measured_by")]
+    every: Annotated[tuple[Group, ...], Written.NEVER]
+
+    @property
+    def values(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
+        """Return the values by the names of the groups."""
+        return {group.name: group.value for group in self.every}
+
+    @property
+    def in_words(self) -> Annotated[str, Written.ALWAYS]:
+        """Return what dominates."""
+        return dominance(self)
 
 
 def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") -> Groups | None:
@@ -241,7 +253,7 @@ def _facet_widths(structure: Structure) -> list[float]:
     for numbers in [each.points for each in structure.plates] + [each.points for each in structure.facets]:
         corners = points[list(numbers)]
         following = np.roll(corners, -1, axis=0)
-        area = np.linalg.norm(np.cross(corners - corners[0], following - corners[0]).sum(axis=0)) / 2
+        area = np.linalg.norm(polygon_normal(corners)) / 2
         widths.append(float(area / np.linalg.norm(following - corners, axis=1).max()))
     return widths
 
@@ -288,8 +300,7 @@ def _widths(structure: Structure) -> list[float]:
             widths.append(min(float(np.linalg.norm(way)) for way in ways))
             continue
         corners = membrane.built[membrane.triangles]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        widths.append(math.sqrt(float(np.linalg.norm(normals, axis=1).sum()) / 2))
+        widths.append(math.sqrt(float(triangle_areas(corners).sum())))
     return widths
 
 

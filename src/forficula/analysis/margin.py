@@ -56,7 +56,7 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
         return 1.0 if made.time is None else max(1.0 - made.time / limit, 0.0) or np.finfo(float).eps
     goal = goal_of(record.structure, transition.goal)
     reached = record.stages[transition.stage].goal_time is not None
-    return -_share_short(record, transition, state, transition.released if reached else goal)
+    return -_share_short(record, transition, state, goal_of(record.structure, transition.released) if reached else goal)
 
 
 def _share_short(record: Record, transition: Transition, state: State, goal: Goal) -> float:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
+from forficula.serial import Joules, Key, Seconds, Written
 from forficula.structure import (
     Drive,
     Goal,
@@ -167,16 +168,21 @@ class StageOutcome:
         reached: whether the goal was; None where it was the time, or where nothing is to be trusted.
         time: until the goal was reached, s; how long the stage took where it had none; None where it missed it.
         work: of the motors over the stage, J.
-        waited: how long it was at rest without being stepped, s, beside the time.
+        waited: how long it was at rest without being stepped, s, beside the time; None where it did not wait.
     """
 
-    name: str
-    drive: tuple[str, ...]
+    name: Annotated[str, Written.NEVER]
+    drive: Annotated[tuple[str, ...], Written.NEVER]
     goal: str
     reached: bool | None
-    time: float | None
-    work: float
-    waited: float = 0.0
+    time: Seconds | None
+    work: Joules
+    waited: Annotated[Seconds | None, Written.IF_KNOWN] = None
+
+    @property
+    def driven_by(self) -> Annotated[str | tuple[str, ...], Key("drive"), Written.FIRST]:
+        """Return the name of the drive, or "none", or the names of several drives."""
+        return ("none" if not self.drive else self.drive[0]) if len(self.drive) < 2 else self.drive
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -398,7 +404,8 @@ def _way(record: Record, transition: Transition) -> _Way:
     holds = False
     if state is not None and rest_state is not None:
         # a stage that was not to end at a bound does not say whether it was reached, but what it left does
-        holds = reached and _within(state.coordinates, transition.released if asked else rest_state.bounds)
+        kept = goal_of(structure, transition.released if asked else rest_state.goal)
+        holds = reached and _within(state.coordinates, kept)
         # what held before the drive did anything is not its doing
         holds = holds and not early_goal(record, driven)
     return _Way(transition=transition, driven=driven, state=state, holds=holds)
@@ -509,7 +516,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
         hinge_energy=hinges,
         spring_energy=springs,
         coupling_energy=couplings,
-        within=rest_state is not None and _within(mean, rest_state.bounds),
+        within=rest_state is not None and _within(mean, goal_of(record.structure, rest_state.goal)),
         swings=any(bool(np.any(each.high - each.low > _STIR)) for each in swung)
         or any(bool(np.any(each.high - each.low > far)) for each in moved),
         furthest=furthest,
@@ -579,7 +586,7 @@ def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
         reached=end.goal_time is not None if tells and not timed else None,
         time=None if moment is None else moment - end.start,
         work=_work(record, end),
-        waited=end.waited,
+        waited=end.waited or None,
     )
 
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
-from forficula.structure import Structure, goal_coordinates, state_of
+from forficula.serial import Metres, SquareMetres, Written
+from forficula.structure import Structure, goal_coordinates, goal_of, state_of
 
 _FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
 _ALIKE = 1e-9  # of unit vectors
@@ -30,12 +32,12 @@ class Package:
         area_ratio: that area by the one at the start of the run.
     """
 
-    height: float
-    width: float
-    length: float
-    area: float
-    upwards: Array
-    across: Array
+    height: Metres
+    width: Metres
+    length: Metres
+    area: SquareMetres
+    upwards: Annotated[Array, Written.NEVER]
+    across: Annotated[Array, Written.NEVER]
     area_ratio: float = 1.0
 
 
@@ -119,7 +121,8 @@ def _holds(record: Record, name: str, row: int) -> bool:
     values = goal_coordinates(
         record.structure, record.series["hinge_angle"][[row]], None if distances is None else distances[[row]]
     )[0]
-    return bool(np.all((values >= state.bounds.least) & (values <= state.bounds.most)))
+    goal = goal_of(record.structure, state.goal)
+    return bool(np.all((values >= goal.least) & (values <= goal.most)))
 
 
 def open_package(record: Record) -> Package:

@@ -11,6 +11,7 @@ from forficula.design import save_design
 from forficula.dynamics import Record, load_record, save_record, versions
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_text
+from forficula.serial import json_text
 
 _DESIGN, _RECORD, _SUMMARY = "design.toml", "record.nc", "summary.json"
 
@@ -32,8 +33,7 @@ def write_run_files(
     """
     save_design(record.design, folder / _DESIGN)
     save_record(record if kept is None else kept, folder / _RECORD)
-    content = summary(record, outcome, versions()) | ({} if key is None else {"key": key})
-    write_text(folder / _SUMMARY, json.dumps(content, indent=2) + "\n")
+    write_text(folder / _SUMMARY, json_text(summary(record, outcome, versions(), key)))
 
 
 def read_run(folder: Path) -> Record:

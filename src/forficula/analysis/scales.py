@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.quantities import Unit
+from forficula.serial import Key, Metres, NewtonMetres, Seconds, Written
 from forficula.structure import GROUND, Structure, ancestry, built_frames, built_points, hinge_groups, mass_of
 
 # N m and kg m^2: within, ratios of them are numbers
@@ -32,17 +35,17 @@ class Scale:
         arms: a and b of the tendon, m; zeros without one.
     """
 
-    name: str
-    hinge: int
-    moment: float
-    inertia: float
-    weight_arm: float
-    reach: float
-    tendon: int | None = None
-    arms: tuple[float, float] = (0.0, 0.0)
+    name: Annotated[str, Key("part")]
+    hinge: Annotated[int, Written.NEVER]
+    moment: NewtonMetres
+    inertia: Annotated[float, Unit("kg m^2")]
+    weight_arm: Annotated[float, Written.NEVER]
+    reach: Annotated[Metres, Written.NEVER]
+    tendon: Annotated[int | None, Written.NEVER] = None
+    arms: Annotated[tuple[float, float], Written.NEVER] = (0.0, 0.0)
 
     @property
-    def time(self) -> float:
+    def time(self) -> Seconds:
         """The time t* = sqrt(inertia / moment) in which the part moves what turns, s; 0 where nothing does."""
         return math.sqrt(self.inertia / self.moment)
 

@@ -9,6 +9,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.statics import EnergyLandscape
+from forficula.statics.landscape import net_states
 from forficula.statics.net.net_of import places as net_places
 
 
@@ -25,13 +26,12 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
     places = record.series.get("point_position")
     if landscape.net is None or places is None or record.diverged_at is not None:
         return {}
-    count, net = len(landscape.structure.points), landscape.net.net
-    known = {state.name: net_places(net, state.rest.shape)[:count] for state in landscape.net.states}
-    known |= {
-        name: net_places(net, rest.shape)[:count]
-        for name, rest, within in landscape.net.rests
-        if within and rest.stable
+    shapes = {state.name: state.rest.shape for state in net_states(landscape)}
+    shapes |= {
+        rest.name: rest.shape for rest in landscape.rests if rest.within and rest.stable and rest.shape is not None
     }
+    count, net = len(landscape.structure.points), landscape.net.net
+    known = {name: net_places(net, shape)[:count] for name, shape in shapes.items()}
     found = {}
     for end in record.stages:
         if end.stage.state in known:

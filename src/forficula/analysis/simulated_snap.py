@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,9 @@ from forficula.arrays import Array, Flags
 from forficula.design import Design, shortest_sample_interval, stage_drives, with_values
 from forficula.dynamics import Record
 from forficula.names import ordinal
-from forficula.statics import TendonHinge, fold_time, folding_sense, ideal_hinges, tendon_hinge
-from forficula.statics.snap import FOLD_START, final_speed
-from forficula.structure import Crossing, Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
+from forficula.statics import CrossedHinge, EnergyLandscape, fold_time, folding_sense, ideal_hinges
+from forficula.statics.snap import FOLD_START
+from forficula.structure import Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
 
 _ROWS = 200  # that a fold should have in a record
 
@@ -25,8 +25,6 @@ class SimulatedSnap:
     """A fold of one hinge in a run. What did not happen is None.
 
     Attributes:
-        tendon: number of the one that lies across the hinge.
-        fold_start: from which times count, rad past straight, or past where the tendon is longest.
         folded_time: from the start to the angle that the protocol calls folded, s.
         fold_time: from the start to the fold limit, s.
         largest_fold: how far it folded, rad past straight.
@@ -34,28 +32,11 @@ class SimulatedSnap:
         sample_interval: between the rows, s.
     """
 
-    tendon: int
-    fold_start: float
     folded_time: float | None
     fold_time: float | None
     largest_fold: float
     peak_speed: float | None
     sample_interval: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class PredictedSnap:
-    """A fold of one hinge alone, without damping, let go at rest. What does not happen is None.
-
-    Attributes:
-        folded_time: from the start to the angle that the protocol calls folded, s.
-        fold_time: from the start to the fold limit, s.
-        final_speed: at the fold limit, rad/s.
-    """
-
-    folded_time: float | None
-    fold_time: float | None
-    final_speed: float | None
 
 
 def inner_tendon(structure: Structure) -> int | None:
@@ -72,16 +53,19 @@ def hinge_name(structure: Structure, tendon: int) -> str:
 
     Where both have one label with a number, such as "vein 1", it is the "second hinge".
     """
-    hinge, label = structure.hinges[crossed_hinge(structure, tendon)], _label(structure, tendon)
-    name, (_, number) = hinge.label or hinge.name, _numbered(structure, tendon)
+    crossing, label = structure.tendons[tendon].crossing, _label(structure, tendon)
+    assert crossing is not None
+    hinge, (_, number) = structure.hinges[crossing.hinge], _numbered(structure, tendon)
+    name = hinge.label or hinge.name
     if name != label:
         return f"{name} ({label})"
     return name if number is None else f"{ordinal(number)} hinge"
 
 
-def crossed_hinge(structure: Structure, tendon: int) -> int:
-    """Number of the only hinge that a tendon lies across."""
-    return _crossing(structure, tendon).hinge
+def inner_hinge(landscape: EnergyLandscape, tendon: int | None = None) -> CrossedHinge | None:
+    """The hinge that a tendon lies across; that of an inner one where none is given; None where there is none."""
+    tendon = inner_tendon(landscape.structure) if tendon is None else tendon
+    return next((each for each in landscape.hinges if each.tendon == tendon), None)
 
 
 def folding_transition(structure: Structure, hinge: int) -> Transition | None:
@@ -112,22 +96,6 @@ def fold_limit(structure: Structure, hinge: int) -> float:
     return min(stops.upper if folding_sense(stops) < 0 else -stops.lower, math.pi)
 
 
-def predicted_snap(hinge: TendonHinge, folded_angle: float | None, fold_start: float = FOLD_START) -> PredictedSnap:
-    """Predict the fold of a hinge from rest.
-
-    Args:
-        hinge: the hinge, folding towards negative angles.
-        folded_angle: past straight, that counts as folded, rad; None where none does.
-        fold_start: past where the tendon is longest, where it is let go, rad.
-    """
-    so_far = None if folded_angle is None else replace(hinge, fold_limit=min(folded_angle, hinge.fold_limit))
-    return PredictedSnap(
-        folded_time=None if so_far is None else fold_time(so_far, fold_start),
-        fold_time=fold_time(hinge, fold_start),
-        final_speed=final_speed(hinge, fold_start),
-    )
-
-
 def finely_sampled(design: Design) -> Design:
     """The design with rows so close to each other that the snap of one hinge can be timed; the motion is the same."""
     structure = structure_of(design)
@@ -153,46 +121,36 @@ def opening_time(record: Record, hinge: int) -> float:
     return min((end.start for end in record.stages if others & {*stage_drives(end.stage)}), default=math.inf)
 
 
-def simulated_snap(record: Record, tendon: int | None = None, fold_start: float = FOLD_START) -> SimulatedSnap | None:
-    """Time the fold of a hinge, from where it last passes `fold_start` to where it first arrives.
+def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | None:
+    """Time the fold of a hinge, from where it last passes the start of its predicted fold to where it first arrives.
 
     Looks at all before another drive than the one that folds it; between rows the angle is taken as straight.
 
     Args:
         record: what happened.
-        tendon: number of the tendon that lies across the hinge; an inner one if not given.
-        fold_start: past where the tendon is longest, rad; at the overbend stop where that is farther.
+        crossed: the hinge, whose fold starts a little past where its tendon is longest, or at the overbend stop where
+            that is farther.
 
     Returns:
-        None where the run diverged, or no tendon lies across one hinge.
+        None where the run diverged.
     """
-    structure = record.structure
-    tendon = inner_tendon(structure) if tendon is None else tendon
-    if record.diverged_at is not None or tendon is None:
+    if record.diverged_at is not None:
         return None
-    hinge = crossed_hinge(structure, tendon)
+    structure, hinge, own = record.structure, crossed.hinge, crossed.own
     before = folding_rows(record, hinge)
     angle = record.series["hinge_angle"][before, hinge]
     time, fold = record.time[before], -folding_sense(structure.hinges[hinge]) * angle
-    folded, start = folded_angle(structure, hinge), _start(structure, tendon, fold_start)
+    folded, start = folded_angle(structure, hinge), max(own.fold_start - own.hinge.top, -own.hinge.overbend)
     folded_time = None if folded is None else _snap_time(time, fold, start, folded)
     leaves = _passes(time, fold, start)
     moving = time >= leaves[0] if len(leaves) else np.zeros(len(time), dtype=bool)
     return SimulatedSnap(
-        tendon=tendon,
-        fold_start=fold_start,
         folded_time=folded_time,
         fold_time=_snap_time(time, fold, start, fold_limit(structure, hinge)),
         largest_fold=float(fold.max()),
         peak_speed=float(np.max(np.diff(fold[moving]) / np.diff(time[moving]))) if moving.sum() > 1 else None,
         sample_interval=float(np.median(np.diff(time))) if len(time) > 1 else 0.0,
     )
-
-
-def _start(structure: Structure, tendon: int, fold_start: float) -> float:
-    """How far past straight the fold of a tendon's hinge counts from, rad."""
-    own = _true_hinge(structure, tendon)
-    return max(fold_start - own.top, -own.overbend)
 
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
@@ -212,20 +170,18 @@ def _passes(time: Array, fold: Array, angle: float) -> Array:
     return np.asarray(time[rows] + share * (time[rows + 1] - time[rows]))
 
 
-def simulation_summary(record: Record, tendon: int | None = None) -> dict[str, Any]:
+def simulation_summary(record: Record, crossed: CrossedHinge | None) -> dict[str, Any]:
     """What a run says of the snap of one hinge, beside its prediction, as plain data with units in its keys."""
     structure, outcome = record.structure, measure(record)
-    tendon = inner_tendon(structure) if tendon is None else tendon
-    told: dict[str, Any] = {"status": outcome.status, "advice": outcome.advice}
-    if tendon is None:
-        return told
-    snap, hinge = simulated_snap(record, tendon), crossed_hinge(structure, tendon)
-    folded = folded_angle(structure, hinge)
-    hinges = {} if structure.hinges[hinge].stiffness else _predictable(structure, tendon)
-    word, number = _numbered(structure, tendon)
+    verdict: dict[str, Any] = {"status": outcome.status, "advice": outcome.advice}
+    if crossed is None:
+        return verdict
+    snap, folded = simulated_snap(record, crossed), folded_angle(structure, crossed.hinge)
+    word, number = _numbered(structure, crossed.tendon)
+    own_name = hinge_name(structure, crossed.tendon).partition(" (")[0].replace(" ", "_")
     return {
-        **told,
-        **({"tendon": structure.tendons[tendon].name} if number is None else {word: number}),
+        **verdict,
+        **({"tendon": structure.tendons[crossed.tendon].name} if number is None else {word: number}),
         "fold_start_deg": math.degrees(FOLD_START),
         "folded_angle_deg": None if folded is None else math.degrees(folded),
         "folded_time_s": None if snap is None else snap.folded_time,
@@ -235,34 +191,14 @@ def simulation_summary(record: Record, tendon: int | None = None) -> dict[str, A
         "sample_interval_s": None if snap is None else snap.sample_interval,
         "predicted": {
             name: {
-                "folded_time_s": predicted.folded_time,
-                "fold_time_s": predicted.fold_time,
-                "final_speed_rad_per_s": predicted.final_speed,
+                "folded_time_s": None if folded is None else hinge.time_to(folded),
+                "fold_time_s": hinge.fold_time,
+                "final_speed_rad_per_s": hinge.final_speed,
             }
-            for name, each in hinges.items()
-            for predicted in [predicted_snap(each, folded)]
+            for name, hinge in (("ideal_hinge", crossed.ideal), (own_name, crossed.own))
+            if hinge is not None and hinge.spring is None
         },
     }
-
-
-def _predictable(structure: Structure, tendon: int) -> dict[str, TendonHinge]:
-    """The ideal hinge of a tendon, where it has one, and its true one, by name."""
-    chosen, hinges = structure.tendons[tendon], {}
-    if chosen.ideal is not None:
-        hinges["ideal_hinge"] = tendon_hinge(structure, chosen, chosen.ideal)
-    name = hinge_name(structure, tendon).partition(" (")[0].replace(" ", "_")
-    return {**hinges, name: _true_hinge(structure, tendon)}
-
-
-def _true_hinge(structure: Structure, tendon: int) -> TendonHinge:
-    """The hinge that a tendon lies across, about its own axis."""
-    return tendon_hinge(structure, structure.tendons[tendon], _crossing(structure, tendon))
-
-
-def _crossing(structure: Structure, tendon: int) -> Crossing:
-    crossing = structure.tendons[tendon].crossing
-    assert crossing is not None
-    return crossing
 
 
 def _label(structure: Structure, tendon: int) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
@@ -10,7 +11,8 @@ from forficula.analysis.outcome import Outcome
 from forficula.analysis.verdict import Verdict
 from forficula.arrays import Array
 from forficula.dynamics import Record
-from forficula.quantities import show_duration, show_value
+from forficula.quantities import Unit, show_duration, show_value
+from forficula.serial import Joules, Key, Seconds, Written
 
 # of the largest pull of the run: a tendon that pulls less is slack
 _SLACK = 1e-3
@@ -33,18 +35,28 @@ class Storage:
             a sparse record.
     """
 
-    stage: int
-    name: str
-    state: str
-    time: float
-    clock: Array
-    pulls: Array | None
-    slack: bool
-    lost: float
-    membrane: float
+    stage: Annotated[int, Written.NEVER]
+    name: Annotated[str, Key("stage")]
+    state: Annotated[str, Written.OR_NULL]
+    time: Annotated[Seconds, Key("wait")]
+    clock: Annotated[Array, Written.NEVER]
+    pulls: Annotated[Array | None, Written.NEVER]
+    slack: Annotated[bool, Written.NEVER]
+    lost: Annotated[Joules, Key("branch_damping")]
+    membrane: Annotated[Joules, Key("membrane_energy")]
 
     @property
-    def weakened(self) -> float | None:
+    def pull_before(self) -> Annotated[Array | None, Unit("N")]:
+        """What every tendon pulls when the wait begins, N, (tendon,)."""
+        return None if self.pulls is None else self.pulls[0]
+
+    @property
+    def pull_after(self) -> Annotated[Array | None, Unit("N")]:
+        """What every tendon pulls when the wait is over, N, (tendon,)."""
+        return None if self.pulls is None else self.pulls[-1]
+
+    @property
+    def weakened(self) -> Annotated[float | None, Key("pull_lost")]:
         """The share of all tendons' pull that is lost; None where there is none to lose."""
         if self.pulls is None or self.slack:
             return None

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.dynamics import Record
+from forficula.serial import Key, Pascals, Radians, Seconds, Written
 from forficula.structure import MembraneLaw, hinge_groups, springs_name
 
 
@@ -26,13 +28,13 @@ class Peak:
         withstood: stress that its material withstands, Pa; None where it is not told.
     """
 
-    kind: str
+    kind: Annotated[str, Written.NEVER]
     strain: float
-    stress: float | None
+    stress: Annotated[Pascals | None, Written.IF_KNOWN]
+    withstood: Annotated[Pascals | None, Key("strength"), Written.IF_KNOWN] = None
     part: str
-    time: float
-    stressed_at: float
-    withstood: float | None = None
+    time: Seconds
+    stressed_at: Annotated[Seconds, Written.NEVER]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,9 +47,9 @@ class FoldPeak:
         time: s.
     """
 
-    angle: float
+    angle: Radians
     crease: str
-    time: float
+    time: Seconds
 
 
 def strain_peaks(record: Record) -> tuple[Peak, ...]:

@@ -52,7 +52,7 @@ def identify(
         case Observations():
             asked = observations
         case Mapping():
-            asked = observations_of({"name": "observations", **observations})
+            asked = observations_of(observations)
         case _:
             asked = load_observations(as_path(observations, "observations, their name or the path of their file"))
     return identify_in(asked, as_path(out, "a folder"), threads=threads, progress=progress)

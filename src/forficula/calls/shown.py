@@ -133,8 +133,9 @@ def save(result: object, folder: AnyPath) -> None:
     """Write a result to a folder, as its command does.
 
     Args:
-        result: of `run`, `landscape`, `converge`, `assumptions`, `characterise`, `make_parts`, which are checked
-            without a record, or `optimise`, of which no runs are kept to be played.
+        result: of `run`, `landscape`, `converge`, `assumptions`, `characterise`, `identify`, `make_parts`, which are
+            checked without a record, or `run_study`, `collect`, `tolerance` or `optimise`, of which no runs are kept to
+            be played.
         folder: made where it is missing; what an earlier result of the kind left there is replaced.
 
     Raises:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from forficula.design import AnyDesign, as_design
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
@@ -50,14 +50,12 @@ def converge(
         names = ", ".join(name for name, _, _ in given) or "none"
         raise InputError(f"converge: need one of {', '.join(_OPTIONS)}, got {names}")
     ((name, key, values),) = given
-    try:
+    with error_prefix(f"{name}: "):
         read = read_values(key, values) if isinstance(values, str) else values
         read = [*read] if isinstance(read, Iterable) else read
         if not isinstance(read, Sequence) or not all(isinstance(value, int | float) for value in read):
             raise InputError(f"need text with a unit, or a list of numbers, got {as_written(values)}")
         return converge_design(as_design(design), key, read, progress=progress)
-    except InputError as error:
-        raise InputError(f"{name}: {error}") from None
 
 
 def assumptions(
@@ -85,10 +83,8 @@ def assumptions(
     from forficula.study.modelling_assumptions import selected
 
     read = as_design(design)
-    try:
+    with error_prefix("only: "):
         chosen = selected(only)
-    except InputError as error:
-        raise InputError(f"only: {error}") from None
     return run_assumptions(read, assumptions=chosen, progress=progress)
 
 

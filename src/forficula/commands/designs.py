@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from forficula.commands.new import USUAL_KIND, Kind
 from forficula.errors import InputError
-from forficula.names import listed
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
@@ -34,101 +34,58 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from forficula.design import Design
+    from forficula.design.part import Part
     from forficula.pattern import CreasePattern
     from forficula.pattern.fold_writer import Frame
 
     Array = NDArray[np.float64]
 
 _LAST_PORT = 65535
-_USUAL_KIND = "earwig-fan"
-_KINDS = "What it folds: earwig-fan, joint, miura-ori, waterbomb, yoshimura, kresling, pleats, vertex or fold-file."
-
-
-def new(
-    file: Annotated[Path, Parameter(help="Where to write it; must end with .toml and not exist.")],
-    /,
-    *,
-    kind: Annotated[str, Parameter(help=_KINDS)] = _USUAL_KIND,
-    study: Annotated[bool, Parameter(help="Write a study file instead, of such a design.", negative=())] = False,
-    goal: Annotated[bool, Parameter(help="Write a goal file instead, of such a design.", negative=())] = False,
-    observations: Annotated[
-        bool, Parameter(help="Write an observations file instead, of such a design.", negative=())
-    ] = False,
-    tests: Annotated[
-        bool, Parameter(help="Write three tensile tests instead, to try material with; made up.", negative=())
-    ] = False,
-) -> None:
-    """Write a commented design, study, goal or observations file to start from, or sample tensile tests (a .csv)."""
-    options = {"--study": study, "--goal": goal, "--observations": observations, "--tests": tests}
-    given = [option for option, wanted in options.items() if wanted]
-    if len(given) > 1:
-        raise InputError(f"new: need one of {listed(list(options))}, got {listed(given)}")
-    check_apart("--tests", tests, {"--kind": kind != _USUAL_KIND})
-    if tests:
-        from forficula.material.sample_tests import write_sample_tests
-
-        files = " ".join(str(written) for written in write_sample_tests(file))
-        print(f'written, not measured; read with: forficula material {files} --length "60 mm" --area "5 mm^2"')
-        return
-    if study:
-        from forficula.study.new_study import write_new_study
-
-        write_new_study(file, kind)
-        print(f"written to {file}; run it with: forficula study {file}")
-        return
-    if goal:
-        from forficula.goals.new_goal import write_new_goal
-
-        write_new_goal(file, kind)
-        print(f"written to {file}; find the design with: forficula optimise {file}")
-        return
-    if observations:
-        from forficula.goals.identify.new_observations import write_new_observations
-
-        write_new_observations(file, kind)
-        print(f"written to {file}; find what is unknown with: forficula identify {file}")
-        return
-
-    from forficula.design import write_new_design
-
-    write_new_design(file, kind)
-    print(f"written to {file}; run it with: forficula run {file}")
 
 
 def keys(
     section: Annotated[str, Parameter(help="Only this section or key, as in tendon or protocol.stages.")] = "",
     /,
     *,
-    kind: Annotated[str, Parameter(help=_KINDS)] = _USUAL_KIND,
+    kind: Kind = USUAL_KIND,
     study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
     goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
     observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
-    from forficula.design.key_table import facts_within, key_facts
+    from forficula.design.key_table import key_facts
     from forficula.design.kinds import KINDS
     from forficula.names import one_of
     from forficula.show.key_table import print_keys
-    from forficula.study.study_keys import STUDY_KEYS
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
     if study + goal + observations > 1:
         raise InputError("keys: need one of --study, --goal and --observations, got several")
     for option, wanted in (("--study", study), ("--goal", goal), ("--observations", observations)):
-        check_apart(option, wanted, {"--kind": kind != _USUAL_KIND})
-    if observations:
-        from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
-
-        facts = facts_within(section, OBSERVATION_KEYS)
-    elif goal:
-        from forficula.goals.goal_keys import GOAL_KEYS
-
-        facts = facts_within(section, GOAL_KEYS)
-    else:
-        facts = facts_within(section, STUDY_KEYS) if study else key_facts(section, KINDS[kind])
+        check_apart(option, wanted, {"--kind": kind != USUAL_KIND})
+    facts = key_facts(section, _model(kind, study=study, goal=goal, observations=observations))
     print_keys(facts)
     came_to([asdict(fact) for fact in facts])
+
+
+def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Part]:
+    """The class of the files whose keys are listed."""
+    if study:
+        from forficula.study.study_file import StudyFile
+
+        return StudyFile
+    if goal:
+        from forficula.goals.goal_file import GoalFile
+
+        return GoalFile
+    if observations:
+        from forficula.goals.identify.observations_file import ObservationsFile
+
+        return ObservationsFile
+    from forficula.design.kinds import KINDS
+
+    return KINDS[kind]
 
 
 def open_design(

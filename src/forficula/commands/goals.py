@@ -21,6 +21,7 @@ from forficula.options import (
     read_settings,
     read_shard,
     tell_replaced,
+    tell_written,
 )
 from forficula.terminal import came_to, remark
 
@@ -74,8 +75,8 @@ def optimise(
 ) -> int:
     """Look for the design that does best what a goal asks, or go on with it where it stopped."""
     from forficula.goals import load_goal
-    from forficula.goals.optimise.filling import filling_text
     from forficula.goals.optimise.optimise import estimate_optimise
+    from forficula.goals.optimise.telling import filling_text
     from forficula.study.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
@@ -95,9 +96,9 @@ def optimise(
     tell_replaced(folder, "optimisation", _ROWS_STAY)
     found = _optimised(asked, folder, share, dask)
 
-    from forficula.goals.optimise.kept_candidates import candidates_to_keep
+    from forficula.goals.optimise.optimum import candidates_to_keep
     from forficula.show import study_progress
-    from forficula.show.folder.optimum_folder import optimum_json, write_optimum, write_optimum_report
+    from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
     from forficula.show.goals.optimum_text import print_optimum
     from forficula.study.kept_runs import kept_runs
 
@@ -105,9 +106,8 @@ def optimise(
     runs = candidates_to_keep(found, keep)
     with study_progress() as progress:
         write_optimum_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
-    came_to(optimum_json(found))
     print_optimum(found)
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "optimisation")
     return 0 if found.best else 2
 
 
@@ -227,11 +227,7 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     """Write a tolerance and its page, and print it."""
     from forficula.goals.tolerance.kept_samples import samples_to_keep
     from forficula.show import study_progress
-    from forficula.show.folder.tolerance_folder import (
-        TOLERANCE_FILE,
-        write_tolerance,
-        write_tolerance_report,
-    )
+    from forficula.show.folder.tolerance_folder import write_tolerance, write_tolerance_report
     from forficula.show.goals.tolerance_text import print_tolerance
     from forficula.study.kept_runs import kept_runs
 
@@ -239,9 +235,8 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     runs = samples_to_keep(found, keep)
     with study_progress() as progress:
         write_tolerance_report(found, kept_runs(runs, folder, progress=progress), len(runs), folder)
-    came_to(folder / TOLERANCE_FILE)
     print_tolerance(found)
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "tolerance")
 
 
 def _tell_assumed(question: Question) -> None:
@@ -278,13 +273,12 @@ def identify(
     tell_replaced(folder, "identification", _ROWS_STAY)
     result = _identified(asked, folder, share, dask)
 
-    from forficula.show.folder.identify_folder import IDENTIFIED_FILE, write_identification
+    from forficula.show.folder.identify_folder import write_identification
     from forficula.show.goals.identify_text import print_identification
 
     write_identification(result, folder)
-    came_to(folder / IDENTIFIED_FILE)
     print_identification(result)
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "identification")
 
 
 def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask: str | None) -> Dataset:

@@ -24,8 +24,8 @@ from forficula.options import (
     read_settings,
     setting_texts,
     tell_replaced,
+    tell_written,
 )
-from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -84,7 +84,7 @@ def landscape(
         table = static_map(study, map_progress(whole))
         write_static_map(study, table, folder, beside)
         print_static_map(table, whole, beside)
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "landscape")
     return exit_status([] if verdict is None else [verdict], tolerate=tolerate, ok_if=ok_if)
 
 
@@ -115,6 +115,5 @@ def _survey(design: Design, folder: Path, simulation: bool) -> Verdict | None:
     with survey_progress(first, "surveying") as (progress, steps):
         landscape, record = landscape_and_run(design, simulation=simulation, progress=progress, steps=steps)
     write_landscape(landscape, folder, record, tendon)
-    came_to(folder / "landscape.json")
     print_landscape(landscape, record, tendon)
     return None if record is None else measure(record).verdict

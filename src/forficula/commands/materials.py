@@ -19,6 +19,7 @@ from forficula.options import (
     read_settings,
     read_stiffnesses,
     tell_replaced,
+    tell_written,
 )
 from forficula.terminal import came_to
 
@@ -68,9 +69,8 @@ def material(
     from forficula.show.material.material_table import print_material
 
     write_material(found, out)
-    came_to(out / "material.json")
     print_material(found)
-    print(f"\nwritten to {out}")
+    tell_written(out, "material")
 
 
 def materials() -> None:

@@ -17,6 +17,7 @@ from forficula.options import (
     read_option,
     tell_replaced,
 )
+from forficula.serial import plain
 from forficula.terminal import came_to
 
 if TYPE_CHECKING:
@@ -82,11 +83,10 @@ def make(
 def _tell(parts: PartSet, checks: tuple[Check, ...], compared: MadeComparison | str | None) -> None:
     """Print parts, their checks and what the design is as made, and hand all of it on as data."""
     from forficula.show.folder.parts_folder import parts_json
-    from forficula.show.make.made_table import made_json, print_made
+    from forficula.show.make.made_table import print_made
     from forficula.show.make.parts_table import print_parts
 
     # of parts that make no design there is a sentence instead
-    made = None if compared is None or isinstance(compared, str) else made_json(compared)
-    came_to(parts_json(parts, checks) | {"as_made": made})
+    came_to(parts_json(parts, checks) | {"as_made": None if isinstance(compared, str) else plain(compared)})
     print_parts(parts, checks)
     print_made(compared)

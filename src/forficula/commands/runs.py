@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.options import (
     WHOLE_NUMBER,
     DesignName,
@@ -27,8 +27,8 @@ from forficula.options import (
     read_size,
     read_unit,
     tell_replaced,
+    tell_written,
 )
-from forficula.terminal import came_to
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -104,13 +104,12 @@ def run(
         print(f"warning: {warning}", file=sys.stderr)
     outcome = measure(record)
     write_run(record, outcome, folder, engine=not no_engine, copies=copies)
-    came_to(folder / "summary.json")
     print_outcome(chosen.name, outcome)
     print_storage(record, outcome)
     print_strength(record)
     _print_assumptions(chosen, folder)
     verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "run")
     return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
 
 
@@ -211,10 +210,8 @@ def film(
 
     read_option("--out", lambda: check_film(out))
     pixels = None if size is None else read_size("--size", size, SMALLEST, LARGEST)
-    try:
+    with error_prefix("--"):
         check_choices(pixels, fps, slower)
-    except InputError as error:
-        raise InputError(f"--{error}") from None
     record = read_run(run)
     with film_progress() as progress:
         write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=progress)

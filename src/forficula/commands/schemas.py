@@ -7,17 +7,15 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from forficula.errors import InputError
+from forficula.errors import error_prefix
 
 
 def schema(
-    kind: Annotated[str, Parameter(help="summary (of a run), landscape, row (of a study), or assumptions.")],
+    kind: Annotated[str, Parameter(help="summary (of a run), row (of a study), landscape, assumptions, ...")],
     /,
 ) -> None:
     """Print the JSON schema of what --json writes."""
-    from forficula.analysis.json_schemas import json_schema
+    from forficula.results import json_schema
 
-    try:
-        print(json.dumps(json_schema(kind), indent=2))  # type: ignore[arg-type]
-    except InputError as error:
-        raise InputError(f"schema: {error}") from None
+    with error_prefix("schema: "):
+        print(json.dumps(json_schema(kind), indent=2))

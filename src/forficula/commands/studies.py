@@ -27,6 +27,7 @@ from forficula.options import (
     read_settings,
     read_shard,
     tell_replaced,
+    tell_written,
 )
 from forficula.terminal import came_to, remark
 
@@ -225,8 +226,7 @@ def converge(
         convergence = converge_design(chosen, key, values, hinge=hinge, progress=progress)
     print_convergence(convergence)
     write_convergence(convergence, folder)
-    came_to(folder / "convergence.json")
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "convergence study")
     return exit_status([convergence.own_verdict], tolerate=tolerate, ok_if=ok_if) or 2 * (convergence.fine is False)
 
 
@@ -250,7 +250,7 @@ def assumptions(
     They are rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops, step and start.
     """
     from forficula.design import load_design
-    from forficula.study.assumptions_file import ASSUMPTIONS_FILE, FOLDER_ENDING
+    from forficula.study.assumptions_file import FOLDER_ENDING
     from forficula.study.modelling_assumptions import selected
 
     chosen = load_design(design, read_settings(settings))
@@ -269,6 +269,5 @@ def assumptions(
         found = run_assumptions(chosen, assumptions=to_change, progress=progress)
     print_assumptions(found)
     write_assumptions(found, folder)
-    came_to(folder / ASSUMPTIONS_FILE)
-    print(f"\nwritten to {folder}")
+    tell_written(folder, "table of assumptions")
     return exit_status([found.own.verdict], tolerate=tolerate, ok_if=ok_if)

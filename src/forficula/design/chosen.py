@@ -12,6 +12,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design.sheet_parts import Crease, Facet, largest_extension
 from forficula.pattern import CreasePattern, triangulated
+from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.shared_edges import shared_edges
 
 if TYPE_CHECKING:
@@ -147,11 +148,8 @@ def _facet_size(sheet: CreasePattern) -> float:
 
 def facet_areas(sheet: CreasePattern) -> list[float]:
     """Areas of the facets, m^2; of one that is not flat, of its projection on its own plane (Newell)."""
-    areas = []
-    for corners in sheet.faces_vertices:
-        away = sheet.vertices_coords[list(corners)] - sheet.vertices_coords[corners[0]]
-        areas.append(float(np.linalg.norm(np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0))) / 2)
-    return areas
+    normals = (polygon_normal(sheet.vertices_coords[list(corners)]) for corners in sheet.faces_vertices)
+    return [float(np.linalg.norm(normal)) / 2 for normal in normals]
 
 
 def _bend_shares(triangles: CreasePattern) -> Array:

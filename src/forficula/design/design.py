@@ -5,12 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
 
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
+from forficula.design.named_protocol import NamedProtocol
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
 from forficula.design.provenance import WORDS, check_paper
@@ -28,11 +30,31 @@ _MOST_STEPS = 1e9
 _MOST_ROWS = 1e7
 
 
+@dataclass(frozen=True, kw_only=True)
+class DesignIdentity:
+    """What results are of.
+
+    Attributes:
+        design: name of the design.
+        design_hash: hash of all its values.
+    """
+
+    design: str
+    design_hash: str
+
+
 class Design(Displayed, Part):
     """The thing to build and what is done to it; every number in SI and radians."""
 
     # key of a value that every design of its kind has, for a study to begin with
     varied_key: ClassVar[str]
+    # a named design that a new file begins with; None: `example` has the keys of a pattern to begin with
+    reference: ClassVar[str | None] = None
+    example: ClassVar[Mapping[str, object]] = {}
+    # keys, or starts of keys, of what matters to where it rests, but for its tendons
+    rest_keys: ClassVar[tuple[str, ...]]
+    # the section that says how heavy it is, which matters to where it rests under gravity
+    weight_section: ClassVar[str]
 
     name: Annotated[str, Field(min_length=1, description="what outputs call it")]
     source: Annotated[str, Field(description="where its values come from")]
@@ -85,6 +107,20 @@ class Design(Displayed, Part):
         """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
         name: str = self.once("hash", lambda: _hash(self.hash_values()))
         return name
+
+    @property
+    def identity(self) -> DesignIdentity:
+        """Its name and hash, as files of results have them."""
+        return DesignIdentity(design=self.name, design_hash=self.hash)
+
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """Its protocol by names, in the form that designs of every kind have."""
+        named: NamedProtocol = self.once("named protocol", self._named_protocol)
+        return named
+
+    def _named_protocol(self) -> NamedProtocol:
+        raise NotImplementedError
 
     @property
     def chosen(self) -> tuple[Choice, ...]:

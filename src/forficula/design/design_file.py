@@ -24,7 +24,7 @@ from forficula.design.file_design import file_tables
 from forficula.design.joint import JointDesign
 from forficula.design.joint_sections import JointTendon
 from forficula.design.kept_parts import with_kept_parts
-from forficula.design.kinds import KINDS, design_class, kind_of, reference_of
+from forficula.design.kinds import KINDS, design_class, kind_of
 from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
@@ -305,7 +305,7 @@ def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str
         return tables
     model = KINDS[kind]
     if model.model_fields.keys() != KINDS[below].model_fields.keys():
-        own = reference_of(model)
+        own = model.reference
         instead = f'; begin with based_on = "{own}"' if own else ""
         raise RejectedError(
             ["pattern", "kind"],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
@@ -20,14 +21,16 @@ from forficula.design.fan_sections import (
     MembraneSection,
     VeinSection,
 )
-from forficula.design.folding import check_angles, check_course, other_start
+from forficula.design.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
 from forficula.design.medium import check_medium
+from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.design.tendon_tables import entries_by_vein
 from forficula.errors import InputError
+from forficula.names import listed
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
 from forficula.quantities import Unit, format_quantity, show_quantity
 
@@ -76,6 +79,13 @@ class FanDesign(Design):
     """A fan of bars with membranes between them, and what is done to it."""
 
     varied_key: ClassVar[str] = "tendon.stiffness"
+    reference: ClassVar[str | None] = "binder2025"
+    weight_section: ClassVar[str] = "vein"
+    rest_keys: ClassVar[tuple[str, ...]] = (
+        *("pattern", "membrane", "hinge", "coupling", "guard"),
+        *REST_KEYS,
+        "protocol.driven_veins",
+    )
 
     pattern: FanPatternSection
     vein: VeinSection
@@ -191,6 +201,36 @@ class FanDesign(Design):
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    def _named_protocol(self) -> NamedProtocol:
+        """Torques about the axes of the driven veins, and about all ring folds."""
+        protocol, veins = self.protocol, self.driven_veins
+        every = len(veins) == self.fan.vein_count
+        joints, of = ("the proximal joint", "vein") if len(veins) == 1 else ("the proximal joints", "veins")
+        driven = f"{joints} of {of} {listed(map(str, veins))}"
+        speed = protocol.no_load_speed or math.inf
+        proximal = Action(motor="proximal", hinges=tuple(f"turn{vein}" for vein in veins), no_load_speed=speed)
+        distal = Action(motor="distal", hinges=("ring",), no_load_speed=speed)
+        fold = Drive(
+            name="fold",
+            actions=(proximal,),
+            rise=protocol.rise,
+            key="protocol.fold_torque",
+            strength=protocol.fold_torque,
+            tries="0..50 N cm step 10",
+            where="on every proximal joint" if every else f"on {driven}",
+            part="proximal turn axis" if every else "driven proximal turn axis",
+        )
+        unfold = Drive(
+            name="unfold",
+            actions=(replace(proximal, share=-1.0), distal),
+            rise=protocol.rise,
+            key="protocol.unfold_torque",
+            strength=protocol.unfold_torque,
+            tries="10..100 N cm step 10",
+            where="on every joint" if every else f"on every distal joint and {driven}",
+        )
+        return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""

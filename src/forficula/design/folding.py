@@ -1,18 +1,123 @@
-"""A course that folds and opens what bends at distal hinges: its names, and what its stages and its angles must be."""
+"""A protocol that folds and opens what bends at distal hinges: its names, and what its stages and angles must be."""
 
 from __future__ import annotations
 
 import math
-from typing import TypeVar
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, TypeVar
 
+from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
 from forficula.design.part import ANGLE
 from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
 from forficula.errors import InputError
-from forficula.quantities import Unit, as_written, show_quantity
+from forficula.quantities import Unit, as_written, format_quantity, show_quantity
+
+if TYPE_CHECKING:
+    from forficula.design.fan import FanProtocol
+    from forficula.design.joint import JointProtocol
 
 DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
 
+# keys of a protocol that matter to where a structure rests
+REST_KEYS = (
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+    "protocol.gravity",
+)
+# how far past straight, folding, a hinge has left the overbend for good
+_LEFT_STRAIGHT = math.radians(5.0)
+_FOLD = Wording(
+    done="folded",
+    verb="fold",
+    doing="folding",
+    stays="folded",
+    time="fold time",
+    noun="folding",
+    did="folded",
+)
+_UNFOLD = Wording(
+    done="folded and opened",
+    verb="open",
+    doing="opening",
+    stays="open",
+    time="opening time",
+    noun="unfolding",
+    did="opened again",
+)
+
 _ProtocolOf = TypeVar("_ProtocolOf", bound=Protocol)
+
+
+def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Drive]) -> NamedProtocol:
+    """Name what a protocol that folds and opens does: its goals, states and transitions.
+
+    Args:
+        protocol: its stages have been checked by `check_course`.
+        drives: "fold" and "unfold".
+    """
+    # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
+    still_folded = _distal("<", -protocol.folded_angle / 2)
+    return NamedProtocol(
+        drives=tuple(drives),
+        goals={"folded": _distal("<", -protocol.folded_angle), "opened": _distal(">", protocol.opened_angle)},
+        states=(
+            RestState(name="flat", goal=_distal(">", -_LEFT_STRAIGHT), missed="not flat", unknown="not flat"),
+            RestState(name="folded", goal="folded", missed="not folded", unknown="after folding"),
+            RestState(name="opened", goal="opened", missed="not opened", unknown="after unfolding"),
+        ),
+        stage_states=_stage_states(protocol),
+        transitions=(
+            Transition(
+                name="fold",
+                drive="fold",
+                stage=_first_driven(protocol, "fold"),
+                goal="folded",
+                state="folded",
+                released=still_folded,
+                measure="distal_angle",
+                furthest="largest",
+                begun=-_LEFT_STRAIGHT,
+                wording=_FOLD,
+            ),
+            Transition(
+                name="unfold",
+                drive="unfold",
+                stage=_first_driven(protocol, "unfold"),
+                goal="opened",
+                state="opened",
+                released="opened",
+                measure="distal_angle",
+                furthest="largest",
+                begun=None,
+                wording=_UNFOLD,
+            ),
+        ),
+    )
+
+
+def _distal(relation: str, angle: float) -> str:
+    """A bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
+    return f"distal_angle {relation} {format_quantity(angle, ANGLE)}"
+
+
+def _first_driven(protocol: Protocol, drive: str) -> int | None:
+    """Number of the first stage with a drive."""
+    return next((number for number, stage in enumerate(protocol.stages) if drive in stage_drives(stage)), None)
+
+
+def _stage_states(protocol: Protocol) -> tuple[str, ...]:
+    """What the stages say; where none does, the first ends flat, and folding and opening with their releases."""
+    stages = protocol.stages
+    if any(stage.state for stage in stages):
+        return tuple(stage.state or "" for stage in stages)
+    states = ["flat", *[""] * (len(stages) - 1)]
+    for drive, state in (("fold", "folded"), ("unfold", "opened")):
+        driven = _first_driven(protocol, drive)
+        if driven is not None:
+            released = driven + 1 < len(stages) and not stage_drives(stages[driven + 1])
+            states[driven + released] = state
+    return tuple(states)
 
 
 def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:

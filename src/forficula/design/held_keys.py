@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, get_args, get_origin
 
@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.key_table import KeyFact, field_fact, field_forms
-from forficula.design.keys import names_law, parts_of
+from forficula.design.keys import entry_of, holds_parts, names_law, section_fields
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed
@@ -63,28 +63,28 @@ def _place(section: str) -> int:
     return _LAST.index(section) + 1 if section in _LAST else 0
 
 
-def _held(model: type[Part], part: Part | None, prefix: str) -> Iterator[HeldKey]:
-    """The keys of a part; of one that is absent those of its kind."""
-    for name, field in model.model_fields.items():
-        key, value = f"{prefix}{name}", getattr(part, name) if part is not None else None
-        if name == model.numbered_by:
+def _held(annotation: Any, part: Part | None, prefix: str) -> Iterator[HeldKey]:
+    """The keys of a part that an annotation allows; of one that is absent those of its kind."""
+    for name, field in section_fields(annotation).items():
+        if part is not None and name not in type(part).model_fields:
             continue
-        inside = list(parts_of(field.annotation))
-        if not inside:
+        key, value = f"{prefix}{name}", getattr(part, name) if part is not None else None
+        entry = entry_of(field.annotation)
+        if not holds_parts(field):
             yield _leaf(key, field, value)
             continue
         if names_law(key):
             yield _law(key, field, value)
         if isinstance(value, Part):
-            yield from _held(type(value), value, f"{key}.")
+            yield from _held(field.annotation, value, f"{key}.")
         elif isinstance(value, tuple) and not value:
-            yield _empty(key, field, inside[0])
+            yield _empty(key, field, section_fields(entry))
         elif isinstance(value, tuple):
-            for number, entry in enumerate(value):
-                if isinstance(entry, Part):
-                    yield from _held(type(entry), entry, f"{key}.{number}.")
-        elif not names_law(key) and not _is_list(field):
-            yield from _held(inside[0], None, f"{key}.")
+            for number, each in enumerate(value):
+                if isinstance(each, Part):
+                    yield from _held(entry, each, f"{key}.{number}.")
+        elif not names_law(key) and entry is None:
+            yield from _held(field.annotation, None, f"{key}.")
 
 
 def _leaf(key: str, field: FieldInfo, value: Any) -> HeldKey:
@@ -100,9 +100,9 @@ def _law(key: str, field: FieldInfo, value: Any) -> HeldKey:
     return HeldKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
 
 
-def _empty(key: str, field: FieldInfo, entry: type[Part]) -> HeldKey:
-    """A list of tables that has none, as one value."""
-    allowed = f"list of tables, {{...}}, with {listed(entry.model_fields)}"
+def _empty(key: str, field: FieldInfo, entry: Iterable[str]) -> HeldKey:
+    """A list of tables that has none, as one value; its entries have these keys."""
+    allowed = f"list of tables, {{...}}, with {listed(entry)}"
     return HeldKey(fact=KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=""), value="")
 
 
@@ -130,10 +130,6 @@ def _plain(value: Any, unit: Unit | None) -> Any:
     if isinstance(value, tuple):
         return [_plain(each, unit) for each in value]
     return show_quantity(value, unit, _DIGITS) if unit is not None and isinstance(value, float) else value
-
-
-def _is_list(field: FieldInfo) -> bool:
-    return get_origin(field.annotation) is tuple
 
 
 def _reader(design: Design, key: str) -> Quantity | None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import ClassVar, Self
 
 from pydantic import model_validator
 
 from forficula.design.design import Design, check_duration
 from forficula.design.fan_sections import VeinSection
-from forficula.design.folding import check_angles, check_course, other_start
+from forficula.design.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
 from forficula.design.joint_sections import JointHinge, JointPattern, JointTendon
+from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.part import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.tendon import TendonSection, check_on_bars
@@ -47,6 +49,9 @@ class JointDesign(Design):
     """Two bars with a hinge and a tendon between them, and what is done to them."""
 
     varied_key: ClassVar[str] = "tendon.rest_length"
+    reference: ClassVar[str | None] = "binder2025-joint"
+    weight_section: ClassVar[str] = "vein"
+    rest_keys: ClassVar[tuple[str, ...]] = ("pattern", "hinge", *REST_KEYS)
 
     pattern: JointPattern
     vein: VeinSection
@@ -75,6 +80,30 @@ class JointDesign(Design):
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    def _named_protocol(self) -> NamedProtocol:
+        """Torques on the hinge."""
+        protocol = self.protocol
+        unfolding = Action(motor="distal", hinges=("ring",), no_load_speed=protocol.no_load_speed or math.inf)
+        fold = Drive(
+            name="fold",
+            actions=(replace(unfolding, share=-1.0),),
+            rise=protocol.rise,
+            key="protocol.fold_torque",
+            strength=protocol.fold_torque,
+            tries="0..20 N cm step 2",
+            where="on the hinge",
+        )
+        unfold = Drive(
+            name="unfold",
+            actions=(unfolding,),
+            rise=protocol.rise,
+            key="protocol.unfold_torque",
+            strength=protocol.unfold_torque,
+            tries="10..100 N cm step 10",
+            where="on the hinge",
+        )
+        return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
         """Refuse a start or a goal that the stops of the hinge keep it from."""

@@ -1,30 +1,30 @@
-"""What every key of a design means, what it may hold, and what stands there if it is left out."""
+"""What every key of a design or of another file means, what it may hold, and what counts where it is left out."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, get_args, get_origin
 
 from annotated_types import Ge, Gt, Le, Lt
 from pydantic.fields import FieldInfo
 
-from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.file_fields import by_key, left_out
 from forficula.design.keys import fields_of, hint, holds_parts
-from forficula.design.part import Quantity, field_quantity, is_list
+from forficula.design.part import Part, Quantity, field_quantity, is_list
 from forficula.errors import InputError
-from forficula.names import listed, one_of, unknown_key
+from forficula.names import listed, unknown_key
 from forficula.quantities import show_quantity
 
 
 @dataclass(frozen=True, kw_only=True)
 class KeyFact:
-    """A key of a design.
+    """A key of a design or of another file.
 
     Attributes:
-        key: dotted; entries of a list of tables stand as number 0.
+        key: dotted; entries of a list of tables stand as number 0, and KEY for keys of a design.
         meaning: of its value, in words.
         allowed: kind, unit and bounds of its value.
         default: what counts if it is left out, "needed" where a design that is based on no other must give it, "" where
@@ -37,46 +37,22 @@ class KeyFact:
     default: str
 
 
-def key_facts(within: str = "", model: type[Design] = FanDesign) -> list[KeyFact]:
-    """Tell all keys of a kind of design, in the order of its file, or those in a section of it.
+def key_facts(within: str = "", model: type[Part] = FanDesign) -> list[KeyFact]:
+    """List all keys of a kind of design or of another file, in the order of the file, or those in a section of it.
 
     Args:
         within: a section or a key, as in "tendon", "protocol.stages.2" or "tendon.stiffness"; all if empty.
-        model: class of the design.
+        model: class of the design, or of the file.
 
     Raises:
         InputError: there is no such section or key, and which is near.
     """
-    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
-    try:
-        return facts_within(within, facts)
-    except InputError:
-        raise InputError(unknown_key(within, None, hint(within.split("."), model))) from None
-
-
-def facts_within(within: str, facts: Sequence[KeyFact]) -> list[KeyFact]:
-    """Those of some keys that are in a section, or are a key; all if that is empty.
-
-    Raises:
-        InputError: none is.
-    """
     wanted = _unnumbered(within) if within else []
+    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
     found = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
     if not found:
-        raise InputError(f"need {one_of(dict.fromkeys(fact.key.split('.')[0] for fact in facts), within)}")
+        raise InputError(unknown_key(within, None, hint(within.split("."), model)))
     return found
-
-
-def file_key(key: str, allowed: str, default: str, meaning: str) -> KeyFact:
-    """A key of a file that is no design, as of a study."""
-    return KeyFact(key=key, allowed=allowed, default=default, meaning=meaning)
-
-
-def names_within(table: str, facts: Sequence[KeyFact]) -> tuple[str, ...]:
-    """The keys that a table of a file with some keys may have; of the file itself if empty."""
-    start = f"{table}." if table else ""
-    inside = [fact.key.removeprefix(start) for fact in facts if fact.key.startswith(start)]
-    return tuple(dict.fromkeys(key.split(".")[0] for key in inside))
 
 
 def _unnumbered(key: str) -> list[str]:
@@ -86,20 +62,29 @@ def _unnumbered(key: str) -> list[str]:
 
 def field_fact(key: str, field: FieldInfo) -> KeyFact:
     """What a field is under its key: its meaning, what it may hold, what counts without it."""
-    reader = field_quantity(field)
-    allowed = _quantity(reader) if reader else _plain(field)
-    default = "needed" if field.is_required() else _written(field.get_default(), reader)
+    default = "needed" if field.is_required() else _written(field.get_default(), field_quantity(field))
     return KeyFact(
         key=key,
         meaning=field.description or "",
-        allowed=f"list of: {allowed}" if is_list(field) else allowed,
-        default=default,
+        allowed=_allowed(field),
+        default=left_out(field) or default,
     )
+
+
+def _allowed(field: FieldInfo) -> str:
+    """What a field may hold, by its annotation and its bounds."""
+    if (table := by_key(field)) is not None:
+        return table.allowed
+    if words := [rule for rule in field.metadata if isinstance(rule, str)]:
+        return words[0]
+    reader = field_quantity(field)
+    allowed = _quantity(reader) if reader else _plain(field)
+    return f"list of: {allowed}" if is_list(field) else allowed
 
 
 def _written(value: Any, reader: Quantity | None) -> str:
     match value:
-        case None | () | "":
+        case None | () | [] | {} | "":
             return ""
         case bool():
             return str(value).lower()
@@ -127,7 +112,7 @@ def _plain(field: FieldInfo) -> str:
     names = [name for kind, name in kinds.items() if kind in forms]
     signs = {Gt: (">", "gt"), Ge: (">=", "ge"), Lt: ("<", "lt"), Le: ("<=", "le")}
     bounds = [
-        f"{sign} {getattr(rule, name):g}"
+        f"{sign} {getattr(rule, name):.12g}"
         for rule in field.metadata
         for kind, (sign, name) in signs.items()
         if isinstance(rule, kind)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from functools import lru_cache
 from types import UnionType
 from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
@@ -12,6 +13,7 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.fan import FanDesign
+from forficula.design.file_fields import by_key
 from forficula.design.law import LawSection
 from forficula.design.part import Part, Quantity, field_quantity
 from forficula.design.tables import check_once, entry_index, numbered
@@ -61,31 +63,26 @@ def _found_quantity(key: str, model: type[Design], given: object) -> Quantity | 
     place: Any = model
     quantity = None
     for depth, part in enumerate(parts):
-        forms = list(_forms(place))
-        section = next((form for form in forms if _is_part(form)), None)
-        entries = next((form for form in forms if get_origin(form) is tuple), None)
-        if entries is not None and (part.isdecimal() or _may_be_called(part, get_args(entries)[0], section)):
-            place = get_args(entries)[0]
-        elif section is not None:
-            field = section.model_fields.get(part)
-            if field is None:
+        fields, entry = section_fields(place), entry_of(place)
+        if entry is not None and (part.isdecimal() or _may_be_called(part, entry, fields)):
+            place = entry
+        elif fields:
+            if part not in fields:
                 raise InputError(unknown_key(key, given, hint(parts, model)))
-            place, quantity = field.annotation, field_quantity(field)
-        elif entries is not None:
+            place, quantity = fields[part].annotation, field_quantity(fields[part])
+        elif entry is not None:
             of = ".".join(parts[:depth])
             raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
         else:
             raise InputError(unknown_key(key, given, f"did you mean {'.'.join(parts[:depth])}?"))
-    if any(get_origin(form) is tuple for form in _forms(place)):
-        quantity = None
     if LawSection in _forms(place):
         return None
-    inside = list(parts_of(place))
-    if inside:
-        first = key if any(_is_part(form) for form in _forms(place)) else f"{key}.0"
-        values = ", ".join(f"{first}.{name}" for name in inside[0].model_fields)
+    section, entry = section_fields(place), entry_of(place)
+    if inside := section or section_fields(entry):
+        first = key if section else f"{key}.0"
+        values = ", ".join(f"{first}.{name}" for name in inside)
         raise InputError(f"{key}: holds several values; name one of them: {values}")
-    return quantity
+    return None if entry is not None else quantity
 
 
 def names_law(key: str) -> bool:
@@ -181,25 +178,34 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
     return part.model_copy(update={name: put(inner, rest, value)})
 
 
-def is_key(text: str, model: type[Design] = FanDesign) -> bool:
+def is_key(text: str, model: type[Part] = FanDesign) -> bool:
     """Whether a text is a key of a design, of one value or of several."""
     *section, last = text.split(".")
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
 
-def fields_of(model: type[Part] = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
-    """All keys of a design; entries of a list of tables stand as number 0, tendons as the one for all."""
-    for name, field in model.model_fields.items():
+def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
+    """All keys of a design or of another file, or of what else an annotation allows.
+
+    Entries of a list of tables stand as number 0, tendons as the one for all, and KEY for the keys of a design in a
+    table by these.
+    """
+    for name, field in section_fields(annotation).items():
+        if (table := by_key(field)) is not None:
+            yield f"{prefix}{name}.{table.placeholder}", field
+            if table.entry is not None:
+                yield from fields_of(table.entry, f"{prefix}{name}.{table.placeholder}.")
+            continue
         yield f"{prefix}{name}", field
-        forms = list(_forms(field.annotation))
-        number = "" if any(_is_part(form) for form in forms) else ".0"
-        for part in dict.fromkeys(parts_of(field.annotation)):
-            yield from fields_of(part, f"{prefix}{name}{number}.")
+        if section_fields(field.annotation):
+            yield from fields_of(field.annotation, f"{prefix}{name}.")
+        else:
+            yield from fields_of(entry_of(field.annotation), f"{prefix}{name}.0.")
 
 
 def holds_parts(field: FieldInfo) -> bool:
     """Whether a field holds a section, or a list of them, whose keys are fields of their own."""
-    return any(parts_of(field.annotation))
+    return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 
 
 def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
@@ -207,20 +213,25 @@ def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
     return (key for key, _ in fields_of(model))
 
 
-def siblings(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
+def siblings(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
     """The keys that are allowed in the section of a place, the protocol last."""
-    section = _section(place[:-1], model)
-    names = [] if section is None else sorted(section.model_fields, key=lambda name: name == "protocol")
-    return [*([] if len(place) > 1 else ["based_on"]), *names]
+    names = sorted(_fields_at(place[:-1], model), key=lambda name: name == "protocol")
+    return [*(["based_on"] if len(place) < 2 and issubclass(model, Design) else []), *names]
 
 
-def needed_keys(place: Sequence[str], model: type[Design] = FanDesign) -> list[str]:
-    """The keys that the section of a place cannot do without."""
-    section = _section(place[:-1], model)
-    return [] if section is None else [name for name, field in section.model_fields.items() if field.is_required()]
+def needed_keys(place: Sequence[str], model: type[Part] = FanDesign, kind: str = "") -> list[str]:
+    """The keys that the section of a place cannot do without; of one that may be of several kinds, those of a kind."""
+    fields = section_kinds(place[:-1], model).get(kind) or _fields_at(place[:-1], model)
+    return [name for name, field in fields.items() if field.is_required()]
 
 
-def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
+def section_kinds(place: Sequence[str], model: type[Part]) -> dict[str, dict[str, FieldInfo]]:
+    """The fields of a section that may be of several kinds, by what its key `kind` says; none of another section."""
+    kinds = [form.model_fields for form in _forms(_annotation_at(place, model)) if _is_part(form)]
+    return {get_args(each["kind"].annotation)[0]: each for each in kinds} if len(kinds) > 1 else {}
+
+
+def hint(place: Sequence[str], model: type[Part] = FanDesign) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
     *section, wrong = place
     for depth, part in enumerate(section):
@@ -243,20 +254,44 @@ def hint(place: Sequence[str], model: type[Design] = FanDesign) -> str:
     return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
 
 
-def _section(place: Sequence[str], model: type[Design]) -> type[Part] | None:
-    """The kind of section at a place, if it is one."""
+def _fields_at(place: Sequence[str], model: type[Part]) -> dict[str, FieldInfo]:
+    """The fields of the section at a place; none where there is no section."""
+    return section_fields(_annotation_at(place, model))
+
+
+def _annotation_at(place: Sequence[str], model: type[Part]) -> Any:
+    """What a file may hold at a place; None where there is no such place."""
     at: Any = model
     for part in place:
-        forms = list(_forms(at))
-        entries = next((form for form in forms if get_origin(form) is tuple), None)
-        section = next((form for form in forms if _is_part(form)), None)
-        if entries is not None and (part.isdecimal() or _may_be_called(part, get_args(entries)[0], section)):
-            at = get_args(entries)[0]
-        elif section is not None and part in section.model_fields:
-            at = section.model_fields[part].annotation
+        fields, entry = section_fields(at), entry_of(at)
+        if entry is not None and (part.isdecimal() or _may_be_called(part, entry, fields)):
+            at = entry
+        elif part in fields:
+            at = fields[part].annotation
         else:
             return None
-    return next((form for form in _forms(at) if _is_part(form)), None)
+    return at
+
+
+def section_fields(annotation: Any) -> dict[str, FieldInfo]:
+    """The fields of the section that an annotation allows, or of all kinds of it together; none of what is no section.
+
+    A field that only some kinds have may be left out, and one that differs may hold what it may hold in any of them.
+    """
+    kinds = [form.model_fields for form in _forms(annotation) if _is_part(form)]
+    if len(kinds) < 2:
+        return kinds[0] if kinds else {}
+    fields: dict[str, FieldInfo] = {}
+    names = dict.fromkeys(name for kind in kinds for name in kind)
+    # each where it comes last
+    for name in sorted(names, key=lambda name: max(list(kind).index(name) for kind in kinds if name in kind)):
+        having = [kind[name] for kind in kinds if name in kind]
+        fields[name] = copy(having[0])
+        annotations: Any = tuple(field.annotation for field in having)
+        fields[name].annotation = Union[annotations]  # noqa: UP007
+        if len(having) < len(kinds):
+            fields[name].default = None
+    return fields
 
 
 def _forms(annotation: Any) -> Iterator[Any]:
@@ -270,20 +305,16 @@ def _forms(annotation: Any) -> Iterator[Any]:
         yield annotation
 
 
-def _may_be_called(text: str, entry: Any, one_for_all: Any) -> bool:
+def entry_of(annotation: Any) -> Any:
+    """What the entries of a list are; None of what is no list."""
+    return next((get_args(form)[0] for form in _forms(annotation) if get_origin(form) is tuple), None)
+
+
+def _may_be_called(text: str, entry: Any, one_for_all: Mapping[str, FieldInfo]) -> bool:
     """Whether text may be the name of an entry of a list, and is no key of it whose entry was left out."""
-    return one_for_all is None and _is_part(entry) and "name" in entry.model_fields and text not in entry.model_fields
+    fields = section_fields(entry)
+    return not one_for_all and "name" in fields and text not in fields
 
 
 def _is_part(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, Part)
-
-
-def parts_of(annotation: Any) -> Iterator[type[Part]]:
-    """The parts of a design that a field, by its annotation, holds: itself, or each of its list."""
-    for form in _forms(annotation):
-        if _is_part(form):
-            yield form
-        elif get_origin(form) is tuple:
-            for entry in get_args(form):
-                yield from parts_of(entry)

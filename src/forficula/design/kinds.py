@@ -3,44 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import get_args
 
 from forficula.design.design import Design
+from forficula.design.families.fold_file import FoldFileDesign
+from forficula.design.families.kresling import KreslingDesign
+from forficula.design.families.miura_ori import MiuraDesign
+from forficula.design.families.pleats import PleatsDesign
+from forficula.design.families.vertex import VertexDesign
+from forficula.design.families.waterbomb import WaterbombDesign
+from forficula.design.families.yoshimura import YoshimuraDesign
 from forficula.design.fan import FanDesign
 from forficula.design.joint import JointDesign
-from forficula.design.sheet_kinds import (
-    FoldFileDesign,
-    KreslingDesign,
-    MiuraDesign,
-    PleatsDesign,
-    VertexDesign,
-    WaterbombDesign,
-    YoshimuraDesign,
-)
 from forficula.design.tables import RejectedError
 from forficula.names import one_of
 
-KINDS: Mapping[str, type[Design]] = {
-    "earwig-fan": FanDesign,
-    "joint": JointDesign,
-    "miura-ori": MiuraDesign,
-    "waterbomb": WaterbombDesign,
-    "yoshimura": YoshimuraDesign,
-    "kresling": KreslingDesign,
-    "pleats": PleatsDesign,
-    "vertex": VertexDesign,
-    "fold-file": FoldFileDesign,
-}
-# by kind, a named design to begin with
-REFERENCES: Mapping[str, str] = {
-    "earwig-fan": "binder2025",
-    "joint": "binder2025-joint",
-    "miura-ori": "miura-sheet",
-    "waterbomb": "waterbomb-base",
-    "kresling": "kresling-cell",
-    "pleats": "letter-fold",
-    "vertex": "bistable-clasp",
-}
-# those without one begin with this, and a pattern of their own
+_DESIGNS: tuple[type[Design], ...] = (
+    FanDesign,
+    JointDesign,
+    MiuraDesign,
+    WaterbombDesign,
+    YoshimuraDesign,
+    KreslingDesign,
+    PleatsDesign,
+    VertexDesign,
+    FoldFileDesign,
+)
+
+
+def _kind(design: type[Design]) -> str:
+    """Return the kind of pattern of a class of designs, which its section of the pattern names."""
+    section = design.model_fields["pattern"].annotation
+    assert section is not None
+    return str(get_args(section.model_fields["kind"].annotation)[0])
+
+
+KINDS: Mapping[str, type[Design]] = {_kind(design): design for design in _DESIGNS}
+# a design whose kind has no named design begins with this one, and with a pattern of its own
 OTHER_REFERENCE = "miura-sheet"
 
 
@@ -62,8 +61,3 @@ def kind_of(tables: Mapping[str, object]) -> str | None:
     pattern = tables.get("pattern")
     kind = pattern.get("kind") if isinstance(pattern, Mapping) else None
     return kind if isinstance(kind, str) else None
-
-
-def reference_of(model: type[Design]) -> str | None:
-    """The named design that one of a class can begin with; None where there is none."""
-    return next((name for kind, name in REFERENCES.items() if KINDS[kind] is model), None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,20 +13,15 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
-from forficula.design.kinds import KINDS, OTHER_REFERENCE, REFERENCES
+from forficula.design.keys import entry_of, section_fields
+from forficula.design.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
-from forficula.design.part import Part, entry_part, field_quantity
+from forficula.design.part import Part, field_quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import near_name
 from forficula.quantities import as_written
-
-# of kinds without a design to begin with
-_PATTERNS: Mapping[str, Mapping[str, object]] = {
-    "yoshimura": {"columns": 5, "rows": 4, "base": "4 cm", "height": "2 cm", "fold": "30 deg"},
-    "fold-file": {"path": "sheet.fold"},
-}
 
 
 def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
@@ -42,13 +37,13 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     path = Path(path)
     if kind not in KINDS:
         raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
-    reference = REFERENCES.get(kind, OTHER_REFERENCE)
+    reference = KINDS[kind].reference or OTHER_REFERENCE
     check_new(path, ".toml")
     lines = [
         "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
         f'based_on = "{reference}"',
     ]
-    own_pattern = kind not in REFERENCES
+    own_pattern = KINDS[kind].reference is None
     if own_pattern:
         lines += _own_pattern(kind, reference)
     without = "pattern" if own_pattern else ""
@@ -61,7 +56,7 @@ def _own_pattern(kind: str, reference: str) -> Iterator[str]:
         yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
     section = _section_of(kind)
     yield f"\n[pattern]  # {section.about}"
-    for key, value in {"kind": kind, **_PATTERNS[kind]}.items():
+    for key, value in {"kind": kind, **KINDS[kind].example}.items():
         yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
 
 
@@ -85,7 +80,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         values = part.as_tables()
         yield f"\n[{section}]  # {part.about}"
         for key, entry in type(part).model_fields.items():
-            if entry_part(entry) is not None:
+            if section_fields(entry_of(entry.annotation)):
                 # a table under a header of its own ends what stands under the section's
                 continue
             if key not in values:
@@ -99,7 +94,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         for key, entry in type(part).model_fields.items():
             if key == "stages":
                 yield from _commented_stages(values["stages"], entry.description)
-            elif entry_part(entry) is not None:
+            elif section_fields(entry_of(entry.annotation)):
                 yield from _commented_tables(f"{section}.{key}", getattr(part, key), entry)
 
 
@@ -118,10 +113,9 @@ def _line(key: str, value: object) -> str:
 def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
     """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
     yield f"\n# {field.description}; giving any replaces all of them."
-    model = entry_part(field)
     for values in [part.as_tables() for part in entries] or [{}]:
         yield f"# [[{header}]]"
-        for key, entry in ({} if model is None else model.model_fields).items():
+        for key, entry in section_fields(entry_of(field.annotation)).items():
             if entries and key not in values:
                 continue
             line = _line(key, values[key]) if key in values else _example(key, entry)

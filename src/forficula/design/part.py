@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, ClassVar, get_args, get_origin
+from typing import Any, ClassVar, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
 from pydantic.fields import FieldInfo
@@ -213,12 +213,6 @@ def _readers(part: type[Part]) -> dict[str, Quantity | None]:
 def is_list(field: FieldInfo) -> bool:
     """Whether a field holds a list."""
     return get_origin(field.annotation) is tuple
-
-
-def entry_part(field: FieldInfo) -> type[Part] | None:
-    """What the entries of a list of tables are; None of a field that is none."""
-    entries = [each for each in get_args(field.annotation) if isinstance(each, type) and issubclass(each, Part)]
-    return entries[0] if entries and is_list(field) else None
 
 
 def _read_list(reader: Quantity, values: object, *, in_si: bool) -> tuple[float | str, ...]:

@@ -9,10 +9,12 @@ from pydantic import Field, model_validator
 
 from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
+from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_checks import check_sheet
 from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
 from forficula.design.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
 from forficula.design.sheet_places import facet_of
+from forficula.design.sheet_protocol import sheet_protocol
 from forficula.design.sheet_tendon import SheetTendon
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
@@ -24,6 +26,11 @@ class SheetDesign(Design):
     """A sheet that folds at its creases, and what is done to it."""
 
     varied_key: ClassVar[str] = "crease.stiffness"
+    weight_section: ClassVar[str] = "facet"
+    rest_keys: ClassVar[tuple[str, ...]] = (
+        *("pattern", "crease", "support", "measure"),
+        *("protocol.stages", "protocol.gravity"),
+    )
 
     source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
@@ -73,6 +80,9 @@ class SheetDesign(Design):
             return None
         larger = {"size": _OTHER_START * self.imperfection.size}
         return self.model_copy(update={"imperfection": self.imperfection.model_copy(update=larger)})
+
+    def _named_protocol(self) -> NamedProtocol:
+        return sheet_protocol(self)
 
     def settled(self) -> Self:
         """The design with the values that a rule chooses."""

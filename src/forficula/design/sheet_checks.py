@@ -19,6 +19,7 @@ from forficula.design.rigid_checks import (
     check_rigid_supports,
     check_rigid_tendon,
 )
+from forficula.design.sheet_course import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
 from forficula.design.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
 from forficula.design.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
 from forficula.design.stops import StopSection
@@ -240,21 +241,18 @@ def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
 
 def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
     """Refuse a drive on what is not there."""
-    drive, key = design.drive[number], f"drive.{number}.of"
-    if drive.places:
-        if drive.kind == "displacement" and design.facet.kind == "rigid":
-            raise InputError(
-                f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"'
-            )
-        if design.facet.kind == "rigid" and not design.opens:
-            raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "force"')
-        for text in drive.places:
-            _keyed(key, _place, design, sheet, text)
+    drive, key, rigid = design.drive[number], f"drive.{number}.of", design.facet.kind == "rigid"
+    if isinstance(drive, DisplacementDrive) and rigid:
+        raise InputError(f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"')
+    if not isinstance(drive, TorqueDrive) and rigid and not design.opens:
+        raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "{drive.kind}"')
+    for text in places_of(drive):
+        _keyed(key, _place, design, sheet, text)
+    if isinstance(drive, TorqueDrive | RestAngleDrive):
+        edges = _keyed(key, creases_of, sheet, drive.of, design.crease.group)
+    if not isinstance(drive, RestAngleDrive):
         return
-    edges = _keyed(key, creases_of, sheet, str(drive.of), design.crease.group)
-    if drive.kind == "rest-angle" and design.facet.kind == "rigid" and not design.opens:
-        raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "rest-angle"')
-    if drive.kind == "rest-angle" and not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
+    if not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
         raise InputError(
             f"{key}: need creases with springs, whose rest angle moves, got {as_written(drive.of)} with"
             f" {crease_key(design, edges[0], 'stiffness')} = 0"
@@ -311,17 +309,18 @@ def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, writt
 def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
     """Refuse a stage whose drives, at any time, cancel on every crease."""
     for number, stage in enumerate(design.protocol.stages):
-        drives = [drive for drive in design.drive if drive.name in stage_drives(stage)]
-        if len(drives) < 2 or any(drive.kind != "torque" for drive in drives):
+        named = [drive for drive in design.drive if drive.name in stage_drives(stage)]
+        drives = [drive for drive in named if isinstance(drive, TorqueDrive)]
+        if len(drives) < 2 or drives != named:
             continue
         torques = dict.fromkeys(fold_edges(sheet), 0.0)
         for drive in drives:
-            for edge in creases_of(sheet, str(drive.of), design.crease.group):
-                torques[edge] += drive.value or 0.0
-        largest = max(abs(drive.value or 0.0) for drive in drives)
+            for edge in creases_of(sheet, drive.of, design.crease.group):
+                torques[edge] += drive.value
+        largest = max(abs(drive.value) for drive in drives)
         alike = len({drive.rise for drive in drives}) == 1
         if largest and alike and max(map(abs, torques.values())) <= _ROUNDING * largest:
-            values = " and ".join(show_quantity(drive.value or 0.0, TORQUE) for drive in drives)
+            values = " and ".join(show_quantity(drive.value, TORQUE) for drive in drives)
             raise InputError(
                 f"protocol.stages.{number}.drive: need drives that do not cancel on every crease, got"
                 f" {as_written(stage.drive)}, {values}"

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Field, create_model, field_validator, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, create_model, field_validator, model_validator
 
 from forficula.design.part import (
     ACCELERATION,
@@ -27,14 +26,6 @@ from forficula.quantities import Unit
 FORCE = Unit(display="N", si="N", example="0.2 N")
 
 _CREASES = "creases, mountains, valleys, a group by name, or crease 2"
-# which key says how strong a drive is, by its kind
-STRENGTHS: Mapping[str, str] = {
-    "torque": "value",
-    "force": "force",
-    "displacement": "distance",
-    "rest-angle": "angle",
-}
-_AT_PLACES = ("force", "displacement")
 
 
 def _between(description: str, **default: Any) -> Any:
@@ -68,34 +59,80 @@ else:
     _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
 
 
-class SheetDrive(Part):
+_KIND = Field(
+    description="torque on creases, force at places, displacement of these, or"
+    " rest-angle: springs of creases rest further on"
+)
+_OF = Field(description=f"where it acts: {_CREASES}; of a force or a displacement places: vertex 4, edge 12 at 0.5")
+_RISE = quantity(TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0)
+
+
+def _some_direction(direction: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not any(direction):
+        raise InputError("need the way it points, such as [0, 0, -1], got [0, 0, 0]")
+    return direction
+
+
+_Direction = Annotated[
+    tuple[float, float, float],
+    AfterValidator(_some_direction),
+    Field(description="of a force or a displacement: the way it points, of any length", examples=[[0, 0, -1]]),
+]
+
+
+class _AnyDrive(Part):
     """What a stage of the protocol switches on."""
 
     about: ClassVar[str] = "What a stage of the protocol switches on"
 
+    # key of the value that says how strong a drive is
+    strength_key: ClassVar[str]
+
     name: Annotated[str, Field(description="as stages call it")]
-    kind: Annotated[
-        Literal["torque", "force", "displacement", "rest-angle"],
-        Field(
-            description="torque on creases, force at places, displacement of these, or"
-            " rest-angle: springs of creases rest further on"
-        ),
-    ]
-    of: Annotated[
-        str | tuple[str, ...],
-        Field(description=f"where it acts: {_CREASES}; of a force or a displacement places: vertex 4, edge 12 at 0.5"),
-    ]
-    value: float | None = quantity(
-        TORQUE, "of kind torque: on each of these creases, folding where > 0", default=None, examples=["3 N cm"]
+
+    _checked = field_validator("name")(checked_name)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _value_is_strength(cls, given: object) -> object:
+        """Read the key `value` as the strength, which every kind has under a key of its own."""
+        if not isinstance(given, dict) or given.get("value") is None or cls.strength_key == "value":
+            return given
+        others = {key: value for key, value in given.items() if key != "value"}
+        return others | {cls.strength_key: given["value"]}
+
+
+class TorqueDrive(_AnyDrive):
+    """What a stage of the protocol switches on.
+
+    A torque on creases.
+    """
+
+    strength_key: ClassVar[str] = "value"
+
+    kind: Annotated[Literal["torque"], _KIND]
+    of: Annotated[str, _OF]
+    value: float = quantity(TORQUE, "of kind torque: on each of these creases, folding where > 0", examples=["3 N cm"])
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "of kind torque: speed of a crease at which nothing is left of it, as of a motor; without it the torque stays",
+        default=None,
+        above=0,
+        examples=["360 deg/s"],
     )
-    force: float | None = quantity(FORCE, "of kind force: at each of these places", default=None)
-    distance: float | None = quantity(
-        LENGTH, "of kind displacement: by which each of these places goes on from where it is", default=None
-    )
-    direction: Annotated[
-        tuple[float, float, float] | None,
-        Field(description="of a force or a displacement: the way it points, of any length", examples=[[0, 0, -1]]),
-    ] = None
+    rise: float | None = _RISE
+
+
+class RestAngleDrive(_AnyDrive):
+    """What a stage of the protocol switches on.
+
+    A change of the angles at which the springs of creases rest.
+    """
+
+    strength_key: ClassVar[str] = "angle"
+
+    kind: Annotated[Literal["rest-angle"], _KIND]
+    of: Annotated[str, _OF]
     angle: float | None = quantity(
         ANGLE,
         "of kind rest-angle: by how much further on, folding where > 0",
@@ -108,61 +145,68 @@ class SheetDrive(Part):
         Literal["target"] | None,
         Field(description="of kind rest-angle, instead of an angle: on to each crease's own target"),
     ] = None
-    no_load_speed: float | None = quantity(
-        ANGULAR_SPEED,
-        "of kind torque: speed of a crease at which nothing is left of it, as of a motor; without it the torque stays",
-        default=None,
-        above=0,
-        examples=["360 deg/s"],
-    )
-    rise: float | None = quantity(
-        TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0
-    )
-
-    _checked = field_validator("name")(checked_name)
-
-    @model_validator(mode="before")
-    @classmethod
-    def _value_of_its_kind(cls, given: object) -> object:
-        """Read `value` as how strong it is, whatever its kind."""
-        if not isinstance(given, dict) or given.get("value") is None:
-            return given
-        key = STRENGTHS.get(str(given.get("kind")), "value")
-        return (
-            given
-            if key == "value"
-            else {name: each for name, each in given.items() if name != "value"} | {key: given["value"]}
-        )
+    rise: float | None = _RISE
 
     @model_validator(mode="after")
-    def _has_what_its_kind_needs(self) -> SheetDrive:
-        key = STRENGTHS[self.kind]
-        others = [name for name in ("value", "force", "distance", "angle") if name != key]
-        if self.kind not in _AT_PLACES:
-            others.append("direction")
-        if self.kind != "rest-angle":
-            others.append("to")
-        if self.kind != "torque":
-            others.append("no_load_speed")
-        for name in others:
-            if getattr(self, name) is not None:
-                raise InputError(f'{name}: is not for kind = "{self.kind}", whose strength is {key}')
-        if self.to is None and getattr(self, key) is None:
-            raise InputError(f"{key}: is missing")
-        if self.to is not None and self.angle is not None:
+    def _angle_or_target(self) -> Self:
+        if self.angle is None and self.to is None:
+            raise InputError("angle: is missing")
+        if self.angle is not None and self.to is not None:
             raise InputError('angle: need either an angle or to = "target", got both')
-        if self.kind in _AT_PLACES and (self.direction is None or not any(self.direction)):
-            raise InputError("direction: need the way it points, such as [0, 0, -1]")
-        if self.kind not in _AT_PLACES and not isinstance(self.of, str):
-            raise InputError(f"of: need one text: {_CREASES}")
         return self
 
-    @property
-    def places(self) -> tuple[str, ...]:
-        """Where a force acts, or what is displaced, as text; none of what acts on creases."""
-        if self.kind not in _AT_PLACES:
-            return ()
-        return (self.of,) if isinstance(self.of, str) else self.of
+
+class ForceDrive(_AnyDrive):
+    """What a stage of the protocol switches on.
+
+    A force at places, in one direction.
+    """
+
+    strength_key: ClassVar[str] = "force"
+
+    kind: Annotated[Literal["force"], _KIND]
+    of: Annotated[str | tuple[str, ...], _OF]
+    force: float = quantity(FORCE, "of kind force: at each of these places")
+    direction: _Direction
+    rise: float | None = _RISE
+
+
+class DisplacementDrive(_AnyDrive):
+    """What a stage of the protocol switches on.
+
+    A displacement of places, in one direction.
+    """
+
+    strength_key: ClassVar[str] = "distance"
+
+    kind: Annotated[Literal["displacement"], _KIND]
+    of: Annotated[str | tuple[str, ...], _OF]
+    distance: float = quantity(LENGTH, "of kind displacement: by which each of these places goes on from where it is")
+    direction: _Direction
+    rise: float | None = _RISE
+
+
+def _tag(given: object) -> str | None:
+    """The tag of a drive, or of the table of one, by its kind; None where it has no text there."""
+    kind = given.get("kind") if isinstance(given, dict) else getattr(given, "kind", None)
+    return f"<{kind}>" if isinstance(kind, str) else None
+
+
+# pydantic finds a kind by a key only where nothing reads it before; no tag may be taken for a key in errors
+SheetDrive = Annotated[
+    Annotated[TorqueDrive, Tag("<torque>")]
+    | Annotated[ForceDrive, Tag("<force>")]
+    | Annotated[DisplacementDrive, Tag("<displacement>")]
+    | Annotated[RestAngleDrive, Tag("<rest-angle>")],
+    Discriminator(_tag),
+]
+
+
+def places_of(drive: SheetDrive) -> tuple[str, ...]:
+    """Places where a drive acts, as text; none for a drive that acts on creases."""
+    if isinstance(drive, TorqueDrive | RestAngleDrive):
+        return ()
+    return (drive.of,) if isinstance(drive.of, str) else drive.of
 
 
 class SheetMeasure(_MaybeJoined):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 from functools import lru_cache
@@ -13,6 +12,7 @@ from forficula.arrays import Array
 from forficula.design.sheet_creases import creases_between
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
+from forficula.pattern.geometry import is_inside, polygon_normal
 from forficula.quantities import as_written
 
 _NUMBER = r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)"
@@ -172,12 +172,11 @@ def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -
     shares = np.array([along, across, 0.0])
     position = (1 - shares) * low + shares * high
     if high[2] > low[2]:
-        away = corners - corners[0]
-        normal = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)
+        normal = polygon_normal(corners)
         if abs(normal[2]) <= _BESIDE * np.linalg.norm(normal):
             raise InputError(f"need a facet that does not stand upright for a place along x and y, got facet {facet}")
         position[2] = corners[0, 2] - (position - corners[0])[:2] @ normal[:2] / normal[2]
-    if not _within(corners[:, :2], position[:2], _BESIDE * float(np.linalg.norm(high - low))):
+    if not is_inside(position[:2], corners[:, :2], _BESIDE * float(np.linalg.norm(high - low))):
         raise InputError(
             f"need a place on facet {facet}, in shares of its extent along x and y, got {along:g}, {across:g}, which"
             " lies beside it"
@@ -187,26 +186,13 @@ def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -
 
 def _lifted(corners: Array, position: Array, facet: int) -> Array:
     """A position put into the mean plane of a facet, along z, m, (3,)."""
-    middle = corners.mean(axis=0)
-    normal = np.cross(corners - middle, np.roll(corners - middle, -1, axis=0)).sum(axis=0)
+    middle, normal = corners.mean(axis=0), polygon_normal(corners)
     if abs(normal[2]) <= _UPRIGHT * np.linalg.norm(normal):
         raise InputError(
             f'need "facet {facet} at centre" or "edge 12 at 0.5", for facet {facet} stands upright as built'
         )
     height = middle[2] - (position - middle)[:2] @ normal[:2] / normal[2]
     return np.array([*position[:2], height])
-
-
-def _within(corners: Array, point: Array, beside: float) -> bool:
-    """Whether a point lies in a polygon or on its border."""
-    following = np.roll(corners, -1, axis=0)
-    sides, away = following - corners, point - corners
-    shares = np.clip(np.sum(away * sides, axis=1) / np.sum(sides * sides, axis=1), 0, 1)
-    if np.linalg.norm(away - shares[:, None] * sides, axis=1).min() <= beside:
-        return True
-    angles = np.arctan2(away[:, 1], away[:, 0])
-    turns = np.diff(angles, append=angles[:1])
-    return abs(float(np.sum((turns + math.pi) % (2 * math.pi) - math.pi))) > math.pi
 
 
 def _facet(pattern: CreasePattern, facet: int) -> int:

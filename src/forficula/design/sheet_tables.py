@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from forficula.design.file_pattern import FOLDED
+from forficula.design.families.fold_file import FOLDED
 from forficula.design.part import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern

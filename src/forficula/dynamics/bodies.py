@@ -11,6 +11,7 @@ import numpy as np
 from forficula.dynamics.contact import BARS, set_contact
 from forficula.dynamics.folds import slide_name
 from forficula.dynamics.stops import FRICTION_IMPEDANCE, STOP_IMPEDANCE, stop_reference
+from forficula.pattern.geometry import polygon_normal
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Stops, Structure, mass_of
 
 # of a bar, but for rounding
@@ -106,7 +107,7 @@ def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structur
     """Give a body a plate's mass, and for viewers its shape, which has neither mass nor contact."""
     _add_mass(body, plate.body, structure)
     corners = np.array([structure.points[point].place for point in plate.points])
-    normal = np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
+    normal = polygon_normal(corners)
     half = plate.thickness / 2 * normal / np.linalg.norm(normal)
     shape = spec.add_mesh(name=body.name, uservert=np.concatenate([corners + half, corners - half]).ravel())
     # a thin plate has no volume to speak of

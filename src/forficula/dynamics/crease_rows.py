@@ -14,7 +14,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_moments import CreaseMoments, crease_moments
 from forficula.dynamics.model import Model
-from forficula.structure.flaps import cross, dot
+from forficula.pattern.geometry import cross, dot
 
 # numbers of a row: of a quadratic form of its four nodes, and one of their determinant
 _FORM, _ROW = 16, 17

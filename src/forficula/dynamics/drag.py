@@ -10,8 +10,8 @@ import mujoco
 import numpy as np
 
 from forficula.arrays import Array, Indices
+from forficula.pattern.geometry import cross, dot
 from forficula.structure import Structure, gathered_mass
-from forficula.structure.flaps import cross, dot
 
 # of a thin plate square to a flow at Reynolds numbers beyond 1000: 1.98 of a long strip, 1.17 of a disc (Hoerner 1965,
 # Fluid-Dynamic Drag, chapter 3)

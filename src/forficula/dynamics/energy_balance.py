@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.dynamics.record import Record
+from forficula.serial import Joules, Key, Written
 from forficula.structure import Structure
 
 _ROUNDING = 1e-9
@@ -14,6 +16,8 @@ _ROUNDING = 1e-9
 _SLIGHT = 1e-5
 # of what folds by so much, rad, and of bars and membranes that are strained by so much, rounding takes its share
 _FOLDED, _STRAINED = 1.0, 1e-4
+# of what not every structure has
+_Term = Annotated[Joules | None, Written.IF_KNOWN]
 _STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "coupling_energy", "branch_energy")
 
 
@@ -49,30 +53,30 @@ class EnergyBalance:
         stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
     """
 
-    work: float
-    tendon: float
-    membrane: float
-    kinetic: float
-    gravitational: float
-    hinge_damping: float
-    elastic_damping: float
-    stops: float
-    friction: float | None = None
-    contacts: float | None = None
-    branches: float | None = None
-    branch_damping: float | None = None
-    yielding: float | None = None
-    letting_go: float | None = None
-    hinges: float | None = None
-    springs: float | None = None
-    couplings: float | None = None
-    closures: float | None = None
-    drag: float | None = None
-    at_hand: float = 0.0
-    stored: float = 0.0
+    work: Joules
+    tendon: Annotated[Joules, Key("tendon_energy_change")]
+    membrane: Annotated[Joules, Key("membrane_energy_change")]
+    kinetic: Annotated[Joules, Key("kinetic_energy_change")]
+    gravitational: Annotated[Joules, Key("gravitational_energy_change")]
+    hinge_damping: Joules
+    elastic_damping: Joules
+    stops: Joules
+    friction: _Term = None
+    contacts: _Term = None
+    branches: Annotated[_Term, Key("branch_energy_change")] = None
+    branch_damping: _Term = None
+    yielding: _Term = None
+    letting_go: _Term = None
+    hinges: Annotated[_Term, Key("hinge_energy_change")] = None
+    springs: Annotated[_Term, Key("spring_energy_change")] = None
+    couplings: Annotated[_Term, Key("coupling_energy_change")] = None
+    closures: _Term = None
+    drag: _Term = None
+    at_hand: Annotated[Joules, Written.NEVER] = 0.0
+    stored: Annotated[Joules, Written.NEVER] = 0.0
 
     @property
-    def missing(self) -> float:
+    def missing(self) -> Joules:
         """Work that the account does not find, J: the error of the integration.
 
         Contacts only take energy. What they give is an error, too, and counts as missing.
@@ -90,7 +94,7 @@ class EnergyBalance:
         return sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
 
     @property
-    def residual(self) -> float:
+    def residual(self) -> Annotated[float, Written.FIRST]:
         """What is missing, as a share of the energy that was exchanged, or of a slight part of what is stored."""
         scale = max(self.exchanged, _ROUNDING * self.at_hand, _SLIGHT * self.stored)
         return abs(self.missing) / scale if scale else 0.0

@@ -10,8 +10,8 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.placement import Placement, placement_of
 from forficula.dynamics.plate_angles import PlateAngles, plate_angles
+from forficula.pattern.geometry import cross, dot
 from forficula.structure import Structure, built_points, crease_flaps, crease_numbers, flap_angles
-from forficula.structure.flaps import cross, dot
 
 
 @dataclass(frozen=True, kw_only=True)

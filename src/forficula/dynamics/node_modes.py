@@ -15,6 +15,7 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.drag import HELD
 from forficula.dynamics.folds import flap_turns
 from forficula.dynamics.placement import Placement, placement_of
+from forficula.pattern.geometry import triangle_areas
 from forficula.structure import (
     Hinge,
     Membrane,
@@ -114,8 +115,7 @@ def _viscous_rate(structure: Structure) -> float:
     if medium is None:
         return 0.0
     corners = np.array([body.position for body in structure.bodies])[medium.carriers]
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
-    each = 32 / math.pi * medium.viscosity * areas / medium.widths / 3
+    each = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
     on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(each, 3), len(structure.bodies))
     return HELD * float(max(on_nodes / [body.mass for body in structure.bodies]))
 

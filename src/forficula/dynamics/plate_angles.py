@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.structure.flaps import cross, dot
+from forficula.pattern.geometry import cross, dot
 
 # products of a direction of the left plate and one of the right: normals 0, what is square to them and to the crease 1,
 # along the crease 2; the angle depends on all but the third

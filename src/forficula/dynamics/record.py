@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from forficula.dynamics.membrane import joined_mesh
 from forficula.errors import InputError
 from forficula.files import as_path, read_bytes, shown_path, write_bytes
 from forficula.quantities import show_duration
+from forficula.serial import Seconds, Written
 from forficula.structure import Structure, distances_of, hinges_of, measure_of, read_angles, structure_of
 
 if TYPE_CHECKING:
@@ -120,12 +121,12 @@ class Check:
     """
 
     name: str
-    timestep: float
+    timestep: Seconds
     verdict: str
-    goal: str
+    goal: Annotated[str, Written.NEVER]
     status: str
-    holds: Mapping[str, bool | None]
-    values: Mapping[str, tuple[float, ...]]
+    holds: Annotated[Mapping[str, bool | None], Written.NEVER]
+    values: Annotated[Mapping[str, tuple[float, ...]], Written.NEVER]
 
 
 @dataclass(frozen=True, kw_only=True)

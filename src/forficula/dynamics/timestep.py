@@ -14,7 +14,6 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.design import AnyDesign, Design, as_design, key_quantity, load_design, with_values
-from forficula.design.kinds import reference_of
 from forficula.dynamics.drag import KINEMATICS, Drag, stacked_drag
 from forficula.dynamics.model import Model, compile_model
 from forficula.dynamics.node_modes import node_timestep
@@ -122,7 +121,7 @@ def _jointed_timestep(design: Design) -> float:
 
 def _cause(design: Design) -> str:
     """Name the value without which there is a timestep, of those furthest from the reference of their kind."""
-    name = reference_of(type(design))
+    name = design.reference
     usual = {} if name is None else _numbers(load_design(name).si_tables())
     own = {key: value for key, value in _numbers(design.si_tables()).items() if value != usual.get(key)}
     far = {key: abs(math.log10(value / usual[key])) if usual.get(key) else math.inf for key, value in own.items()}

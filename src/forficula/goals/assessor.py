@@ -14,12 +14,12 @@ from forficula.errors import InputError
 from forficula.goals.outcome_quantity import SOURCES, STATIC, OutcomeQuantity, Source, quantities_of
 from forficula.goals.static_values import static_values
 from forficula.names import check_whole
+from forficula.serial import unit_suffix
 from forficula.study.evaluate import ending_row, evaluate, row_key
 from forficula.study.journal import Journal, Row, open_journal, read_rows
 from forficula.study.run_study import Evaluate, Progress
 from forficula.study.search import search_designs, search_result
 from forficula.study.search_steps import Search
-from forficula.study.table import unit_suffix
 
 # Runs side by side: enough that a few slow ones do not leave a core idle for long; of whole records, fewer fit memory.
 _BATCH, _WHOLE_BATCH = 512, 48
@@ -124,6 +124,19 @@ class Assessor:
                 return
             self._work_out(tasks, values)
 
+    def agreed(self, row: Row) -> Row:
+        """Return the row that the journal holds under the key of a row; append the row where there is none.
+
+        Of several shards the first one appends, and the others wait for its row, so that all go on with the same.
+        """
+        key = row["key"]
+        if key not in self.rows and self.shard[0] > 1:
+            self._awaited([key])
+        if key not in self.rows:
+            self.journal.append(row)
+            self.rows[key] = row
+        return self.rows[key]
+
     def _work_out(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
         """Work out the rows that are missing: this shard's, then wait for the others'."""
         once = {task.key: task for task in tasks}
@@ -135,18 +148,24 @@ class Assessor:
         mine = [task for task in missing if places[task.key] % self.shard[1] == self.shard[0] - 1]
         self._make(mine, values)
         others = [task for task in missing if task.key not in self.rows]
+        late = self._awaited([task.key for task in others])
+        self.done += len(others) - len(late)
+        self._make([task for task in others if task.key in late], values)
+
+    def _awaited(self, keys: Collection[str]) -> set[str]:
+        """Wait for rows of other shards; return the keys of those that did not come in time."""
+        late = set(keys)
         looked = time.monotonic()
-        while others:
+        while late:
             time.sleep(_LOOK_SECONDS)
             self.rows |= read_rows(self.folder, self.base)
-            left = [task for task in others if task.key not in self.rows]
-            self.done += len(others) - len(left)
-            if len(left) < len(others):
+            came = {key for key in late if key in self.rows}
+            late -= came
+            if came:
                 looked = time.monotonic()
             elif time.monotonic() - looked > _PATIENCE_SECONDS:
-                self._make(left, values)
-                left = []
-            others = left
+                break
+        return late
 
     def _make(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
         """Make rows here, or on the cluster, and append them as they come."""

@@ -5,20 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
+from forficula.design.file_fields import entry
 from forficula.design.part import Part, Quantity, field_quantity
-from forficula.errors import InputError
+from forficula.design.rejection import read_part
+from forficula.errors import InputError, error_prefix
 from forficula.material.law.law_file import load_law
 from forficula.names import near_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
 
 DEFAULT_SHARE = 0.1
+SIZE = 'share such as "10 %", or as in a design'
 # what is done with a structure, how it is watched, and what changes nothing in it
 _NOT_BUILT = ("protocol", "drive", "measure", "support", "make", "stops")
 # up to where a law was measured, which changes no run
@@ -27,6 +30,16 @@ _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
 _TAIL = 1e-6
 _SHARE = Unit(display="%", si="", example="10 %")
 _NINETY_FIVE = float(scipy.special.ndtri(0.975))
+
+
+class ToleranceEntry(Part):
+    """A tolerance as files have it where it is no text."""
+
+    distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", "uniform")
+    size: Annotated[Any, SIZE] = entry("largest deviation if uniform, standard deviation if normal")
+    intervals_of: Annotated[str | None, "path"] = entry(
+        "for a tendon's law: a fitted law whose 95 % intervals are taken"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,63 +132,54 @@ def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviat
         if own == "all":
             continue
         key = called.get(numbered_key(design, own), own)
-        if isinstance(value, Mapping) and "intervals_of" in value:
-            for each in _fitted(key, value, design):
-                found[called.get(numbered_key(design, each.key), each.key)] = each
-        elif value == "none":
+        if value == "none":
             if found.pop(key, None) is None:
                 raise InputError(f'{key}: has no tolerance that "none" could take away{near_name(key, found)}')
-        else:
-            found[key] = _deviation(key, value, design)
+            continue
+        with error_prefix(f"{key}."):
+            table = read_part(ToleranceEntry, value if isinstance(value, Mapping) else {"size": value})
+        if table.intervals_of is None:
+            found[key] = _deviation(key, table, design)
+            continue
+        for each in _fitted(key, table, design):
+            found[called.get(numbered_key(design, each.key), each.key)] = each
     return tuple(found.values())
 
 
-def _deviation(key: str, given: object, design: Design) -> Deviation:
+def _deviation(key: str, table: ToleranceEntry, design: Design) -> Deviation:
     """One tolerance of one key."""
-    quantity = key_quantity(key, type(design), given)
+    quantity = key_quantity(key, type(design), table.size)
     value = key_value(design, key)
     if value is None:
         raise InputError(f"{key}: is not given in {design.name}, and what is not there cannot be off")
     if isinstance(value, bool) or not isinstance(value, float):
         raise InputError(f"{key}: need a key whose value is a number with fractions, {design.name} has {value!r}")
-    distribution: object = "uniform"
-    if isinstance(given, Mapping):
-        for name in given:
-            if name not in ("distribution", "size"):
-                raise InputError(f"{key}.{name}: need distribution or size{near_name(name, ['distribution', 'size'])}")
-        if "size" not in given:
-            raise InputError(f'{key}.size: is missing, as in {{ distribution = "normal", size = "5 %" }}')
-        distribution, given = given.get("distribution", "uniform"), given["size"]
-    if distribution not in ("uniform", "normal"):
-        raise InputError(f'{key}.distribution: need "uniform" or "normal", got {as_written(distribution)}')
-    size, relative = _size(key, given, quantity)
+    if table.size is None:
+        raise InputError(f'{key}.size: is missing; give it, as in {{ distribution = "normal", size = "5 %" }}')
+    size, relative = _size(key, table.size, quantity)
     if relative and value == 0:
         raise InputError(f"{key}: is 0 in {design.name}, of which no share is more; give a tolerance with a unit")
-    kind: Literal["uniform", "normal"] = "normal" if distribution == "normal" else "uniform"
-    return Deviation(key=key, distribution=kind, size=size, relative=relative)
+    return Deviation(key=key, distribution=table.distribution, size=size, relative=relative)
 
 
 def _size(key: str, given: object, quantity: Quantity | None) -> tuple[float, bool]:
     """A size, and whether it is a share."""
     relative = quantity is None or (isinstance(given, str) and given.strip().endswith("%"))
-    try:
+    with error_prefix(f"{key}: "):
         size = parse_quantity(given, _SHARE if relative or quantity is None else quantity.unit)
-    except InputError as error:
-        raise InputError(f"{key}: {error}") from None
     if size <= 0 or (relative and size >= 1):
         rule = "> 0 and < 100 %" if relative else "> 0"
         raise InputError(f"{key}: need a tolerance {rule}, got {as_written(given)}")
     return size, relative
 
 
-def _fitted(key: str, given: Mapping[str, object], design: Design) -> Iterator[Deviation]:
+def _fitted(key: str, table: ToleranceEntry, design: Design) -> Iterator[Deviation]:
     """The 95 % intervals of a law's fit as normal distributions about the design's own values."""
-    if set(given) != {"intervals_of"} or not isinstance(given["intervals_of"], str):
-        raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} and nothing else, got {as_written(given)}')
-    try:
-        law = load_law(given["intervals_of"])
-    except InputError as error:
-        raise InputError(f"{key}.intervals_of: {error}") from None
+    if table.model_fields_set != {"intervals_of"} or table.intervals_of is None:
+        given = as_written(table.model_dump(exclude_unset=True))
+        raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} and nothing else, got {given}')
+    with error_prefix(f"{key}.intervals_of: "):
+        law = load_law(table.intervals_of)
     if not law.intervals:
         raise InputError(f"{key}.intervals_of: {law.name} has no intervals; need a law that was fitted")
     for bounds in law.intervals:

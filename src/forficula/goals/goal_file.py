@@ -4,29 +4,107 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, ClassVar
+
+from pydantic import BeforeValidator, Field
 
 from forficula.design import Design, check_keys_once, numbered_key, value_from_folder
-from forficula.design.key_table import names_within
-from forficula.errors import InputError
-from forficula.goals.deviation import Deviation, read_deviations
+from forficula.design.file_fields import (
+    DESIGN,
+    SETTINGS,
+    ByKey,
+    DesignName,
+    FolderName,
+    Settings,
+    Whole,
+    YesOrNo,
+    entry,
+)
+from forficula.design.part import Part
+from forficula.design.rejection import read_part
+from forficula.errors import InputError, error_prefix
+from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
 from forficula.goals.goal import Goal, Objective
-from forficula.goals.goal_keys import GOAL_KEYS
 from forficula.goals.limit import Limit, check_limits, read_limit
-from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantity_of
-from forficula.goals.parameter import Parameter, read_parameter
-from forficula.names import check_whole, folder_name, one_of
-from forficula.quantities import as_written
-from forficula.study.file_keys import check_keys, dotted_values
-from forficula.study.named_file import base_design, load_named, named_files
-from forficula.study.search_file import read_search
+from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quantities_of, quantity_of
+from forficula.goals.parameter import Parameter, RangeEntry, read_parameter
+from forficula.names import check_known, listed, one_of
+from forficula.study.factors import VALUES
+from forficula.study.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.search_file import TorqueSearchTable, read_search
 from forficula.study.search_steps import Search
 
-_PACKAGE = "forficula.goals"
-_TABLES = ("settings", "vary", "limits", "objectives", "tolerances", "search")
-_COUNTS = {"runs": (512, 1), "batch": (32, 4), "neighbours": (64, 8), "seed": (0, 0)}
-_MOST = 1_000_000
 _MOST_OBJECTIVES = 3
+_Count = Annotated[Whole, Field(le=1_000_000)]
+_Parameters = Annotated[
+    dict[str, Any],
+    BeforeValidator(ByKey(allowed=f"{VALUES}; or table", entry=RangeEntry)),
+]
+_Limits = Annotated[
+    dict[str, Any], BeforeValidator(ByKey(allowed='">= 5 N cm", "<= 5 N cm", or a list', placeholder="QUANTITY"))
+]
+_Objectives = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed='"least" or "largest"', placeholder="QUANTITY"))]
+_Tolerances = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=f'{SIZE}, or "none"', entry=ToleranceEntry))]
+
+
+class GoalSearchTable(TorqueSearchTable):
+    """How many designs are tried, and the torques of searches for least torques."""
+
+    runs: _Count = entry("designs that are tried at most; the first fill the space", 512, at_least=1)
+    batch: _Count = entry("designs that run side by side", 32, at_least=4)
+    neighbours: _Count = entry("designs within the tolerances of one that are tried", 64, at_least=8)
+    seed: _Count = entry("random seed", 0, at_least=0)
+
+
+class GoalFile(Part):
+    """A goal as its file has it; a tolerance takes the settings, limits and tolerances of such a file."""
+
+    about: ClassVar[str] = (
+        "A forficula goal: what a structure must do, what may vary, and its tolerances; forficula keys --goal lists all"
+        " keys"
+    )
+
+    name: FolderName = entry("what outputs call it", "goal", left_out="the file's name")
+    source: str = entry("where the question comes from", "")
+    design: DesignName = DESIGN
+    simulate: YesOrNo = entry("whether a run must do what its protocol asks for; false: statics alone decides", True)
+    settings: Settings = SETTINGS
+    vary: _Parameters = entry(
+        "values that the key may have",
+        {},
+        left_out="needed",
+        examples=(
+            '"$key" = { low = "$low", high = "$high" }',
+            '"$key" = { low = "$low", high = "$high", step = "$step" }',
+            '"$key" = ["$low", "$value", "$high"]',
+        ),
+    )
+    limits: _Limits = entry(
+        "what the quantity or key of the design must not fall below, or exceed, beside what the protocol asks for",
+        {},
+        examples=('${first}_time = "<= 0.5 s"', 'probability = ">= 95 %"'),
+    )
+    objectives: _Objectives = entry(
+        "whether the quantity or key of the design is to be least or largest; two or three objectives give a front",
+        {},
+        left_out="needed",
+        examples=('${first}_work = "least"',),
+    )
+    tolerances: _Tolerances = entry(
+        "by how much the key may deviate when it is built, uniform in both directions; the key all stands for every"
+        " positive number with a unit that is not the protocol's",
+        {},
+        examples=('all = "10 %"', '"$key" = "5 %"', '"$key" = { distribution = "normal", size = "$step" }'),
+    )
+    search: GoalSearchTable = entry("how many designs are tried", GoalSearchTable())
+
+
+def _texts(design: Design) -> dict[str, str]:
+    """What a new file says beside its keys."""
+    return {"limits": f"Quantities are {listed(quantities_of(design))}"}
+
+
+GOAL = FileKind(word="goal", several="goals", package="forficula.goals", model=GoalFile, texts=_texts)
 
 
 def load_goal(name_or_path: str | Path) -> Goal:
@@ -38,7 +116,7 @@ def load_goal(name_or_path: str | Path) -> Goal:
     Raises:
         InputError: no such goal or file, not TOML, an unknown key, or a value that is not allowed.
     """
-    return load_named(name_or_path, _PACKAGE, "goal", "goals", _goal)
+    return load_named(name_or_path, GOAL, _goal)
 
 
 def goal_of(tables: Mapping[str, Any]) -> Goal:
@@ -47,59 +125,44 @@ def goal_of(tables: Mapping[str, Any]) -> Goal:
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    return _goal(dict(tables), Path())
+    return _goal(read_part(GoalFile, tables), Path())
 
 
 def named_goals() -> list[str]:
     """The names of the goals that come with the package."""
-    return named_files(_PACKAGE)
+    return named_files(GOAL)
 
 
-def _goal(tables: dict[str, Any], folder: Path) -> Goal:
-    check_keys(tables, names_within("", GOAL_KEYS), "")
-    for key in _TABLES:
-        if not isinstance(tables.get(key, {}), dict):
-            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
-    try:
-        title = folder_name(tables["name"])
-    except InputError as error:
-        raise InputError(f"name: {error}") from None
-    simulate = tables.get("simulate", True)
-    if not isinstance(simulate, bool):
-        raise InputError(f"simulate: need true or false, got {as_written(simulate)}")
-    base = base_design(tables, folder)
-    limits = read_limits(flat_table(tables, "limits"), base)
+def _goal(file: GoalFile, folder: Path) -> Goal:
+    base = base_design(file.design, file.settings, folder)
+    limits = read_limits(file.limits, base)
     given = tuple(each for each in limits if each.quantity.source == "search" and each.kind == "<=")
     base = with_torques(base, given)
     limits = tuple(each for each in limits if each not in given)
     if any(each.quantity.name == PROBABILITY and each.kind == "<=" for each in limits):
         raise InputError(f'limits.{PROBABILITY}: need a lower limit, such as ">= 95 %"')
-    objectives = _objectives(flat_table(tables, "objectives"), base)
-    deviations = deviations_within(
-        flat_table(tables, "tolerances", keep=("distribution", "size", "intervals_of")), base, folder
-    )
-    parameters = _parameters(flat_table(tables, "vary", keep=("low", "high", "step")), base, folder)
+    objectives = _objectives(file.objectives, base)
+    deviations = deviations_within(file.tolerances, base, folder)
+    parameters = _parameters(file.vary, base, folder)
     asked = [*(each.quantity for each in limits), *(each.quantity for each in objectives)]
-    _check_asked([*(each.quantity for each in given), *asked], parameters, deviations, simulate=simulate)
+    _check_asked([*(each.quantity for each in given), *asked], parameters, deviations, simulate=file.simulate)
     _check_varied(asked, given, parameters, base)
     return Goal(
-        name=title,
-        source=str(tables.get("source", "")),
+        name=file.name,
+        source=file.source,
         base=base,
         parameters=parameters,
         limits=limits,
         given=given,
         objectives=objectives,
         deviations=deviations,
-        simulate=simulate,
-        search=_search(tables.get("search", {}), asked, base),
-        **{name: _count(tables.get("search", {}), name) for name in _COUNTS},
+        simulate=file.simulate,
+        search=_search(file.search, asked, base),
+        runs=file.search.runs,
+        batch=file.search.batch,
+        neighbours=file.search.neighbours,
+        seed=file.search.seed,
     )
-
-
-def flat_table(tables: Mapping[str, Any], name: str, keep: Sequence[str] = ()) -> dict[str, Any]:
-    """The entries of a table by dotted key; tables with some of these keys are values."""
-    return dotted_values(tables.get(name, {}), name, values=frozenset(keep), empty=True)
 
 
 def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
@@ -110,33 +173,23 @@ def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
     """
     found = []
     for name, texts in given.items():
-        try:
+        with error_prefix("limits."):
             quantity = quantity_of(base, name)
+        with error_prefix(f"limits.{name}: "):
             limits = [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
             check_limits(limits)
-        except InputError as error:
-            raise InputError(_told("limits", name, error)) from None
         found += limits
     return tuple(found)
-
-
-def _told(table: str, name: str, error: InputError) -> str:
-    """An error with the key that it is about."""
-    text = str(error)
-    return f"{table}.{text}" if text.startswith(f"{name}:") else f"{table}.{name}: {text}"
 
 
 def _objectives(given: Mapping[str, Any], base: Design) -> tuple[Objective, ...]:
     found = []
     for name, kind in given.items():
-        try:
+        with error_prefix("objectives."):
             quantity = quantity_of(base, name)
-        except InputError as error:
-            raise InputError(_told("objectives", name, error)) from None
         if kind not in ("least", "largest"):
             raise InputError(f"objectives.{name}: need {one_of(('least', 'largest'), kind)}")
-        way: Literal["least", "largest"] = "least" if kind == "least" else "largest"
-        found.append(Objective(quantity=quantity, kind=way))
+        found.append(Objective(quantity=quantity, kind=kind))
     if not 1 <= len(found) <= _MOST_OBJECTIVES:
         raise InputError(
             f'objectives: need one to three quantities, such as mass = "least", got {len(found) or "none"}'
@@ -169,18 +222,14 @@ def deviations_within(given: Mapping[str, Any], base: Design, folder: Path) -> t
         else value
         for key, value in given.items()
     }
-    try:
+    with error_prefix("tolerances."):
         return read_deviations(within, base)
-    except InputError as error:
-        raise InputError(f"tolerances.{error}") from None
 
 
 def _parameters(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Parameter, ...]:
-    try:
+    with error_prefix("vary."):
         check_keys_once(given, base)
         return tuple(read_parameter(key, value_from_folder(key, value, folder), base) for key, value in given.items())
-    except InputError as error:
-        raise InputError(f"vary.{error}") from None
 
 
 def _check_asked(
@@ -214,17 +263,11 @@ def _check_varied(
             raise InputError(f"vary.{own}: is what {name} is about; need it in one of them")
 
 
-def _search(given: Mapping[str, Any], asked: Sequence[OutcomeQuantity], base: Design) -> Search | None:
+def _search(table: GoalSearchTable, asked: Sequence[OutcomeQuantity], base: Design) -> Search | None:
     """What a search for least values tries, where one of them is asked for."""
-    own = {key: value for key, value in given.items() if key not in _COUNTS}
-    if not any(quantity.source == "search" for quantity in asked):
-        if own:
-            check_keys(given, tuple(_COUNTS), "search.")
-        return None
-    return read_search("least-torques", own, base)
-
-
-def _count(given: Mapping[str, Any], name: str) -> int:
-    default, least = _COUNTS[name]
-    value = given.get(name, default)
-    return check_whole(f"search.{name}", value, least, _MOST)
+    counts = ("runs", "batch", "neighbours", "seed")
+    own = table.model_dump(exclude_unset=True, exclude=set(counts))
+    if any(quantity.source == "search" for quantity in asked):
+        return read_search("least-torques", own, base)
+    check_known(own, counts, "search.")
+    return None

@@ -11,9 +11,9 @@ from forficula.design.part import LENGTH, MASS, TIME, TORQUE
 from forficula.errors import InputError
 from forficula.names import near_name
 from forficula.quantities import Unit
+from forficula.serial import unit_suffix
 from forficula.structure import Structure, Transition, distances_of, drive_of, drive_unit, first_state, structure_of
 from forficula.study.search_file import read_search
-from forficula.study.table import unit_suffix
 
 ENERGY = Unit(display="mJ", si="J", example="5 mJ")
 FORCE = Unit(display="N", si="N", example="5 N")
@@ -57,7 +57,7 @@ class OutcomeQuantity:
     @property
     def column(self) -> str:
         """What rows call it: its name with its SI unit."""
-        return f"{self.told_as}{unit_suffix(self.unit.si)}" if self.unit.si else self.told_as
+        return self.told_as + unit_suffix(self.unit.si)
 
 
 def quantities_of(design: Design) -> Mapping[str, OutcomeQuantity]:

@@ -7,14 +7,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from forficula.design import Design, key_quantity, key_value
-from forficula.errors import InputError
+from forficula.design.file_fields import DesignValue, entry
+from forficula.design.part import Part
+from forficula.design.rejection import read_part
+from forficula.errors import InputError, error_prefix
 from forficula.goals.value_at import choice_at, written
-from forficula.names import near_name
 from forficula.quantities import as_written, parse_quantity, show_quantity
 from forficula.study.factors import Factor, read_factor, undivided
 
-_KEYS = ("low", "high", "step")
 _MOST_STEPS = 1_000_000
+
+
+class RangeEntry(Part):
+    """A range between two values as files have it."""
+
+    low: DesignValue = entry("least value of a key that varies between two", ...)
+    high: DesignValue = entry("largest value of a key that varies between two", ...)
+    step: DesignValue = entry("from one value to the next; without it, any value between")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,7 +99,9 @@ def read_parameter(key: str, given: object, design: Design) -> Parameter:
         InputError: an unknown key, or values that are not allowed; the caller knows the table.
     """
     if isinstance(given, Mapping):
-        return _between(key, given, design)
+        with error_prefix(f"{key}."):
+            table = read_part(RangeEntry, given)
+        return _between(key, table.model_dump(exclude_unset=True), design)
     factor = read_factor(key, given, type(design))
     values = [_si(factor, value) for value in factor.values]
     ordered = all(isinstance(value, float | int) and not isinstance(value, bool) for value in values)
@@ -103,23 +114,15 @@ def read_parameter(key: str, given: object, design: Design) -> Parameter:
 def _between(key: str, given: Mapping[str, object], design: Design) -> Parameter:
     """A parameter between two values, with steps or without."""
     quantity = key_quantity(key, type(design))
-    for name in given:
-        if name not in _KEYS:
-            raise InputError(f"{key}.{name}: need {', '.join(_KEYS)}{near_name(name, _KEYS)}")
-    for name in ("low", "high"):
-        if name not in given:
-            raise InputError(f'{key}.{name}: is missing; give both ends, as in {{ low = "..", high = ".." }}')
     if quantity is None and not isinstance(key_value(design, key), float):
         raise InputError(f"{key}: need a list or a range; only numbers with fractions, or with units, lie between two")
     factor = Factor(key=key, model=type(design))
     numbers = {}
     for name, value in given.items():
-        try:
+        with error_prefix(f"{key}.{name}: "):
             numbers[name] = _number(value) if quantity is None else quantity.parse(value)
             if quantity is not None and name != "step":
                 quantity.read(value, in_si=False)
-        except InputError as error:
-            raise InputError(f"{key}.{name}: {error}") from None
     low, high = numbers["low"], numbers["high"]
     if not low < high:
         raise InputError(f"{key}.high: need > low, {as_written(given['low'])}, got {as_written(given['high'])}")

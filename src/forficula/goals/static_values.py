@@ -8,9 +8,9 @@ from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
 from forficula.statics.equilibrium import barrier_between
 from forficula.statics.fold_path import fold_path
-from forficula.statics.landscape import tendon_landscapes
+from forficula.statics.hinge_landscape import crossed_hinges
 from forficula.statics.potential import ensemble
-from forficula.statics.slow_drives import slow_drives
+from forficula.statics.survey import slow_drives
 from forficula.structure import Structure, mass_of, structure_of
 
 # of a hinge's curves and of a fold's: their ends, tops and peaks are exact or interpolated by cubics
@@ -53,7 +53,7 @@ def _mass(structure: Structure) -> float:
 
 def _hinges(structure: Structure) -> Values:
     """Of every hinge that a tendon crosses, alone: what is weakest, and what opposes most."""
-    own, _ = tendon_landscapes(structure, _HINGE_POINTS)
+    own = [each.own for each in crossed_hinges(structure, _HINGE_POINTS)]
     barriers = [each.barrier for each in own if each.barrier is not None]
     torques = [each.holding_torque for each in own if each.holding_torque is not None]
     peaks = [each.peak_opening.torque for each in own if each.peak_opening is not None]

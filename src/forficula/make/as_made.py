@@ -7,7 +7,7 @@ import os
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal, cast, get_args
+from typing import Annotated, Literal, cast, get_args
 
 from forficula.design import Design, key_quantity, key_value, save_design
 from forficula.design.part import HINGE_STIFFNESS
@@ -16,6 +16,7 @@ from forficula.make.made_values import MadeTendon, MadeValues, made_values
 from forficula.make.part import PartSet
 from forficula.names import listed
 from forficula.quantities import as_written, show_quantity
+from forficula.serial import Written
 from forficula.structure import structure_of
 
 Group = Literal["attachments", "offsets", "stops", "stiffness", "masses", "coupling"]
@@ -41,7 +42,7 @@ class Change:
 
     group: Group
     key: str
-    designed: str
+    designed: Annotated[str, Written.OR_NULL]
     made: str
 
 

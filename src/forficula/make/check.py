@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Annotated
+
+from forficula.serial import Quantity, Written
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,10 +26,15 @@ class Check:
     name: str
     part: str
     ok: bool | None
-    value: float
-    limit: float
-    unit: str
+    value: Annotated[float, Written.NEVER]
+    limit: Annotated[float, Written.NEVER]
+    unit: Annotated[str, Written.NEVER]
     text: str
+
+    @property
+    def quantities(self) -> Annotated[Mapping[str, Quantity], Written.BESIDE]:
+        """Value and limit with their unit."""
+        return {"value": Quantity(self.value, self.unit), "limit": Quantity(self.limit, self.unit)}
 
 
 def least_check(name: str, part: str, *, found: float, least: float, text: str, mend: str = "") -> Check:

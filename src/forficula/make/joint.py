@@ -14,7 +14,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.make.joint_layout import Arm, JointLayout
 from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid, box, joined
-from forficula.pattern.rotation import rotation_about
+from forficula.pattern.rotation import RigidMotion, turn_about
 
 # of a peg's diameter: the head that keeps straps on it
 PEG_HEAD = 1.3
@@ -86,14 +86,9 @@ def peg_flats(layout: JointLayout) -> tuple[float, float]:
     return layout.make.clearance / 2 - layout.standoff, layout.top - layout.standoff
 
 
-def turned(layout: JointLayout, angle: float) -> tuple[Array, Array]:
-    """How the distal half is placed at an angle of the hinge in its own sense, rad, from where it is built flat.
-
-    Returns:
-        A rotation, (3, 3), and what is added after it, m, (3,).
-    """
-    frame = rotation_about(-layout.frame[:, 1], angle)
-    return frame, layout.origin - frame @ layout.origin
+def turned(layout: JointLayout, angle: float) -> RigidMotion:
+    """Return how the distal half is placed at an angle of the hinge in its own sense, rad, from where it is built."""
+    return turn_about(layout.origin, -layout.frame[:, 1], angle)
 
 
 def _wedge(layout: JointLayout, arm: Arm) -> Solid:

@@ -18,6 +18,7 @@ from forficula.make.stock import stock_of
 from forficula.make.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
+from forficula.pattern.rotation import frame_along
 from forficula.structure import GROUND, Structure, structure_of
 
 PartName = Literal["all", "sheet", "joint", "section"]
@@ -143,7 +144,7 @@ def _hub(roots: tuple[Root, ...]) -> list[Part]:
             stock=stock_of(make.root_material),
             solid=rod_solid(root),
             body=None,
-            bed=_upright(root.along),
+            bed=frame_along(root.along).T,
         )
         for number, root in enumerate(roots)
     ]
@@ -153,12 +154,4 @@ def _hub(roots: tuple[Root, ...]) -> list[Part]:
 def _face_down(joint: JointLayout) -> Array:
     """The rotation that lays a bar on the flat of its overbend side, (3, 3)."""
     turned: Array = np.diag([1.0, -1.0, -1.0]) @ joint.frame.T
-    return turned
-
-
-def _upright(along: Array) -> Array:
-    """The rotation that stands what lies along a unit vector on its end, (3, 3)."""
-    across = np.cross(along, np.eye(3)[int(np.argmin(np.abs(along)))])
-    across /= np.linalg.norm(across)
-    turned: Array = np.vstack([across, np.cross(along, across), along])
     return turned

@@ -10,6 +10,7 @@ from manifold3d import CrossSection, Manifold, OpType
 
 from forficula.arrays import Array, Indices
 from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.pattern.rotation import frame_along
 
 MILLIMETRES = 1e3
 # around a circle: 0.0016 of its radius is what corners stand out, for a polygon of its area
@@ -69,10 +70,6 @@ def mesh_of(solid: Manifold) -> Mesh:
 
 def _rod(rod: Rod) -> Manifold:
     along = (rod.end - rod.start) / (length := float(np.linalg.norm(rod.end - rod.start)))
-    # any direction across it, but the same for rods along a line
-    across = np.cross(along, np.eye(3)[int(np.argmin(np.round(np.abs(along), 9)))])
-    across /= np.linalg.norm(across)
-    frame = np.column_stack([across, np.cross(along, across), along])
     radius = rod.diameter / 2 * MILLIMETRES * _WIDER
     upright = Manifold.cylinder(length * MILLIMETRES, radius, circular_segments=_CORNERS)
-    return placed(upright, frame, rod.start)
+    return placed(upright, frame_along(along), rod.start)

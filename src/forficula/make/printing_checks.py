@@ -10,6 +10,7 @@ from forficula.make.check import Check, count_check, least_check
 from forficula.make.mesh import mesh_of, solid_of
 from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
+from forficula.pattern.geometry import triangle_normals
 
 # lines of the nozzle that a wall has at least
 _LINES = 2
@@ -64,7 +65,7 @@ def _overhang(part: Part) -> Check:
     """
     mesh = mesh_of(solid_of(_without_small_holes(part.solid)))
     corners = (mesh.points @ part.bed.T)[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    normals = triangle_normals(corners) / 2
     areas = np.linalg.norm(normals, axis=1)
     down = -normals[:, 2] / np.where(areas > 0, areas, 1.0)
     on_bed = corners[:, :, 2].max(axis=1) < corners[:, :, 2].min() + _ON_BED

@@ -17,6 +17,7 @@ from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, placed, solid_of
 from forficula.make.part import PartSet
 from forficula.make.strap_shape import StrapPlace, strap_along, strap_line
+from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.quantities import show_value
 
 # of parts that would be drawn to touch where they are round, mm^3: a polygon has corners
@@ -203,7 +204,7 @@ def _swept(place: StrapPlace, joints: Sequence[JointLayout], shapes: Sequence[Ma
         poses = _chain(joints, angles)
         posed = [placed(shape, *pose) for shape, pose in zip(shapes, poses, strict=True)]
         for start, end in place.ends:
-            here, there = (pose[0] @ at + pose[1] for at, pose in ((start, poses[0]), (end, poses[-1])))
+            here, there = (pose.of(at) for at, pose in ((start, poses[0]), (end, poses[-1])))
             if (float(np.linalg.norm(there - here)) >= place.strap.rest_length) != taut:
                 continue
             for side in (1,) if taut else (1, -1):
@@ -243,13 +244,11 @@ def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, said: st
     )
 
 
-def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[tuple[Array, Array]]:
-    """How the bodies of a chain of joints are placed, from the first one's proximal on, which does not move."""
-    poses: list[tuple[Array, Array]] = [(np.eye(3), np.zeros(3))]
+def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[RigidMotion]:
+    """Place the bodies of a chain of joints, from the first one's proximal on, which does not move."""
+    poses = [STILL]
     for joint, angle in zip(joints, angles, strict=True):
-        frame, origin = poses[-1]
-        own, by = turned(joint, angle)
-        poses.append((frame @ own, frame @ by + origin))
+        poses.append(poses[-1].after(turned(joint, angle)))
     return poses
 
 

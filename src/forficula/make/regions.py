@@ -121,10 +121,3 @@ def spans_within(sides: Array, start: Array, along: Array, least: float, most: f
     places = np.sort((crossed[:, 0] + share[:, None] * (crossed[:, 1] - crossed[:, 0])) @ along)
     spans = [(max(low, least), min(high, most)) for low, high in zip(places[::2], places[1::2], strict=True)]
     return [(float(low), float(high)) for low, high in spans if high > low]
-
-
-def distance_to(sides: Array, place: Array) -> float:
-    """How far a place lies from the nearest of some lines, m, (side, 2, 2)."""
-    start, side = sides[:, 0], sides[:, 1] - sides[:, 0]
-    share = np.clip(((place - start) * side).sum(axis=1) / (side**2).sum(axis=1), 0, 1)
-    return float(np.linalg.norm(start + share[:, None] * side - place, axis=1).min())

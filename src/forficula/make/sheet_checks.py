@@ -16,7 +16,6 @@ from forficula.make.regions import (
     Region,
     area_of,
     disc,
-    distance_to,
     is_empty,
     loop_area,
     loops_of,
@@ -27,6 +26,7 @@ from forficula.make.regions import (
     united,
 )
 from forficula.make.sheet_windows import LEAST_STRIP, Window
+from forficula.pattern.geometry import distance_to_sides
 from forficula.quantities import show_value
 
 _PART = "sheet"
@@ -152,7 +152,7 @@ def _windows_apart(windows: Sequence[Window]) -> Check:
 def _gap(outline: Array, other: Array) -> float:
     """From the corners of a polygon to the nearest side of another one, m."""
     sides = sides_of(region_of([other]))
-    return min(distance_to(sides, corner) for corner in outline)
+    return min(distance_to_sides(sides, corner) for corner in outline)
 
 
 def _bridges(make: MakeSection) -> Check:

@@ -17,7 +17,6 @@ from forficula.make.regions import (
     Region,
     area_of,
     disc,
-    distance_to,
     grown,
     is_empty,
     loop_area,
@@ -30,6 +29,7 @@ from forficula.make.regions import (
 from forficula.make.unfolding import Unfolding
 from forficula.names import listed
 from forficula.pattern.crease_pattern import face_sides
+from forficula.pattern.geometry import distance_to_sides
 from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames
 
@@ -84,7 +84,7 @@ class Drawn:
 
     def on_border(self, place: Array) -> bool:
         """Whether a place lies on the edge of what the facets cover."""
-        return distance_to(self._sides, place) <= _ROUNDING * float(np.ptp(self.points, axis=0).max())
+        return distance_to_sides(self._sides, place) <= _ROUNDING * float(np.ptp(self.points, axis=0).max())
 
     def beyond(self, place: Array) -> float:
         """How far a line that ends at a place may run on, m: through the margin, askew."""

@@ -10,11 +10,12 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import Design, MakeSection
 from forficula.make.joint_layout import joint_layouts
-from forficula.make.regions import Region, distance_to, loops_of, region_of, rounded, sides_of
+from forficula.make.regions import Region, loops_of, region_of, rounded, sides_of
 from forficula.make.strap_shape import bows_beside, strap_places
 from forficula.make.straps import strap_of
 from forficula.make.unfolding import Unfolding, laid_place
 from forficula.pattern import CreasePattern
+from forficula.pattern.geometry import distance_to_sides
 from forficula.structure import Structure, Tendon, built_points
 
 LEAST_STRIP = 2e-3  # m, of sheet between what is cut out of it
@@ -119,4 +120,4 @@ def _band(start: Array, end: Array, width: float, beyond: float) -> Array:
 def _room(sheet: Unfolding, place: Array) -> float:
     """How far a place of a flat sheet lies from its edge, m; a hole of twice that would touch it."""
     faces = region_of([sheet.pattern.vertices_coords[list(face), :2] for face in sheet.pattern.faces_vertices])
-    return distance_to(sides_of(faces), place)
+    return distance_to_sides(sides_of(faces), place)

@@ -52,8 +52,7 @@ def stop_load(structure: Structure, joint: JointLayout, place: StrapPlace, stop:
     The force is taken to be in the middle of the faces, over all of which it presses evenly.
     """
     angle, sense = (joint.upper, 1.0) if stop == "overbend" else (joint.lower, -1.0)
-    frame, by = turned(joint, angle)
-    ends = place.ends[:, 1] @ frame.T + by
+    ends = turned(joint, angle).of(place.ends[:, 1])
     ways = place.ends[:, 0] - ends
     lengths = np.linalg.norm(ways, axis=1)
     pulls = structure.tendons[place.tendon].law.elastic.force(lengths) / place.strap.count

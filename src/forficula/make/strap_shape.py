@@ -107,15 +107,15 @@ def _nearest(joint: JointLayout, place: StrapPlace) -> float:
     """How near the middles of slack straps come to the axes of the bars, from the hinge to their ends, m."""
     rise, nearest = joint.standoff * joint.frame[:, 2], math.inf
     for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
-        frame, by = turned(joint, float(angle))
-        bars = [(joint.origin + rise, joint.proximal), (frame @ (joint.origin + rise) + by, joint.distal)]
+        pose = turned(joint, float(angle))
+        bars = [(joint.origin + rise, joint.proximal), (pose.of(joint.origin + rise), joint.distal)]
         for start, end in place.ends:
-            there = frame @ end + by
+            there = pose.of(end)
             if np.linalg.norm(there - start) >= place.strap.rest_length:
                 continue
             for side in (1, -1):
                 line = strap_line(place, start, there, joint.frame[:, 1], side)
-                for (origin, arm), turn in zip(bars, (np.eye(3), frame), strict=True):
+                for (origin, arm), turn in zip(bars, (np.eye(3), pose.rotation), strict=True):
                     off, way = line - origin, turn @ arm.along
                     along = np.clip(off @ way, 0.0, arm.length)
                     nearest = min(nearest, float(np.linalg.norm(off - along[:, None] * way, axis=1).min()))

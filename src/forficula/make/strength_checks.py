@@ -65,8 +65,7 @@ def largest_pulls(structure: Structure, joint: JointLayout, place: StrapPlace) -
     """
     law, pulls = structure.tendons[place.tendon].law.elastic, []
     for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
-        frame, by = turned(joint, float(angle))
-        lengths = np.linalg.norm(place.ends[:, 1] @ frame.T + by - place.ends[:, 0], axis=1)
+        lengths = np.linalg.norm(turned(joint, float(angle)).of(place.ends[:, 1]) - place.ends[:, 0], axis=1)
         pulls.append(law.force(lengths) / place.strap.count)
     most: Array = max(pulls, key=lambda pull: float(pull.sum()))
     return most
@@ -94,8 +93,8 @@ def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> C
 
     There the bars are one in the sheet's plane by their knuckles, and out of it by the stop.
     """
-    frame, by = turned(joint, joint.upper)
-    start, end = place.ends[:, 0].mean(axis=0), frame @ place.ends[:, 1].mean(axis=0) + by
+    opened = turned(joint, joint.upper)
+    start, end = place.ends[:, 0].mean(axis=0), opened.of(place.ends[:, 1].mean(axis=0))
     way = (end - start) / np.linalg.norm(end - start)
     in_sheet = np.cross(joint.frame[:, 2], way) / np.linalg.norm(np.cross(joint.frame[:, 2], way))
     rise = joint.standoff * joint.frame[:, 2]
@@ -105,7 +104,7 @@ def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> C
         [
             joint.origin + rise + inner.peg * inner.along,
             joint.origin + rise,
-            frame @ (joint.origin + rise + outer.peg * outer.along) + by,
+            opened.of(joint.origin + rise + outer.peg * outer.along),
         ]
     )
     off = places - start

@@ -11,11 +11,11 @@ import scipy
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
-from forficula.make.regions import distance_to
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.cut_open import cut_open
-from forficula.pattern.rotation import rotation_to_z
+from forficula.pattern.geometry import is_inside, polygon_normal
+from forficula.pattern.rotation import rotation_about, rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
 
 # share of the sheet's size: by which facets may be bent, and ends of a crease apart, as of what files round
@@ -91,21 +91,9 @@ def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[
     for face, corners in enumerate(pattern.faces_vertices):
         points = pattern.vertices_coords[list(corners)] @ sheet.turns[face].T + sheet.shifts[face]
         flat = sheet.turns[face] @ place + sheet.shifts[face]
-        if abs(flat[2] - points[0, 2]) <= _ROUNDING * size and _is_in(points[:, :2], flat[:2], _ROUNDING * size):
+        if abs(flat[2] - points[0, 2]) <= _ROUNDING * size and is_inside(flat[:2], points[:, :2], _ROUNDING * size):
             return face, flat[:2]
     return None
-
-
-def _is_in(corners: Array, place: Array, beside: float) -> bool:
-    """Whether a place lies in a polygon, or beside it by no more than a distance."""
-    start, side = corners, np.roll(corners, -1, axis=0) - corners
-    if distance_to(np.stack([start, start + side], axis=1), place) <= beside:
-        return True
-    above = start[:, 1] > place[1]
-    crossing = above != np.roll(above, -1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x = start[:, 0] + (place[1] - start[:, 1]) * side[:, 0] / side[:, 1]
-    return bool(np.count_nonzero(crossing & (x > place[0])) % 2)
 
 
 def _identity(pattern: CreasePattern) -> tuple[Array, Array]:
@@ -150,7 +138,7 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
     corners = flat[scipy.spatial.ConvexHull(flat).vertices]
     sides = np.roll(corners, -1, axis=0) - corners
     angles = -np.arctan2(sides[:, 1], sides[:, 0])
-    turned = [corners @ _turn(angle)[:2, :2].T for angle in angles]
+    turned = [corners @ rotation_about(_UPWARDS, angle)[:2, :2].T for angle in angles.tolist()]
     areas = np.array([np.prod(np.ptp(points, axis=0)) for points in turned])
     ways = [
         angle + quarter * math.pi / 2
@@ -158,13 +146,8 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
         for quarter in range(4)
     ]
     best = min(ways, key=lambda angle: (round(abs(math.remainder(angle - nearest, 2 * math.pi)), 6), angle))
-    return np.asarray(_turn(best) @ turns), np.asarray(shifts @ _turn(best).T)
-
-
-def _turn(angle: float) -> Array:
-    """A rotation about z, (3, 3)."""
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
+    turn = rotation_about(_UPWARDS, best)
+    return np.asarray(turn @ turns), np.asarray(shifts @ turn.T)
 
 
 def _axes(along: Array, normal: Array) -> Array:
@@ -177,8 +160,8 @@ def _normals(pattern: CreasePattern) -> Array:
     size, normals = float(np.ptp(pattern.vertices_coords, axis=0).max()), []
     for face, corners in enumerate(pattern.faces_vertices):
         points = pattern.vertices_coords[list(corners)]
-        across = np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0)
-        normal = across / np.linalg.norm(across)
+        normal = polygon_normal(points)
+        normal /= np.linalg.norm(normal)
         bent = float(np.ptp(points @ normal))
         if not bent <= _ROUNDING * size:
             raise InputError(

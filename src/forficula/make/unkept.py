@@ -147,8 +147,7 @@ def _without(whole: MassProperties, mass: float, centre: Array, inertia: Array) 
 def strap_energy(joint: JointLayout, place: StrapPlace, structure: Structure, angle: float) -> float:
     """Energy of all straps of a tendon across one joint at an angle of its hinge, each between its own pegs, J."""
     law = structure.tendons[place.tendon].law.elastic
-    frame, origin = turned(joint, angle)
-    lengths = [np.linalg.norm(frame @ ends[1] + origin - ends[0]) for ends in place.ends]
+    lengths = [np.linalg.norm(turned(joint, angle).of(ends[1]) - ends[0]) for ends in place.ends]
     return float(np.mean([law.energy(length) for length in lengths]))
 
 

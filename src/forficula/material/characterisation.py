@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from importlib import metadata
+from typing import Annotated
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from forficula.errors import InputError
 from forficula.material.fit.fit import LawFit, fit_law
 from forficula.material.law.drift import Drift, fit_drift
 from forficula.material.law.law_form import LawForm
+from forficula.material.law.law_summary import LawSummary, law_summary
 from forficula.material.law.material_law import Fact, MaterialLaw, scaled
 from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
 from forficula.material.tensile.cycles import BAND, Cycle, find_cycles
@@ -20,6 +23,7 @@ from forficula.material.tensile.modulus import ModulusClass, moduli_by_strain
 from forficula.material.tensile.strain_history import StrainHistory
 from forficula.material.tensile.tensile_test import TensileTest
 from forficula.quantities import Unit, parse_quantity
+from forficula.serial import Key, Quantity, Written
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
 AMPLITUDE_SCATTER = "standard deviation of the specimens' amplitudes"
@@ -51,16 +55,31 @@ class Specimen:
         left_out: the first cycle, where it does not count.
     """
 
-    test: TensileTest
+    test: Annotated[TensileTest, Written.BESIDE]
     cycles: tuple[Cycle, ...]
-    left_out: tuple[Cycle, ...]
+    left_out: Annotated[tuple[Cycle, ...], Key("left_out_cycles")]
 
     @property
-    def strain_rate(self) -> float:
+    def strain_rate(self) -> Annotated[float, Unit("1/s")]:
         """Median over the samples of loading and unloading, 1/s."""
         branches = [branch for cycle in self.cycles for branch in (cycle.loading, cycle.unloading)]
         rates = [abs(np.ptp(branch.strain)) / max(np.ptp(branch.time), 1e-300) for branch in branches]
         return float(np.median(rates))
+
+
+@dataclass(frozen=True, kw_only=True)
+class DriftSummary:
+    """How the cycles of a material change.
+
+    Attributes:
+        specimens: how many have two cycles or more.
+        change: from one cycle to the next.
+        drifts: by what drifts; None where it cannot be told.
+    """
+
+    specimens: int
+    change: CycleDrift
+    drifts: Annotated[Mapping[str, Drift | None], Written.BESIDE]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,22 +100,50 @@ class Characterisation(Displayed):
         remarks: what a person should know, one sentence each.
     """
 
-    name: str
+    name: Annotated[str, Key("material")]
     specimens: tuple[Specimen, ...]
     cycles: tuple[CycleMedians, ...]
-    change: CycleDrift
-    drifts: Mapping[str, Drift | None]
-    by_cycle: tuple[ModulusClass, ...]
-    pooled: tuple[ModulusClass, ...]
-    single: tuple[ModulusClass, ...]
+    change: Annotated[CycleDrift, Written.NEVER]
+    drifts: Annotated[Mapping[str, Drift | None], Written.NEVER]
+    by_cycle: Annotated[tuple[ModulusClass, ...], Written.NEVER]
+    pooled: Annotated[tuple[ModulusClass, ...], Written.NEVER]
+    single: Annotated[tuple[ModulusClass, ...], Written.NEVER]
     fit: LawFit | None
-    law: MaterialLaw | None
+    law: Annotated[MaterialLaw | None, Written.NEVER]
     remarks: tuple[str, ...] = field(default=())
 
     def __repr__(self) -> str:
         """What was tested, and the form of its law."""
         specimens = f"{len(self.specimens)} specimen{'s' * (len(self.specimens) != 1)}"
         return f"<Characterisation of {self.name}: {specimens}, {'no law' if self.fit is None else self.fit.form.name}>"
+
+    @property
+    def drift(self) -> Annotated[DriftSummary, Written.ALWAYS]:
+        """How cycles change."""
+        return DriftSummary(specimens=self.change.specimens, change=self.change, drifts=self.drifts)
+
+    @property
+    def modulus_by_strain(self) -> Annotated[tuple[ModulusClass, ...], Written.ALWAYS]:
+        """Moduli in classes of strain, cycle by cycle and then pooled."""
+        return (*self.by_cycle, *self.pooled)
+
+    @property
+    def simulated_stiffnesses(self) -> Annotated[Mapping[str, Quantity], Written.ALWAYS]:
+        """Stiffnesses of Binder et al. 2025 and the moduli that tendons of the specimens' size need for them."""
+        return {
+            "stiffness": Quantity(SIMULATED_STIFFNESSES, "N/m"),
+            "modulus_at_the_specimens_size": Quantity(self.simulated_moduli, "Pa"),
+        }
+
+    @property
+    def law_values(self) -> Annotated[LawSummary | None, Key("law")]:
+        """The law and its values; None where the data determine none."""
+        return None if self.law is None else law_summary(self.law)
+
+    @property
+    def versions(self) -> Annotated[dict[str, str], Written.ALWAYS]:
+        """Versions of the packages that compute a material."""
+        return {name: metadata.version(name) for name in ("forficula", "numpy", "scipy")}
 
     @property
     def simulated_moduli(self) -> tuple[float, float]:

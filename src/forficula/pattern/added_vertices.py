@@ -10,6 +10,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.geometry import triangle_areas
 from forficula.pattern.triangulation import Triangulation
 
 # share of the sheet's size: a place this near to a vertex or an edge is on it
@@ -73,7 +74,7 @@ def _with_vertex(sheet: AddedVertices, facet: int, position: Array, near: float)
     corners = sheet.pattern.faces_vertices[face]
     places = coords[list(corners)]
     sides = np.linalg.norm(np.roll(places, -2, axis=0) - np.roll(places, -1, axis=0), axis=1)
-    double = float(np.linalg.norm(np.cross(places[1] - places[0], places[2] - places[0])))
+    double = 2 * float(triangle_areas(places))
     # of an edge that it is on, so that all lies on it
     share[share * double / sides <= near] = 0.0
     position = share @ places / share.sum()

@@ -13,7 +13,7 @@ from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import read_bytes
 from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
@@ -95,10 +95,8 @@ def read_dxf(file: Path) -> Drawing:
         seen[kind] += 1
         # ezdxf gives a handle to entities that have none in the file
         name = f"{kind} {seen[kind]}" + (f" (handle {handle})" if handle.encode() in handles else "")
-        try:
+        with error_prefix(f"{name}: "):
             lines += _drawn_lines(entity, layers.get(entity.dxf.layer.lower()), left_out, name)
-        except InputError as error:
-            raise InputError(f"{name}: {error}") from None
     if binary and b"$INSUNITS" in content:
         unit = document.header.get("$INSUNITS", 0)
     remarks = (*repairs, *check_some(lines, left_out))

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.flat_faces import parts_of
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 
 Numbers = NDArray[np.int64]
@@ -46,7 +45,7 @@ def facet_nodes(pattern: CreasePattern) -> FacetNodes:
     pairs = [
         (corner[each.left, vertex], corner[each.right, vertex]) for each in shared for vertex in (each.tail, each.head)
     ]
-    points = _joined(int(first[-1]), pairs)
+    points = parts_of(int(first[-1]), pairs)
     vertices = np.zeros(int(points.max()) + 1, dtype=np.int64)
     vertices[points] = [vertex for face in faces for vertex in face]
     flat = [(each.left, each.right) for each in shared if pattern.edges_assignment[each.edge] == "F"]
@@ -54,13 +53,6 @@ def facet_nodes(pattern: CreasePattern) -> FacetNodes:
         vertices=vertices,
         facets=tuple(np.split(points, first[1:-1])),
         shared=shared,
-        plates=_joined(len(faces), flat),
-        parts=_joined(len(faces), [(each.left, each.right) for each in shared]),
+        plates=parts_of(len(faces), flat),
+        parts=parts_of(len(faces), [(each.left, each.right) for each in shared]),
     )
-
-
-def _joined(count: int, pairs: list[tuple[int, int]]) -> Numbers:
-    """Number the groups that pairs make of so many things."""
-    rows, columns = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
-    _, groups = connected_components(coo_array((np.ones(len(rows)), (rows, columns)), (count, count)), directed=False)
-    return np.asarray(groups, dtype=np.int64)

@@ -7,12 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
+from numpy.typing import ArrayLike
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import face_area, face_sides
+from forficula.pattern.geometry import is_inside
 from forficula.pattern.segments import crossings, points_on_segments
 
 Side = tuple[int, int]
@@ -21,17 +23,18 @@ _TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at o
 _ON_EDGE = 1e-5  # rad off the direction of an edge; files of single precision are good to 1e-6 on most edges
 
 
-def parts_of(vertex_count: int, edges: Indices) -> Indices:
+def parts_of(count: int, edges: ArrayLike) -> Indices:
     """Number the parts that hang together by edges.
 
     Args:
-        vertex_count: N.
-        edges: shape (E, 2).
+        count: N, of vertices or other things.
+        edges: pairs of these, shape (E, 2).
 
     Returns:
         The part of every vertex, shape (N,).
     """
-    joined = coo_array((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(vertex_count, vertex_count))
+    pairs = np.asarray(edges, dtype=np.int64).reshape(-1, 2)
+    joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     _, parts = connected_components(joined, directed=False)
     return np.asarray(parts, dtype=np.int64)
 
@@ -222,17 +225,3 @@ def _check_islands(points: Array, edges: Indices, faces: Sequence[Sequence[int]]
                     f"faces_vertices[{number}]: need faces side by side, got vertex {vertex}, of a part that does not"
                     " hang together with the face, inside it"
                 )
-
-
-def is_inside(point: Array, corners: Array) -> bool:
-    """Tell whether a point lies inside a polygon (even-odd rule).
-
-    Args:
-        point: m, shape (2,).
-        corners: of the polygon, m, shape (C, 2).
-    """
-    after = np.roll(corners, -1, axis=0)
-    spans = (corners[:, 1] > point[1]) != (after[:, 1] > point[1])
-    low, high = corners[spans], after[spans]
-    where = low[:, 0] + (point[1] - low[:, 1]) / (high[:, 1] - low[:, 1]) * (high[:, 0] - low[:, 0])
-    return bool(np.count_nonzero(where > point[0]) % 2)

@@ -7,8 +7,7 @@ panels rise towards the viewer on +z, is positive.
 from __future__ import annotations
 
 import math
-from collections import deque
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +16,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.earwig import EarwigFan, earwig_pattern
-from forficula.pattern.rotation import rotation_about
+from forficula.pattern.rotation import STILL, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
 
 Mode = Literal["earwig", "miura"]
@@ -120,27 +119,6 @@ def folded_frames(fan: EarwigFan) -> list[tuple[str, Array, Array]]:
     return frames
 
 
-class _Hinge(NamedTuple):
-    """A neighbour of a face: across which directed side of the face, folded how far."""
-
-    edge: int
-    tail: int
-    head: int
-    neighbour: int
-    fold_angle: float
-
-
-class _Placement(NamedTuple):
-    """Where a face goes: x -> rotation x + shift."""
-
-    rotation: Array
-    shift: Array
-
-    def applied(self, points: Array) -> Array:
-        moved: Array = points @ self.rotation.T + self.shift
-        return moved
-
-
 def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_face: int = 0) -> Array:
     """Fold a pattern rigidly and say where its vertices go.
 
@@ -160,73 +138,53 @@ def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_fac
         InputError: fold angles of another shape or missing, faces not counterclockwise or not connected, or fold angles
             for which the sheet would tear, by more than 1e-9 of its size.
     """
-    hinges = _hinges(pattern, np.asarray(fold_angles, dtype=np.float64))
-    if not 0 <= fixed_face < len(hinges):
-        raise InputError(f"fixed_face: need a face from 0 to {len(hinges) - 1}, got {fixed_face}")
-    coords = pattern.vertices_coords
-    placements = {fixed_face: _Placement(np.eye(3), np.zeros(3))}
-    queue = deque([fixed_face])
-    while queue:
-        face = queue.popleft()
-        for hinge in hinges[face]:
-            if hinge.neighbour not in placements:
-                placements[hinge.neighbour] = _across(placements[face], hinge, coords)
-                queue.append(hinge.neighbour)
-    if len(placements) < len(hinges):
-        lost = next(face for face in range(len(hinges)) if face not in placements)
+    coords, faces = pattern.vertices_coords, pattern.faces_vertices
+    around = _neighbours(pattern, np.asarray(fold_angles, dtype=np.float64))
+    if not 0 <= fixed_face < len(faces):
+        raise InputError(f"fixed_face: need a face from 0 to {len(faces) - 1}, got {fixed_face}")
+    placed, reached = {fixed_face: STILL}, [fixed_face]
+    for face in reached:
+        for _, neighbour, turn in around[face]:
+            if neighbour not in placed:
+                placed[neighbour] = placed[face].after(turn)
+                reached.append(neighbour)
+    if len(placed) < len(faces):
+        lost = next(face for face in range(len(faces)) if face not in placed)
         raise InputError(
             f"faces_vertices[{lost}]: need a face that hangs together with face {fixed_face}, got one apart"
         )
     folded = np.full_like(coords, np.nan)
-    for face, placement in placements.items():
-        vertices = list(pattern.faces_vertices[face])
-        folded[vertices] = placement.applied(coords[vertices])
+    for face in reached:
+        folded[list(faces[face])] = placed[face].of(coords[list(faces[face])])
     if np.isnan(folded).any():
         lost = int(np.argmax(np.isnan(folded).any(axis=1)))
         raise InputError(f"vertices_coords[{lost}]: need a vertex of a face, got one that no face holds")
-    _check_closes(pattern, hinges, placements, folded)
+    size = float(np.linalg.norm(np.ptp(coords, axis=0)))
+    for face, beyond in enumerate(around):
+        for edge, neighbour, turn in beyond:
+            corners = list(faces[neighbour])
+            gap = float(np.abs(placed[face].after(turn).of(coords[corners]) - folded[corners]).max())
+            if not gap <= _CLOSES * size:
+                raise InputError(
+                    f"fold_angles[{edge}]: need angles for which the sheet closes, to {_CLOSES:g} of its size"
+                    f" {100 * size:.4g} cm, got a gap of {100 * gap:.4g} cm between faces {face} and {neighbour}"
+                )
     return folded
 
 
-def _hinges(pattern: CreasePattern, fold_angles: Array) -> list[list[_Hinge]]:
-    """List the neighbours of every face."""
+def _neighbours(pattern: CreasePattern, fold_angles: Array) -> list[list[tuple[int, int, RigidMotion]]]:
+    """For each face, the edges to its neighbours, these, and how they turn about the edges in the axes of the face."""
     if fold_angles.shape != (len(pattern.edges_vertices),):
         raise InputError(f"fold_angles: need shape ({len(pattern.edges_vertices)},), got {fold_angles.shape}")
-    hinges: list[list[_Hinge]] = [[] for _ in pattern.faces_vertices]
+    around: list[list[tuple[int, int, RigidMotion]]] = [[] for _ in pattern.faces_vertices]
     for edge, tail, head, left, right in shared_edges(pattern):
         flat = pattern.edges_assignment[edge] == "F" and np.isnan(fold_angles[edge])
         fold = 0.0 if flat else float(fold_angles[edge])
         if not math.isfinite(fold):
             raise InputError(f"fold_angles[{edge}]: need a finite angle between two faces, got {fold:g}")
-        hinges[left].append(_Hinge(edge, tail, head, right, fold))
-        hinges[right].append(_Hinge(edge, head, tail, left, fold))
-    return hinges
-
-
-def _across(placement: _Placement, hinge: _Hinge, coords: Array) -> _Placement:
-    """Place the neighbour beyond a hinge: turn it about the shared edge, then move it along with the face."""
-    axis = coords[hinge.head] - coords[hinge.tail]
-    # the neighbour lies to the right of the side; turning it up, towards +z, is negative about the side's direction
-    turn = rotation_about(axis / np.linalg.norm(axis), -hinge.fold_angle)
-    shift = coords[hinge.tail] - turn @ coords[hinge.tail]
-    return _Placement(placement.rotation @ turn, placement.rotation @ shift + placement.shift)
-
-
-def _check_closes(
-    pattern: CreasePattern,
-    hinges: list[list[_Hinge]],
-    placements: dict[int, _Placement],
-    folded: Array,
-) -> None:
-    """Compare every face, reached across every one of its hinges, with where its vertices were put."""
-    size = float(np.linalg.norm(np.ptp(pattern.vertices_coords, axis=0)))
-    for face, around in enumerate(hinges):
-        for hinge in around:
-            vertices = list(pattern.faces_vertices[hinge.neighbour])
-            placed = _across(placements[face], hinge, pattern.vertices_coords)
-            gap = float(np.abs(placed.applied(pattern.vertices_coords[vertices]) - folded[vertices]).max())
-            if not gap <= _CLOSES * size:
-                raise InputError(
-                    f"fold_angles[{hinge.edge}]: need angles for which the sheet closes, to {_CLOSES:g} of its size "
-                    f"{100 * size:.4g} cm, got a gap of {100 * gap:.4g} cm between faces {face} and {hinge.neighbour}"
-                )
+        for face, neighbour, ends in ((left, right, [tail, head]), (right, left, [head, tail])):
+            start, end = pattern.vertices_coords[ends]
+            # the neighbour lies to the right of the side; turning it up, towards +z, is negative about its direction
+            turn = turn_about(start, (end - start) / np.linalg.norm(end - start), -fold)
+            around[face].append((edge, neighbour, turn))
+    return around

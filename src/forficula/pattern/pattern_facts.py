@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, is_unfolded
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
 from forficula.pattern.facet_tree import facet_tree
+from forficula.pattern.flat_faces import parts_of
 from forficula.pattern.flat_folding import flat_folding_text
 from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned
@@ -138,8 +137,6 @@ def _holes(nodes: FacetNodes) -> int:
         for one, other in zip(points.tolist(), np.roll(points, -1).tolist(), strict=True):
             sides.setdefault((min(one, other), max(one, other)), []).append(facet)
     borders = {side: facets[0] for side, facets in sides.items() if len(facets) == 1}
-    count = len(nodes.vertices)
-    one, other = np.array([*borders], dtype=np.int64).reshape(-1, 2).T
-    _, line = connected_components(coo_array((np.ones(len(one)), (one, other)), (count, count)), directed=False)
+    line = parts_of(len(nodes.vertices), [*borders])
     lines = {(int(nodes.parts[facet]), int(line[side[0]])) for side, facet in borders.items()}
     return len(lines) - len({part for part, _ in lines})

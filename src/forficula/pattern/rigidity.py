@@ -74,7 +74,7 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
     twice = 0
     if not bending:
         twice = sum(nodes.plates[each.left] != nodes.plates[each.right] for each in nodes.shared)
-    zeros, clear = _nullity(matrix)
+    zeros, clear = nullity(matrix)
     parts = int(nodes.parts.max()) + 1
     rank = matrix.shape[1] - zeros
     return Rigidity(
@@ -116,9 +116,11 @@ def _matrix(blocks: list[tuple[Indices, Array]], columns: int) -> csr_array:
     return csr_array((np.concatenate(values), np.concatenate(across), starts), shape=(len(starts) - 1, columns))
 
 
-def _nullity(matrix: csr_array) -> tuple[int, bool]:
-    """How many independent vectors a matrix takes to 0, and whether that is beyond doubt."""
+def nullity(matrix: csr_array) -> tuple[int, bool]:
+    """Count the independent vectors that a matrix maps to 0, and say whether the count is clear; see `rigidity`."""
     columns = matrix.shape[1]
+    if not min(matrix.shape):
+        return columns, True
     if columns <= _MOST_DENSE:
         values = np.linalg.svd(matrix.toarray(), compute_uv=False)
         values = np.maximum(values / values[0], _ROUNDING)

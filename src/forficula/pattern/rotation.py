@@ -1,12 +1,37 @@
-"""Rotation matrices about an axis, and onto one."""
+"""Rotations about an axis, about a line, and onto an axis; and rigid motions."""
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from forficula.arrays import Array
+
+
+class RigidMotion(NamedTuple):
+    """A rotation and then a shift: x -> rotation x + shift.
+
+    Attributes:
+        rotation: (3, 3).
+        shift: m, (3,).
+    """
+
+    rotation: Array
+    shift: Array
+
+    def of(self, points: Array) -> Array:
+        """Move points, m, (..., 3)."""
+        moved: Array = points @ self.rotation.T + self.shift
+        return moved
+
+    def after(self, first: RigidMotion) -> RigidMotion:
+        """Return the motion that does another one first, and then this one."""
+        return RigidMotion(self.rotation @ first.rotation, self.rotation @ first.shift + self.shift)
+
+
+STILL = RigidMotion(np.eye(3), np.zeros(3))
 
 
 def rotation_about(axis: Array, angle: float) -> Array:
@@ -17,6 +42,12 @@ def rotation_about(axis: Array, angle: float) -> Array:
     return np.asarray(np.eye(3) + math.sin(angle) * cross + 2 * math.sin(angle / 2) ** 2 * cross @ cross)
 
 
+def turn_about(origin: Array, axis: Array, angle: float) -> RigidMotion:
+    """Compute the rotation by an angle about a line through a position, m, along a unit vector."""
+    rotation = rotation_about(axis, angle)
+    return RigidMotion(rotation, origin - rotation @ origin)
+
+
 def rotation_to_z(direction: Array) -> Array:
     """Compute the rotation about an axis across both that brings a unit vector to +z, (3, 3) (Rodrigues 1840)."""
     x, y, z = direction.tolist()
@@ -24,3 +55,10 @@ def rotation_to_z(direction: Array) -> Array:
         return np.diag([1.0, -1.0, -1.0])
     across = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])
     return np.asarray(np.eye(3) + across + across @ across / (1 + z))
+
+
+def frame_along(direction: Array) -> Array:
+    """Return axes of which the third is a unit vector, in columns, (3, 3); rounding does not change the others."""
+    across = np.cross(direction, np.eye(3)[int(np.argmin(np.round(np.abs(direction), 9)))])
+    across /= np.linalg.norm(across)
+    return np.column_stack([across, np.cross(direction, across), direction])

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import rotation_to_z
 
 _FLAT = 1e-6  # share of the sheet's size that vertices may lie off its plane: single precision is good to 1e-7
@@ -60,14 +61,8 @@ def sheet_plane(points: Array, faces: Sequence[Sequence[int]]) -> SheetPlane | N
             return None
     if normal[2] == 1:
         return SheetPlane(rotation=np.eye(3), height=0.0)
-    areas = np.array([_area_vector(points[list(face)]) @ normal for face in faces])
+    areas = np.array([polygon_normal(points[list(face)]) @ normal for face in faces])
     if len(areas) and (areas < 0).all():
         normal = -normal
     rotation = rotation_to_z(normal)
     return SheetPlane(rotation=rotation, height=float((points @ rotation[2]).mean()))
-
-
-def _area_vector(corners: Array) -> Array:
-    """Twice the area of a face along the direction from which it runs counterclockwise (Newell)."""
-    around: Array = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
-    return around

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import read_bytes
 from forficula.names import one_line
 from forficula.pattern.drawing import Drawing, DrawnLine, check_some, letter_of_colour
@@ -74,10 +74,8 @@ def _drawing(root: ElementTree.Element) -> Drawing:
     for shape, place in _shapes(root, page, rules, np.diag([1.0, stretch, 1.0])):
         seen[_tag(shape)] += 1
         own = f" (id {as_written(shape.get('id'))})" if shape.get("id") else ""
-        try:
+        with error_prefix(f"{_tag(shape)} {seen[_tag(shape)]}{own}: "):
             lines += _drawn_lines(shape, place, rules, left_out, f"{_tag(shape)} {seen[_tag(shape)]}{own}")
-        except InputError as error:
-            raise InputError(f"{_tag(shape)} {seen[_tag(shape)]}{own}: {error}") from None
     remarks = check_some(lines, left_out)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
     return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
@@ -128,11 +126,9 @@ def _shapes(
     style = style_of(group, above.style, rules)
     if style.get("display") == "none":
         return
-    try:
+    with error_prefix(f"{_tag(group)} {as_written(group.get('id', ''))}: "):
         to_page = above.to_page @ matrix_of(group, style)
         to_page = to_page if stretch is None else to_page @ stretch
-    except InputError as error:
-        raise InputError(f"{_tag(group)} {as_written(group.get('id', ''))}: {error}") from None
     # an id of one letter may be the work of a program that makes files short
     names = [group.get(_LABEL, ""), group.get("id", "").rjust(2, "_")] if _tag(group) == "g" else []
     letters = (letter_of_name(name) for name in names)

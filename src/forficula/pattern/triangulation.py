@@ -12,6 +12,8 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
+from forficula.pattern.geometry import polygon_normal
+from forficula.pattern.rotation import frame_along
 
 # shares of a facet's size: diagonals that differ by less are equal, so that turning a sheet does not change which one
 # is taken, and corners this near a line lie on it
@@ -52,7 +54,7 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
     facets: list[int] = []
     diagonals: list[tuple[int, int]] = []
     for facet, corners in enumerate(pattern.faces_vertices):
-        cut = _ears(pattern.vertices_coords, facet, corners, taken)
+        cut = ears(pattern.vertices_coords, corners, facet, taken)
         diagonals += [(min(one, other), max(one, other)) for one, _, other in cut[:-1]]
         triangles += cut
         facets += [facet] * len(cut)
@@ -70,11 +72,24 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
     return Triangulation(split, of_facets)
 
 
-def _ears(coords: Array, facet: int, corners: Sequence[int], taken: set[frozenset[int]]) -> list[tuple[int, int, int]]:
-    """Cut off one corner after another; every triangle but the last lies beyond the diagonal from its end to its start.
+def ears(
+    coords: Array, corners: Sequence[int], facet: int = 0, taken: set[frozenset[int]] | None = None
+) -> list[tuple[int, int, int]]:
+    """Cut one corner of a polygon off after another, as `triangulated` does.
 
-    The diagonals are added to the edges that are taken.
+    Args:
+        coords: m, shape (N, 3).
+        corners: of the polygon, numbers in these.
+        facet: the polygon's number, for messages.
+        taken: edges that no diagonal may lie on; the diagonals are added to them.
+
+    Returns:
+        The triangles. Every one but the last lies beyond the diagonal from its end to its start.
+
+    Raises:
+        InputError: a polygon that crosses itself or has no area, or that cannot be split but along an edge there is.
     """
+    taken = set() if taken is None else taken
     if len(corners) == 3:
         return [(corners[0], corners[1], corners[2])]
     places = dict(zip(corners, _in_own_plane(coords[list(corners)], facet), strict=True))
@@ -82,11 +97,11 @@ def _ears(coords: Array, facet: int, corners: Sequence[int], taken: set[frozense
     left, cut = list(corners), []
     while len(left) > 3:
         around = [(left[k - 1], left[k], left[(k + 1) % len(left)]) for k in range(len(left))]
-        ears = [ear for ear in around if frozenset((ear[0], ear[2])) not in taken and _is_ear(ear, left, places, size)]
-        if not ears:
+        free = [ear for ear in around if frozenset((ear[0], ear[2])) not in taken and _is_ear(ear, left, places, size)]
+        if not free:
             _refuse(facet)
-        lengths = [abs(places[ear[0]] - places[ear[2]]) for ear in ears]
-        alike = [ear for ear, length in zip(ears, lengths, strict=True) if length <= min(lengths) + _ALIKE * size]
+        lengths = [abs(places[ear[0]] - places[ear[2]]) for ear in free]
+        alike = [ear for ear, length in zip(free, lengths, strict=True) if length <= min(lengths) + _ALIKE * size]
         best = min(alike, key=lambda ear: sorted((ear[0], ear[2])))
         taken.add(frozenset((best[0], best[2])))
         left.remove(best[1])
@@ -108,15 +123,11 @@ def _refuse(facet: int) -> NoReturn:
 def _in_own_plane(points: Array, facet: int) -> list[complex]:
     """The corners of a facet in its own plane, counterclockwise, m."""
     away = points - points.mean(axis=0)
-    area = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0)
+    area = polygon_normal(points)
     length = float(np.linalg.norm(area))
     if not length > _ALIKE * float(np.square(away).sum()):
         raise InputError(f"faces_vertices[{facet}]: need a face with an area, got {length / 2e-4:.3g} cm2")
-    normal = area / length
-    first = np.cross(np.eye(3)[int(np.argmin(np.abs(normal)))], normal)
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
-    return [complex(x, y) for x, y in zip((away @ first).tolist(), (away @ second).tolist(), strict=True)]
+    return [complex(x, y) for x, y, _ in (away @ frame_along(area / length)).tolist()]
 
 
 def _is_ear(ear: tuple[int, int, int], left: list[int], places: dict[int, complex], size: float) -> bool:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from forficula.reproduction.claim import Claim
 from forficula.reproduction.named_reproduction import named_reproduction
@@ -56,11 +56,6 @@ def compare(study: Study, table: Dataset) -> Comparison | None:
     if paper is None or study.choices:
         return None
     return Comparison(paper=paper, claims=tuple(paper.claims(table)))
-
-
-def comparison_json(comparison: Comparison) -> list[dict[str, Any]]:
-    """The claims as plain data; `agrees` is null where it cannot be told."""
-    return [asdict(row) for row in comparison.claims]
 
 
 def comparison_markdown(comparison: Comparison) -> str:

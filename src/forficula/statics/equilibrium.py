@@ -228,7 +228,7 @@ class PathState:
 PathEnergy = Callable[[Array], tuple[Array, Array]]
 
 
-def states_along(path: PathEnergy, places: Array, *, force: ArrayLike) -> tuple[PathState, ...]:
+def states_along(path: PathEnergy, places: Array, *, force: ArrayLike, wide: float = _WIDE) -> tuple[PathState, ...]:
     """Find where something on a path rests, from its start to its end.
 
     Stationary points are zeros of the slope (Brent 1973), one at most looked for between two neighbouring places.
@@ -237,6 +237,7 @@ def states_along(path: PathEnergy, places: Array, *, force: ArrayLike) -> tuple[
         path: energy, and its slope by the coordinate.
         places: rising coordinates from one end of the path to the other, (place,).
         force: largest slope that counts as none, one or by place.
+        wide: share of the path beyond which a stretch without a slope is no minimum but a neutral range.
     """
     energy, slope = path(places)
     sign = np.where(np.abs(slope) <= force, 0, np.sign(slope))
@@ -251,8 +252,8 @@ def states_along(path: PathEnergy, places: Array, *, force: ArrayLike) -> tuple[
         if sign[place] == 0:
             before = sign[place - 1] if place else 0
             after = sign[last + 1] if last + 1 < len(places) else 0
-            wide = _WIDE * (places[-1] - places[0])
-            states += _flat_state(path, places[place : last + 1], before, after, wide)
+            shortest = wide * (places[-1] - places[0])
+            states += _flat_state(path, places[place : last + 1], before, after, shortest)
         elif last + 1 < len(places) and sign[last + 1] == -sign[place]:
             states.append(
                 _stationary(path, places[last], places[last + 1], "maximum" if sign[place] > 0 else "minimum")

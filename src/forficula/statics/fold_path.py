@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 import scipy
@@ -14,7 +15,7 @@ from forficula.statics.equilibrium import Equilibria, PathState, states_along
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, rest
 from forficula.statics.sheet import sheet_energy
-from forficula.structure import RigidFold, Structure, drive_of
+from forficula.structure import RigidFold, Structure, drive_of, goal_of, state_of
 
 # Moment that counts as none: of the tendons' largest about the ring, or, where they have none, of E t l^2 of the
 # membrane.
@@ -86,6 +87,30 @@ class FoldPath:
         return float(np.max(climbs[moves] / self.unfold_rate[moves]))
 
 
+@dataclass(frozen=True, kw_only=True)
+class StableState:
+    """A stable state of a structure along its fold.
+
+    Attributes:
+        name: the start of the fold, such as "flat", the first, where it is flat or cambered; its end, such as
+            "folded", the last; "partly folded" between them; "anywhere" where nothing moves it all along.
+        kind: "stop", pressed onto the end of the path; "minimum"; "neutral", a range without any force.
+        pleat_angle: rad; of a neutral range the end nearer to flat.
+        far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
+        ring_angle: fold angle of the ring creases there, rad.
+        energy: J.
+        holding_torque: on every hinge that turns, that presses it onto the end of the path, N m.
+    """
+
+    name: str
+    kind: Literal["stop", "minimum", "maximum", "neutral"]
+    pleat_angle: float
+    far_pleat_angle: float
+    ring_angle: float
+    energy: float
+    holding_torque: float
+
+
 def rigid_fold(structure: Structure) -> RigidFold:
     """How the panels of a structure fold.
 
@@ -141,6 +166,35 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
         states=states_along(lambda x: (curve(x), by_angle(x)), pleat, force=quiet),
         remarks=fold.remarks,
     )
+
+
+def fold_states(structure: Structure, path: FoldPath) -> tuple[StableState, ...]:
+    """The stable states of a structure along its fold, from camber to folded."""
+    return tuple(
+        StableState(
+            name=_name(structure, path, state),
+            kind=state.kind,
+            pleat_angle=state.coordinate,
+            far_pleat_angle=state.far_coordinate,
+            ring_angle=float(np.interp(state.coordinate, path.pleat_angle, path.ring_angle)),
+            energy=state.energy,
+            holding_torque=state.press * 2 / path.turns,
+        )
+        for state in path.states
+        if state.stable
+    )
+
+
+def _name(structure: Structure, path: FoldPath, state: PathState) -> str:
+    fold = rigid_fold(structure)
+    ring = float(np.interp(state.far_coordinate, path.pleat_angle, path.ring_angle))
+    folded = state_of(structure, fold.end)
+    most = None if folded is None else goal_of(structure, folded.goal).most[list(fold.folds)]
+    enough = most is not None and bool(np.all(-ring <= most))
+    closed = enough or state.far_coordinate >= math.pi
+    if state.coordinate <= 0:
+        return "anywhere" if closed else fold.start
+    return fold.end if closed else f"partly {fold.end}"
 
 
 def _unfold_rate(structures: Ensemble, fold: RigidFold, fold_slope: Array) -> Array:

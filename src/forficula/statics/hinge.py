@@ -14,15 +14,12 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.structure import Crossing, Hinge, Structure, Tendon
-
-_SCAN = 361  # angles among which the largest torque is looked for before it is refined
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,19 +171,6 @@ class TendonHinge:
         return np.asarray(energy), np.asarray(force * lever), stiffness
 
 
-@dataclass(frozen=True, kw_only=True)
-class PeakTorque:
-    """The largest moment that keeps a hinge from opening.
-
-    Attributes:
-        torque: N m, positive.
-        angle: where, rad.
-    """
-
-    torque: float
-    angle: float
-
-
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
     """Every tendon's hinge with both bars square to its axis (theory.md, section 3), of those that have such bars.
 
@@ -271,26 +255,6 @@ def stacked_hinges(hinges: Sequence[Sequence[TendonHinge]]) -> TendonHinge:
     )
 
 
-def top_barrier(hinge: TendonHinge) -> float | None:
-    """Energy to climb from the overbend stop to the top, J; None where the stop is not beyond it, or nothing pulls.
-
-    With equal arms, no offset and no resting length it is energy(0) sin^2(overbend / 2) (theory.md, section 3).
-    """
-    if not hinge.pulls or hinge.top_to_overbend <= 0 or hinge.top_to_fold <= 0:
-        return None
-    return float(released_energy(hinge, 0.0, hinge.top_to_overbend))
-
-
-def holding_torque(hinge: TendonHinge) -> float | None:
-    """Torque that presses the hinge onto its overbend stop, N m; None where that is not beyond the top, or no pull.
-
-    0 where the tendon is slack at the stop.
-    """
-    if not hinge.pulls or hinge.top_to_overbend <= 0:
-        return None
-    return float(hinge.moment(hinge.overbend))
-
-
 def slack_angle(hinge: TendonHinge) -> float | None:
     """Angle beyond which the folding hinge is free, rad; None where it has none up to the fold limit.
 
@@ -300,31 +264,6 @@ def slack_angle(hinge: TendonHinge) -> float | None:
     if not hinge.pulls or distance is None or distance > hinge.top_to_fold:
         return None
     return -distance - hinge.offset_angle
-
-
-def peak_opening_torque(hinge: TendonHinge) -> PeakTorque | None:
-    """The largest moment towards folding between the top and the fold limit; None where there is no pull.
-
-    At the zero of the energy's second derivative (Brent 1973), or at the fold limit where the moment still grows
-    there. With equal arms, no offset and a linear law that is cos(angle / 2) = (lambda + sqrt(lambda^2 + 8)) / 4,
-    lambda being the resting length by the length at straight (set the derivative of theory.md's moment to 0).
-    """
-    if not hinge.pulls or hinge.top_to_fold <= 0:
-        return None
-    last = slack_angle(hinge)
-    first = max(0.0, -hinge.top_to_overbend)
-    folds = np.linspace(first, hinge.top_to_fold if last is None else -last - hinge.offset_angle, _SCAN)
-
-    def stiffness(fold: float) -> float:
-        return float(hinge.stiffness(-fold - hinge.offset_angle))
-
-    largest = int(np.argmax(-hinge.moment(-folds - hinge.offset_angle)))
-    before, after = folds[max(largest - 1, 0)], folds[min(largest + 1, _SCAN - 1)]
-    fold = float(folds[largest])
-    if stiffness(before) < 0 < stiffness(after):
-        fold = float(scipy.optimize.brentq(stiffness, before, after, xtol=1e-15))
-    angle = -fold - hinge.offset_angle
-    return PeakTorque(torque=float(-hinge.moment(angle)), angle=angle)
 
 
 def released_energy(hinge: TendonHinge, start: float, further: ArrayLike) -> Array:

@@ -3,26 +3,38 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from itertools import pairwise
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import reading_unit
-from forficula.statics.hinge import (
-    PeakTorque,
-    TendonHinge,
-    holding_torque,
-    peak_opening_torque,
-    slack_angle,
-    top_barrier,
-)
-from forficula.statics.snap import FOLD_START, final_speed, fold_time, growth_rate, time_scale
+from forficula.statics.equilibrium import PathState, states_along
+from forficula.statics.hinge import TendonHinge, slack_angle, tendon_hinge
+from forficula.statics.snap import FOLD_START, final_speed, fold_time, time_scale
+from forficula.structure import Structure
+
+_QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
+_FINE, _COARSE = 1801, 46  # angles among which states and peaks are looked for, with a spring and without one
+
+
+@dataclass(frozen=True, kw_only=True)
+class PeakTorque:
+    """The largest moment that keeps a hinge from opening.
+
+    Attributes:
+        torque: N m, positive.
+        angle: where, rad.
+    """
+
+    torque: float
+    angle: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,8 +75,7 @@ class HingeLandscape:
     """A hinge over its whole range. What does not exist is None, and the remarks say why.
 
     Folding is negative in all angles here; those that the structure has are these times `sense`. With a spring of the
-    hinge, see `forficula.statics.sprung_hinge`, the energy and the moment are still those of the tendon, and everything
-    else is of both.
+    hinge the energy and the moment are still those of the tendon, and everything else is of both.
 
     Attributes:
         hinge: whose landscape it is.
@@ -111,7 +122,16 @@ class HingeLandscape:
     @cached_property
     def fold_time(self) -> float | None:
         """From where the fold is let go to the fold limit, s: an integral, for whoever asks. None with a spring."""
-        return None if self.spring is not None else fold_time(self.hinge, self.fold_start)
+        return self.time_to(self.hinge.fold_limit)
+
+    def time_to(self, angle: float) -> float | None:
+        """From where the fold is let go to an angle past straight, rad, or to the fold limit before it, s.
+
+        None with a spring, and where the hinge does not fold.
+        """
+        if self.spring is not None:
+            return None
+        return fold_time(replace(self.hinge, fold_limit=min(angle, self.hinge.fold_limit)), self.fold_start)
 
     @property
     def spring_energy(self) -> Array:
@@ -137,72 +157,185 @@ class HingeLandscape:
 
 
 def hinge_landscape(
-    hinge: TendonHinge, points: int = 181, fold_start: float = FOLD_START, overbend: str = "overbend"
+    hinge: TendonHinge,
+    points: int = 181,
+    fold_start: float = FOLD_START,
+    overbend: str = "overbend",
+    spring: HingeSpring | None = None,
 ) -> HingeLandscape:
-    """Survey a hinge.
+    """Survey a hinge along its angle, whether it has a spring of its own or not.
+
+    How fast it snaps is left open where it has a spring.
 
     Args:
-        hinge: the hinge.
+        hinge: the hinge, folding towards negative angles.
         points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
         fold_start: how far past the top the fold of `fold_time` is let go, rad.
         overbend: what sentences call the overbend.
+        spring: of the hinge, its angles counted alike; None for none.
 
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
     """
-    angle, barrier = special_angles(hinge, points), top_barrier(hinge)
+    angle = special_angles(hinge, points)
+    path = _Path(hinge=hinge, spring=spring)
+    found = _places(path)
+    stable = [place for place in found if place.stable]
+    top = _top_of(found)
+    climbed = top is not None and top is not found[0]
+    slack = slack_angle(hinge)
     return HingeLandscape(
         hinge=hinge,
         angle=angle,
         energy=hinge.energy(angle),
         moment=hinge.moment(angle),
-        barrier=barrier,
-        barrier_angle=None if barrier is None else hinge.top,
-        holding_torque=holding_torque(hinge),
-        peak_opening=peak_opening_torque(hinge),
-        slack_angle=slack_angle(hinge),
-        states=hinge_states(hinge),
-        time_scale=time_scale(hinge),
-        growth_rate=growth_rate(hinge),
+        barrier=top.energy - stable[0].energy if top is not None and climbed else None,
+        barrier_angle=0.0 - top.coordinate if top is not None and climbed else None,
+        holding_torque=_holding_torque(hinge, found[0]),
+        peak_opening=_peak(path, top, found),
+        slack_angle=slack,
+        states=tuple(_hinge_state(hinge, place) for place in stable),
+        time_scale=None if spring is not None else time_scale(hinge),
+        growth_rate=None if top is None else _growth_rate(path, top),
         fold_start=fold_start,
-        final_speed=final_speed(hinge, fold_start),
-        remarks=hinge_remarks(hinge, fold_start, overbend),
+        final_speed=None if spring is not None else final_speed(hinge, fold_start),
+        remarks=hinge_remarks(hinge, fold_start, overbend) if spring is None else _spring_remarks(hinge, stable, slack),
+        spring=spring,
     )
 
 
-def hinge_states(hinge: TendonHinge) -> tuple[HingeState, ...]:
-    """Find where a hinge stays, from the overbend to the fold limit.
+@dataclass(frozen=True, kw_only=True)
+class _Path:
+    """A hinge and its spring along the angle with its sign changed, so that folding rises.
 
-    The energy falls from the top to both sides for half a turn (the law pulls, and the tendon is longest there), so a
-    state is at a stop, or is the range up to it over which the tendon is slack; or, where an offset lets the hinge go
-    farther than that, half a turn from the top. The top is none, whether a stop is there or not.
+    Attributes:
+        hinge: with its tendon.
+        spring: of the hinge; None for none.
     """
-    if not hinge.pulls:
-        return (_neutral(hinge.overbend, -hinge.fold_limit),)
-    sides = ((hinge.top_to_overbend, hinge.overbend, 1), (hinge.top_to_fold, -hinge.fold_limit, -1))
-    return tuple(_state(hinge, end, stop, side) for end, stop, side in sides if end > 0)
+
+    hinge: TendonHinge
+    spring: HingeSpring | None
+
+    def __call__(self, fold: Array) -> tuple[Array, Array]:
+        """Energy, J, and its slope, N m."""
+        energy, slope = self.hinge.energy(-fold), self.hinge.moment(-fold)
+        if self.spring is None:
+            return energy, slope
+        turned = -fold - self.spring.rest_angle
+        return energy + self.spring.stiffness / 2 * turned**2, slope - self.spring.stiffness * turned
+
+    @property
+    def places(self) -> int:
+        """How many angles to look at; a tendon alone has its special angles among any."""
+        return _COARSE if self.spring is None else _FINE
+
+    def curvature(self, fold: float) -> float:
+        """Second derivative of the energy, N m/rad."""
+        return float(self.hinge.stiffness(-fold)) + (0.0 if self.spring is None else self.spring.stiffness)
 
 
-def _state(hinge: TendonHinge, end: float, stop: float, side: int) -> HingeState:
-    """The state on one side of the top, whose stop is this far from there."""
-    slack = hinge.slack_distance
-    if slack is not None and slack < end:
-        taut_again = 2 * math.pi - slack
-        far = stop if end <= taut_again else side * taut_again - hinge.offset_angle
-        return _neutral(side * slack - hinge.offset_angle, far)
-    angle = stop if end <= math.pi else side * math.pi - hinge.offset_angle
-    torque = abs(float(hinge.moment(angle))) if angle == stop else 0.0
-    return HingeState(
-        kind="stop" if torque else "minimum",
-        angle=angle,
-        far_angle=angle,
-        energy=float(hinge.energy(angle)),
-        holding_torque=torque,
-    )
+def _places(path: _Path) -> tuple[PathState, ...]:
+    """Where a hinge stays, and the tops between, from the overbend to the fold limit."""
+    folds = -special_angles(path.hinge, path.places)
+    largest = float(np.abs(path(folds)[1]).max())
+    if path.spring is not None:
+        return states_along(path, folds, force=_QUIET * largest)
+    # a place between any two special ones, at which the moment may be none
+    folds = np.sort(np.concatenate([folds, (folds[1:] + folds[:-1]) / 2]))
+    # where the tendon is slack nothing moves the hinge, however short that range is
+    return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
-def _neutral(angle: float, far_angle: float) -> HingeState:
-    return HingeState(kind="neutral", angle=angle, far_angle=far_angle, energy=0.0, holding_torque=0.0)
+def _top_of(found: tuple[PathState, ...]) -> PathState | None:
+    """The first top that a hinge climbs to; else that from which it starts, where its overbend is none."""
+    tops = [place for place in found if not place.stable]
+    return next((top for top in tops if top is not found[0]), next(iter(tops), None))
+
+
+def _holding_torque(hinge: TendonHinge, first: PathState) -> float | None:
+    """Torque that presses a hinge onto its overbend stop; 0 where its tendon is slack there; None where none does."""
+    at_stop = first.stable and first.coordinate == -hinge.overbend
+    return first.press if at_stop and (first.kind == "stop" or hinge.pulls) else None
+
+
+def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> PeakTorque | None:
+    """The largest moment that folds it from its top, or where that lies beyond its stop from there, to where it stays.
+
+    At the zero of the energy's second derivative (Brent 1973), or at the fold limit where the moment still grows
+    there.
+    """
+    hinge, places = path.hinge, [place.coordinate for place in found]
+    if top is not None and top is not found[-1]:
+        start, end = top.coordinate, places[found.index(top) + 1]
+    elif path.spring is None and hinge.pulls and hinge.top_to_overbend < 0:
+        start, end = -hinge.overbend, places[0]
+    else:
+        return None
+    folds = np.linspace(start, end, path.places)
+    slope = path(folds)[1]
+    steepest = int(np.argmin(slope))
+    before, after = folds[max(steepest - 1, 0)], folds[min(steepest + 1, len(folds) - 1)]
+    fold = float(folds[steepest])
+    if path.curvature(before) < 0 < path.curvature(after):
+        fold = float(scipy.optimize.brentq(path.curvature, before, after, xtol=1e-15))
+    return PeakTorque(torque=-float(path(np.array([fold]))[1][0]), angle=-fold)
+
+
+def _growth_rate(path: _Path, top: PathState) -> float | None:
+    """Rate at which a hinge leaves its top, 1/s: sqrt(-stiffness of tendon and spring / inertia).
+
+    For a linear law without a spring that is sqrt(1 - lambda) / t*, lambda being the resting length by the length at
+    the top (theory.md, section 3).
+    """
+    stiffness = path.curvature(top.coordinate)
+    return math.sqrt(-stiffness / path.hinge.inertia) if stiffness < 0 else None
+
+
+def _hinge_state(hinge: TendonHinge, place: PathState) -> HingeState:
+    assert place.kind != "maximum"
+    ends = 0.0 - place.coordinate, 0.0 - place.far_coordinate
+    if hinge.pulls and abs(ends[1] - hinge.top) < abs(ends[0] - hinge.top):
+        ends = ends[::-1]
+    # only a slack tendon lets a hinge move freely, and it stores nothing but rounding
+    energy = 0.0 if place.kind == "neutral" else place.energy
+    return HingeState(kind=place.kind, angle=ends[0], far_angle=ends[1], energy=energy, holding_torque=place.press)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrossedHinge:
+    """A hinge that one tendon lies across.
+
+    Attributes:
+        tendon: number of the tendon.
+        hinge: number of the hinge.
+        own: about its true axis.
+        ideal: with both bars square to the axis; None where there are no bars to be so.
+    """
+
+    tendon: int
+    hinge: int
+    own: HingeLandscape
+    ideal: HingeLandscape | None
+
+
+def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHinge, ...]:
+    """Survey every hinge that one tendon lies across, in the order of the tendons; those alike are surveyed once."""
+
+    @cache
+    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
+        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
+
+    found = []
+    for number, tendon in enumerate(structure.tendons):
+        if tendon.crossing is None:
+            continue
+        crossed, own = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        spring = None
+        if crossed.stiffness:
+            spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
+        ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
+        found.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+    return tuple(found)
 
 
 def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
@@ -214,17 +347,17 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
         overbend: what they call the overbend.
     """
     if not hinge.pulls:
-        return (why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
+        return (_why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
     # sentences have angles in the hinge's own sense
     sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
     slack, past = hinge.slack_distance, "straight"
     if offset:
-        past = degrees(sense * hinge.top)
+        past = _degrees(sense * hinge.top)
     if hinge.top_to_overbend <= 0:
         remarks.append(
             f"the ends of the tendon are offset: it is longest at {past}, and the {overbend} of"
-            f" {degrees(hinge.overbend)} is not beyond it, so there is no barrier and no holding torque; a larger"
+            f" {_degrees(hinge.overbend)} is not beyond it, so there is no barrier and no holding torque; a larger"
             f" {overbend} gives both"
             if offset
             else f"the {overbend} is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
@@ -234,25 +367,25 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
         remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
     if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
         remarks.append(
-            f"the tendon is slack beyond {degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop"
-            f" of {degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
+            f"the tendon is slack beyond {_degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop"
+            f" of {_degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
         )
     if slack is None or slack > hinge.top_to_fold:
-        remarks.append(f"the tendon pulls up to the fold limit of {degrees(limit)} and nowhere goes slack")
+        remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and nowhere goes slack")
     elif slack < hinge.top_to_fold:
         far = max(-limit, slack - 2 * math.pi - offset)
         remarks.append(
-            f"the tendon is slack from {degrees(sense * (-slack - offset))} to {degrees(sense * far)}: nothing moves"
+            f"the tendon is slack from {_degrees(sense * (-slack - offset))} to {_degrees(sense * far)}: nothing moves"
             " the folded hinge there"
         )
     if fold_start >= hinge.top_to_fold:
         remarks.append(
-            f"the fold limit of {degrees(limit)} is not beyond {degrees(fold_start)} past {past},"
+            f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past {past},"
             " where the fold starts, so it has no time and no speed"
         )
     elif slack is not None and slack <= fold_start:
         remarks.append(
-            f"the tendon is slack {degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
+            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
             " speed; a shorter resting length gives them"
         )
     if not hinge.law.linear:
@@ -260,7 +393,25 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
     return tuple(remarks)
 
 
-def why_no_pull(hinge: TendonHinge, then: str) -> str:
+def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
+    if not hinge.pulls:
+        return (_why_no_pull(hinge, "the spring of its hinge is all that moves it, and there is no barrier"),)
+    remarks = []
+    if len(stable) == 1:
+        remarks.append(
+            "the tendon and the spring of its hinge let it rest at one place only,"
+            f" {_degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a stiffer or shorter tendon, or"
+            " a softer spring, gives one"
+        )
+    if slack is not None:
+        remarks.append(
+            f"the tendon is slack beyond {_degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all"
+            " that moves it there"
+        )
+    return tuple(remarks)
+
+
+def _why_no_pull(hinge: TendonHinge, then: str) -> str:
     """Say why a tendon is slack at every angle, and what comes of that."""
     law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
     if law.rest_length < longest:
@@ -272,7 +423,7 @@ def why_no_pull(hinge: TendonHinge, then: str) -> str:
     )
 
 
-def degrees(angle: float) -> str:
+def _degrees(angle: float) -> str:
     """An angle (rad) as sentences have it."""
     return f"{math.degrees(angle):.4g} deg"
 

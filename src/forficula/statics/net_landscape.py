@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
+from forficula.design import Design
 from forficula.errors import InputError
+from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
-from forficula.statics.net.minimum import Rest, minimum
+from forficula.statics.net.minimum import Rest as NetRest
+from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net, Shape
-from forficula.statics.net.net_of import net_of, panels, start_shape
+from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.passing import panels_pass
-from forficula.statics.net.saddle import Saddle, find_saddle
+from forficula.statics.net.saddle import find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import supported
 from forficula.statics.net_course import Course, drive_course, short_of
-from forficula.statics.net_state import Mobility, NetState, mobility, net_state
-from forficula.structure import Structure, drive_of, first_state, state_of
+from forficula.statics.net_state import NetState, known, mobility, net_state, stored_parts
+from forficula.structure import Structure, drive_of, first_state, goal_of, state_of
 
 Progress = Callable[[str], None]
 
@@ -30,57 +32,14 @@ _SHOWN = 4  # states that no protocol names, of which more is worked out
 _PATHS, _INCREMENTS = 4, 100  # tried for a saddle, and increments of each
 _OFF = 1e-3  # of the net's size: a push off a ridge
 _RIDGES = 8
+_SAME = 1e-3  # rad; hinges that rest no farther apart do so at one place, to what tables show
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Pass:
-    """The way between two neighbouring states over a saddle.
-
-    Attributes:
-        ends: numbers of the states.
-        saddle: that lies between; its ends are in the same order.
-    """
-
-    ends: tuple[int, int]
-    saddle: Saddle
-
-    @property
-    def barriers(self) -> tuple[float, float]:
-        """Energies to climb from either end, J."""
-        return self.saddle.barriers
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class NetLandscape:
-    """What statics says of a net.
-
-    Attributes:
-        net: what it is of.
-        built: how it can move as built; None for a net too large.
-        rests: where it comes to rest without drives: let go as built, then after each course of the protocol; with the
-            name that the protocol has for it, and whether it deserves that.
-        states: stable ones that a search found, by rising energy.
-        passes: that were found between neighbouring states.
-        courses: what the protocol's transitions do, each from where the one before left it; then what other drives do
-            from where it first rests.
-        search: seeded: there may be more states.
-        remarks: sentences.
-    """
-
-    net: Net
-    built: Mobility | None
-    rests: tuple[tuple[str, Rest, bool], ...]
-    states: tuple[NetState, ...]
-    passes: tuple[Pass, ...]
-    courses: tuple[Course, ...]
-    search: StableStates
-    remarks: tuple[str, ...]
-
-
-def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> NetLandscape:
-    """Survey the statics of a structure of sliding points, or of plates in loops or free.
+def net_landscape(design: Design, structure: Structure, progress: Progress = lambda _: None) -> EnergyLandscape:
+    """Survey the statics of sliding points, or of plates in loops or free.
 
     Args:
+        design: of the structure.
         structure: of these.
         progress: is told what is worked out.
 
@@ -98,15 +57,15 @@ def net_landscape(structure: Structure, progress: Progress = lambda _: None) -> 
     states = _states(structure, net, search, rests, progress)
     progress("saddles between states")
     passes = _passes(net, states)
-    return NetLandscape(
-        net=net,
-        built=mobility(structure, net, built),
-        rests=rests,
+    return EnergyLandscape(
+        design=design,
+        structure=structure,
+        rests=_told_rests(structure, net, rests),
         states=tuple(states),
         passes=passes,
         courses=courses,
-        search=search,
         remarks=(*left, *refused, *_remarks(structure, search, states, passes, courses)),
+        net=NetSurvey(net=net, built=mobility(structure, net, built), search=search),
     )
 
 
@@ -121,7 +80,7 @@ def slow_courses(structure: Structure) -> tuple[Course, ...]:
     return tuple(_transition_courses(structure, net, first, through_snaps=False)[0])
 
 
-def _settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
+def _settled(net: Net, built: Shape) -> tuple[NetRest, tuple[str, ...]]:
     """Where it comes to rest when let go, pushed off ridges; and what is to be said of that."""
     rest, off = minimum(net, built), 0
     while rest.settled and rest.index and off < _RIDGES:
@@ -139,7 +98,7 @@ def _settled(net: Net, built: Shape) -> tuple[Rest, tuple[str, ...]]:
     )
 
 
-def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
+def _courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
     """What transitions do, one after another, then what all other drives do; and why some do nothing."""
     courses, refused = _transition_courses(structure, net, first)
     driven = {drive_of(structure, transition.drive).name for transition in structure.transitions}
@@ -155,7 +114,7 @@ def _courses(structure: Structure, net: Net, first: Rest) -> tuple[tuple[Course,
 
 
 def _transition_courses(
-    structure: Structure, net: Net, first: Rest, *, through_snaps: bool = True
+    structure: Structure, net: Net, first: NetRest, *, through_snaps: bool = True
 ) -> tuple[list[Course], list[str]]:
     """What transitions do, each from where the one before left it; and why some cannot be told."""
     courses, refused, here = list[Course](), list[str](), first
@@ -174,8 +133,8 @@ def _transition_courses(
 
 
 def _rests(
-    structure: Structure, net: Net, first: Rest, courses: Sequence[Course]
-) -> tuple[tuple[str, Rest, bool], ...]:
+    structure: Structure, net: Net, first: NetRest, courses: Sequence[Course]
+) -> tuple[tuple[str, NetRest, bool], ...]:
     """Where it rests, by the names of the protocol."""
     places = [(first_state(structure, [state.name for state in structure.states]), first)]
     by_name = {course.name: course for course in courses}
@@ -183,16 +142,36 @@ def _rests(
     found = []
     for name, rest in places:
         state = state_of(structure, name)
-        within = state is None or short_of(structure, net, state.bounds, rest.shape) <= 0
+        within = state is None or short_of(structure, net, goal_of(structure, state.goal), rest.shape) <= 0
         found.append((name if within or state is None else state.missed, rest, within))
     return tuple(found)
+
+
+def _told_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
+    """The rests of the protocol with what they store, and which of them are at one place."""
+    rests = list[Rest]()
+    for name, rest, within in found:
+        angles = own_angles(structure, rest.shape)
+        rests.append(
+            Rest(
+                name=name,
+                angles=angles,
+                energy=known(net, rest.energy),
+                stored=stored_parts(structure, net, rest.shape),
+                stable=rest.stable,
+                within=within,
+                same_as=next((each.name for each in rests if np.all(np.abs(each.angles - angles) <= _SAME)), ""),
+                shape=rest.shape,
+            )
+        )
+    return tuple(rests)
 
 
 def _states(
     structure: Structure,
     net: Net,
     search: StableStates,
-    rests: Sequence[tuple[str, Rest, bool]],
+    rests: Sequence[tuple[str, NetRest, bool]],
     progress: Progress,
 ) -> list[NetState]:
     """What is told of states: of those of the protocol, and the lowest others in which no panels pass one another."""
@@ -207,7 +186,7 @@ def _states(
     return states
 
 
-def _name(net: Net, state: Rest, rests: Sequence[tuple[str, Rest, bool]]) -> str:
+def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) -> str:
     """What the protocol calls a state, where it rests there; else nothing."""
     for name, rest, within in rests:
         if name and within and rest.stable and same_shape(net, rest.shape, state.shape):
@@ -224,22 +203,20 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
         return ()
     apart = np.array([[_apart(one.rest.shape, other.rest.shape) for other in states] for one in states])
     tree = minimum_spanning_tree(np.triu(apart, 1)).tocoo()
-    found = dict[tuple[int, int], Saddle]()
+    found = dict[tuple[int, int], Pass]()
     for start, end in sorted(zip(tree.row.tolist(), tree.col.tolist(), strict=True)):
         saddle = find_saddle(net, states[start].rest, states[end].rest, increments=_INCREMENTS, tries=_PATHS)
         if saddle is None:
             continue
         one, other = (_number(net, states, rest) for rest in saddle.ends)
         if one is not None and other is not None and one != other:
-            found[min(one, other), max(one, other)] = saddle if one < other else _turned(saddle)
-    return tuple(Pass(ends=ends, saddle=saddle) for ends, saddle in sorted(found.items(), key=lambda each: each[0]))
+            barriers = saddle.barriers if one < other else saddle.barriers[::-1]
+            ends = min(one, other), max(one, other)
+            found[ends] = Pass(ends=ends, barriers=barriers, energy=saddle.rest.energy, shape=saddle.rest.shape)
+    return tuple(found[ends] for ends in sorted(found))
 
 
-def _turned(saddle: Saddle) -> Saddle:
-    return replace(saddle, ends=saddle.ends[::-1])
-
-
-def _number(net: Net, states: Sequence[NetState], rest: Rest) -> int | None:
+def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
     """The number of the state that a rest is, None for another one."""
     same = (number for number, state in enumerate(states) if same_shape(net, state.rest.shape, rest.shape))
     return next(same, None)

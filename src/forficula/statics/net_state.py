@@ -27,7 +27,7 @@ _MODES = 4  # told of every state, beside motions of the whole
 _STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and how many
 _STRAINED = 0.05  # of a bar: where a path to collapse ends, for panels tear or crumple
 _ROUNDING = 1e-15
-_LARGEST = 1500  # free coordinates up to which mechanisms are counted: all singular values are worked out
+_LARGEST = 1500  # free coordinates up to which mechanisms are counted
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -115,7 +115,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
         position: angles under this torque, rad, (case, hinge).
     """
     led, beyond = rest(structures, position), state_beyond(structures, transition)
-    stays = np.isfinite(torque) & at_goal(structures, led.position, transition.released)
+    stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
     return Equilibria(
         position=np.where(stays[:, None], led.position, beyond.position),
         energy=np.where(stays, led.energy, beyond.energy),

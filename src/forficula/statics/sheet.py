@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.pattern.geometry import triangle_normals
 from forficula.statics.elements import Elements, Expansion, Piece, elements, stretched
 from forficula.statics.pose import Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
@@ -111,7 +112,7 @@ def _triangles(membrane: Membrane) -> tuple[Array, Array]:
 
 def _in_plane(corners: Array) -> Array:
     """Corners of triangles in axes within the plane of each, (triangle, 3, 2); x and y where it is level."""
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = triangle_normals(corners)
     normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.where(normals[:, 2:] < 0, -normals, normals)
     x, y, z = normals.T

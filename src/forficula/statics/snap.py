@@ -29,17 +29,6 @@ def time_scale(hinge: TendonHinge) -> float | None:
     return math.sqrt(hinge.inertia / stiffness) if stiffness else None
 
 
-def growth_rate(hinge: TendonHinge) -> float | None:
-    """Rate at which the hinge leaves the top, 1/s: the angle from there grows with cosh(rate time).
-
-    sqrt(-stiffness / I) at the top, which for a linear law is sqrt(1 - lambda) / t*, lambda being the resting length by
-    the length there (theory.md, section 3). None where the tendon does not pull, or the hinge does not get there.
-    """
-    if not hinge.pulls or hinge.nearest > 0:
-        return None
-    return math.sqrt(-float(hinge.stiffness(hinge.top)) / hinge.inertia)
-
-
 def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
     """Time from rest past the top to the fold limit, s.
 

@@ -1,24 +1,40 @@
-"""What statics says of any design: the one place that chooses how its energy is surveyed."""
+"""What statics says of any structure: the one module that chooses the solver, of trees or of nets."""
 
 from __future__ import annotations
 
-import numpy as np
+import math
+from dataclasses import dataclass
 
 from forficula.design import AnyDesign, as_design
-from forficula.statics.landscape import EnergyLandscape, Rest, tree_landscape
-from forficula.statics.net.net_of import is_net, own_angles
-from forficula.statics.net_landscape import NetLandscape, Progress, net_landscape
-from forficula.statics.net_state import known, stored_parts
-from forficula.structure import Structure, structure_of
+from forficula.statics.landscape import EnergyLandscape
+from forficula.statics.net.net_of import is_net
+from forficula.statics.net_landscape import Progress, net_landscape, slow_courses
+from forficula.statics.potential import ensemble
+from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
+from forficula.statics.tree_landscape import tree_landscape
+from forficula.structure import Structure, drive_of, goal_of, structure_of
 
-_SAME = 1e-3  # rad; hinges that rest no farther apart do so at one place, to what tables show
+# up to how many times its own strength a drive is tried
+_MORE = 4.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowDrive:
+    """What a slowly growing drive must be for a transition.
+
+    Attributes:
+        least: size of the least that makes it, in the drive's SI unit; None where none of those tried does.
+        largest_force: of a displacement on the way, N; None of other drives.
+    """
+
+    least: float | None
+    largest_force: float | None = None
 
 
 def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = lambda _: None) -> EnergyLandscape:
     """Survey the statics of a design.
 
-    What hangs on the one way in which rigid panels fold is left out where there is none; so are stable states, saddles
-    and paths where the structure is a tree of bodies on joints.
+    What depends on the one way in which rigid panels fold is left out where there is none.
 
     Args:
         design: what to build; its protocol says what counts as folded and as opened, and the largest fold torque.
@@ -30,42 +46,37 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
     """
     design = as_design(design)
     structure = structure_of(design)
-    if not is_net(structure):
-        return tree_landscape(design, structure, points)
-    found = net_landscape(structure, progress)
-    return EnergyLandscape(
-        design=design,
-        structure=structure,
-        hinge=None,
-        tendons=(),
-        ideal_hinges=(),
-        fold_path=None,
-        levels=None,
-        partial_folds=(),
-        hinge_barriers=np.zeros(0),
-        rests=_rests(structure, found),
-        least_torques={},
-        least_torque_ranges={},
-        inertial_help={},
-        tips=None,
-        remarks=found.remarks,
-        net=found,
-    )
+    if is_net(structure):
+        return net_landscape(design, structure, progress)
+    return tree_landscape(design, structure, points)
 
 
-def _rests(structure: Structure, found: NetLandscape) -> tuple[Rest, ...]:
-    rests = list[Rest]()
-    for name, rest, within in found.rests:
-        angles = own_angles(structure, rest.shape)
-        rests.append(
-            Rest(
-                name=name,
-                angles=angles,
-                energy=known(found.net, rest.energy),
-                stored=stored_parts(structure, found.net, rest.shape),
-                stable=rest.stable,
-                within=within,
-                same_as=next((each.name for each in rests if np.all(np.abs(each.angles - angles) <= _SAME)), ""),
-            )
-        )
-    return tuple(rests)
+def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
+    """The least slowly growing drive of every transition, by name, each from where the one before leads."""
+    if is_net(structure):
+        courses = {each.name: each for each in slow_courses(structure)}
+        return {
+            each.name: SlowDrive(least=courses[each.name].least, largest_force=courses[each.name].largest_force)
+            if each.name in courses
+            else SlowDrive(least=None)
+            for each in structure.transitions
+        }
+    return _of_joints(structure)
+
+
+def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
+    """Of bodies on joints in a tree, to 1 %."""
+    structures, found = ensemble([structure]), dict[str, SlowDrive]()
+    before, held = start_state(structures), True
+    for transition in structure.transitions:
+        least = math.nan
+        if held:
+            most = _MORE * abs(drive_of(structure, transition.drive).strength) or 1.0
+            slow = least_slow_torque(structures, before.position, transition, most)
+            least = float(slow.torque[0])
+            before = state_after(structures, transition, slow.torque, slow.position)
+        else:
+            before = state_beyond(structures, transition)
+        found[transition.name] = SlowDrive(least=None if math.isnan(least) else least)
+        held = bool(at_goal(structures, before.position, goal_of(structure, transition.released))[0])
+    return found

@@ -1,4 +1,4 @@
-"""What is done with a structure, by name: motors, drives, measures, goals, states, transitions, and its own fold."""
+"""What is done with a structure, by name: motors, measures, goals, and its own fold."""
 
 from __future__ import annotations
 
@@ -38,36 +38,6 @@ class Motor:
     stiffness: float = 0.0
     damping: tuple[float, ...] = ()
     no_load_speed: float = math.inf
-
-
-@dataclass(frozen=True, kw_only=True)
-class Drive:
-    """What a protocol switches on by name: torques, forces, ways or turns of rest angles, of its motors' kinds.
-
-    Attributes:
-        name: as stages call it.
-        shares: times which `strength` every motor of the structure is set to, in their order.
-        rise: time over which they rise evenly from 0, s; 0: at once.
-        key: of the design's value that makes it stronger, such as "protocol.fold_torque".
-        strength: that value, in the SI unit of `drive_unit`.
-        tries: what a search for the least value tries where it is not told, as text.
-        where: what it acts on, as sentences say it, such as "on every proximal joint".
-        part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
-    """
-
-    name: str
-    shares: tuple[float, ...]
-    rise: float
-    key: str
-    strength: float
-    tries: str = ""
-    where: str = ""
-    part: str = ""
-
-    @property
-    def strengths(self) -> tuple[float, ...]:
-        """What every motor of the structure is set to, in their order, in its SI unit."""
-        return tuple(share * self.strength for share in self.shares)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,84 +84,6 @@ class Goal:
     kind: Literal["time", "rest", "bounds"]
     least: Array
     most: Array
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RestState:
-    """Where a protocol says that the structure rests.
-
-    Attributes:
-        name: such as "folded".
-        bounds: within which it deserves the name.
-        missed: what to call it otherwise, such as "not folded".
-        unknown: what to call it where nothing is to be trusted, such as "after folding".
-    """
-
-    name: str
-    bounds: Goal
-    missed: str
-    unknown: str
-
-
-@dataclass(frozen=True, kw_only=True)
-class Wording:
-    """How sentences speak of a transition.
-
-    Attributes:
-        done: what it came to, such as "folded".
-        verb: what it is to do, such as "fold" in "did not fold".
-        doing: what goes on, such as "folding" in "still folding".
-        stays: what is to last, such as "folded" in "did not stay folded".
-        time: what its time is called, such as "fold time".
-        noun: what it is called itself, such as "folding" in "work of folding".
-        did: what it came to in a story of several, such as "opened again"; what it came to if empty.
-    """
-
-    done: str
-    verb: str
-    doing: str
-    stays: str
-    time: str
-    noun: str
-    did: str = ""
-
-    @property
-    def does(self) -> str:
-        """What it does, such as "folds"."""
-        first, *rest = self.verb.split(maxsplit=1)
-        return " ".join([f"{first}s", *rest])
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Transition:
-    """A way to a named state: a drive, the goal that it is to reach, and what must be left of it when released.
-
-    Attributes:
-        name: of its own, such as "fold".
-        drive: name of the drive.
-        stage: number of the protocol's stage that drives it; None where the protocol has none.
-        goal: name of the goal.
-        state: name of the state that it leads to.
-        released: the bounds that the state must keep where the stage was to reach the goal; where it was not, the
-            state must keep its own.
-        measure: name of the measure that tells how far it got.
-        kind: of that measure.
-        furthest: which of the measure's readings is furthest from the goal.
-        begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
-        wording: for sentences.
-    """
-
-    name: str
-    drive: str
-    stage: int | None
-    goal: str
-    state: str
-    released: Goal
-    measure: str
-    furthest: Literal["largest", "smallest"]
-    begun: float | None
-    wording: Wording
-    kind: Literal["angle", "distance"] = "angle"
 
 
 @dataclass(frozen=True, kw_only=True)

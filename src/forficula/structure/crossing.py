@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.pattern.geometry import cross
 from forficula.structure.mass import inertia_about
 from forficula.structure.parts import Crossing
 from forficula.structure.structure import Structure
@@ -65,9 +66,8 @@ def bar_crossing(
 
 
 def sine_between(one: Array, other: Array) -> float:
-    """Of the angle between two unit vectors, (3,); many times as fast as `np.cross` for single ones."""
-    (x, y, z), (u, v, w) = one.tolist(), other.tolist()
-    return float(np.linalg.norm(np.array([y * w - z * v, z * u - x * w, x * v - y * u])))
+    """Compute the sine of the angle between two unit vectors, (3,)."""
+    return float(np.linalg.norm(cross(one, other)))
 
 
 def tendon_crossing(structure: Structure, points: tuple[int, int]) -> Crossing | None:

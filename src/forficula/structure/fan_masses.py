@@ -9,6 +9,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import FanDesign
 from forficula.design.places import row_bars
+from forficula.pattern.geometry import triangle_areas
 from forficula.structure.parts import Panel, PointMass
 from forficula.structure.vein import Vein, panel_lines
 from forficula.structure.vein_parts import vein_masses
@@ -69,7 +70,7 @@ def triangle_masses(corners: Array, carriers: Sequence[int]) -> Iterator[tuple[i
     Yields:
         The number of a body, a place, (3,), and the mass there.
     """
-    area = float(np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0]))) / 2
+    area = float(triangle_areas(corners))
     for body in dict.fromkeys(carriers):
         own = [corner for corner, carrier in enumerate(carriers) if carrier == body]
         for place, first in enumerate(own):

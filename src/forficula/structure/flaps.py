@@ -6,14 +6,13 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.pattern.geometry import cross, dot
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 
 # by a crease's stiffness, or by the stiffest if it has none: that of its stops, if it is not given [chosen]. In runs a
 # stop of 1000 times gives way by 0.06 deg where the spring of the crease is 1 rad from rest; in statics by 6e-5 deg.
 _STOP, _RIGID = 1e3, 1e6
-# coordinates, so that the first three of four are those after each, and the last three those before
-_AROUND = np.array([1, 2, 0, 1])
 
 
 def crease_numbers(structure: Structure) -> Indices:
@@ -42,18 +41,6 @@ def flap_angles(corners: Array) -> Array:
     one, other = cross(edge, left - tail), cross(right - right_tail, right_edge)
     sine = dot(along, cross(other, one)) / np.sqrt(dot(along, along))
     return np.asarray(np.arctan2(sine, dot(one, other)))
-
-
-def dot(one: Array, other: Array) -> Array:
-    """Products of vectors, coordinates first, (3, ...), with as many dimensions."""
-    products = one * other
-    return np.asarray(products[0] + products[1] + products[2])
-
-
-def cross(one: Array, other: Array) -> Array:
-    """Vectors square to others, coordinates first, (3, ...), with as many dimensions; much faster than `np.cross`."""
-    one, other = one[_AROUND], other[_AROUND]
-    return np.asarray(one[:3] * other[1:] - one[1:] * other[:3])
 
 
 def built_creases(structure: Structure) -> Array:

@@ -8,12 +8,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.design.named_protocol import Drive, RestState, Transition
 from forficula.design.part import ANGLE, LENGTH
 from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, Transition
+from forficula.structure.course import Goal, Measure, Motor
 from forficula.structure.structure import Structure
 
 _UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}

@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.design import Imperfection
 from forficula.pattern import CreasePattern
+from forficula.pattern.geometry import triangle_normals
 
 
 def imperfect(triangles: CreasePattern, imperfection: Imperfection) -> CreasePattern:
@@ -20,9 +21,8 @@ def imperfect(triangles: CreasePattern, imperfection: Imperfection) -> CreasePat
     if not imperfection.size:
         return triangles
     coords, corners = triangles.vertices_coords, np.array(triangles.faces_vertices)
-    one, two, three = coords[corners].transpose(1, 0, 2)
     normals = np.zeros_like(coords)
-    np.add.at(normals, corners, np.cross(two - one, three - one)[:, None])
+    np.add.at(normals, corners, triangle_normals(coords[corners])[:, None])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
     ways = imperfection.size * np.random.default_rng(imperfection.seed).normal(size=(len(coords), 1))
     return dataclasses.replace(triangles, vertices_coords=coords + ways * normals)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -10,23 +9,12 @@ import numpy as np
 from forficula.design import JointDesign
 from forficula.quantities import show_value
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Drive, Motor
-from forficula.structure.fold_course import with_course, with_distal_angle
-from forficula.structure.goals import hinges_of
+from forficula.structure.protocol import with_protocol
 from forficula.structure.structure import Structure
 from forficula.structure.vein import Vein
 from forficula.structure.vein_parts import bare_veins, vein_masses
 
 _LABEL = "hinge"
-# keys that matter to where a joint rests beside those of its tendon
-_STATIC_KEYS = (
-    "pattern",
-    "hinge",
-    "protocol.initial_overbend",
-    "protocol.folded_angle",
-    "protocol.opened_angle",
-    "protocol.gravity",
-)
 
 
 def joint_structure(design: JointDesign) -> Structure:
@@ -67,42 +55,3 @@ def joint_vein(design: JointDesign) -> Vein:
         sense=1 if design.pattern.sense == "valley" else -1,
         fixed_base=True,
     )
-
-
-def with_protocol(structure: Structure, design: JointDesign) -> Structure:
-    """A joint with the drives, goals, states and transitions of a design's protocol."""
-    protocol = design.protocol
-    drives = tuple(
-        Drive(
-            name=name,
-            shares=(share,),
-            rise=protocol.rise,
-            key=f"protocol.{name}_torque",
-            strength=strength,
-            tries=tries,
-            where="on the hinge",
-        )
-        for name, share, strength, tries in (
-            ("fold", -1.0, protocol.fold_torque, "0..20 N cm step 2"),
-            ("unfold", 1.0, protocol.unfold_torque, "10..100 N cm step 10"),
-        )
-    )
-    structure = replace(
-        with_distal_angle(structure),
-        motors=(
-            Motor(name="distal", hinges=hinges_of(structure, "ring"), no_load_speed=protocol.no_load_speed or math.inf),
-        ),
-        drives=drives,
-    )
-    return with_course(structure, design)
-
-
-def drive_keys(design: JointDesign) -> tuple[str, ...]:  # noqa: ARG001
-    """Keys of the values that say how strong the drives are."""
-    return ("protocol.fold_torque", "protocol.unfold_torque")
-
-
-def static_keys(design: JointDesign) -> tuple[str, ...]:
-    """Keys of what matters to where the joint rests, but for its tendon."""
-    # without gravity it rests where it rests, however heavy it is
-    return (*_STATIC_KEYS, "vein") if design.protocol.gravity else _STATIC_KEYS

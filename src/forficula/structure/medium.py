@@ -11,6 +11,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.design import MediumSection
 from forficula.pattern import CreasePattern
+from forficula.pattern.geometry import triangle_areas
 from forficula.structure.fan_masses import triangle_masses
 from forficula.structure.parts import Medium, Panel, PointMass
 from forficula.structure.structure import Structure
@@ -71,7 +72,7 @@ def facet_panels(
     """
     faces = np.array(triangles.faces_vertices, dtype=np.int64)
     corners = triangles.vertices_coords[faces]
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    areas = triangle_areas(corners)
     total = np.bincount(parts, areas, len(sheet.faces_vertices))
     longest = [
         float(np.linalg.norm(np.diff(sheet.vertices_coords[[*face, face[0]]], axis=0), axis=1).max())

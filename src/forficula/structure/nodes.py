@@ -16,6 +16,7 @@ from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import GROUND_PLACE
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
+from forficula.pattern.geometry import triangle_areas
 from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.facets import BEND
@@ -34,10 +35,10 @@ from forficula.structure.parts import (
     Stops,
     Tendon,
 )
+from forficula.structure.protocol import with_protocol
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
 from forficula.structure.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
-from forficula.structure.sheet_protocol import with_protocol
 from forficula.structure.structure import Structure
 
 # rad; a crease this near to being folded onto itself as built is so in its own sense
@@ -252,5 +253,4 @@ def _tendons(
 
 def _areas(triangles: CreasePattern) -> Array:
     """Areas of triangles, (triangle,)."""
-    one, two, three = triangles.vertices_coords[np.array(triangles.faces_vertices)].transpose(1, 0, 2)
-    return np.asarray(np.linalg.norm(np.cross(two - one, three - one), axis=1) / 2)
+    return triangle_areas(triangles.vertices_coords[np.array(triangles.faces_vertices)])

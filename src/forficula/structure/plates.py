@@ -10,6 +10,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import SheetDesign
 from forficula.design.crease_values import creases_by_edge
+from forficula.design.sheet_course import places_of
 from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
@@ -21,9 +22,9 @@ from forficula.structure.facet_plates import corner_name, facet_plates, largest_
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.opening_creases import opening_creases, opening_parts
 from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Stops
+from forficula.structure.protocol import pushed_name, with_protocol
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
-from forficula.structure.sheet_protocol import pushed_name, with_protocol
 from forficula.structure.structure import Structure
 
 
@@ -56,8 +57,8 @@ def plate_structure(design: SheetDesign) -> Structure:
     tendons = plate_tendons(design, pattern, links, add)
     measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
     for drive in design.drive:
-        for place, text in enumerate(drive.places):
-            add(pushed_name(drive, place), "pushed", place_on(pattern, text))
+        for place, text in enumerate(places_of(drive)):
+            add(pushed_name(drive.name, place), "pushed", place_on(pattern, text))
     structure = Structure(
         name=design.name,
         stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),

@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.arrays import Flags, Indices
 from forficula.design import SheetDesign
+from forficula.design.sheet_course import places_of
 from forficula.design.sheet_places import GROUND_PLACE, as_place, facet_of, is_vertex, place_on, vertex_of
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.added_vertices import with_vertices
@@ -79,7 +80,7 @@ def sheet_nodes(design: SheetDesign) -> SheetNodes:
 def _places(design: SheetDesign) -> list[str]:
     """The places of tendons, measures and forces that are not vertices, each once."""
     ends = [getattr(joined, end) for joined in (*design.tendon, *design.measure) for end in ("from", "to")]
-    pushed = [text for drive in design.drive for text in drive.places]
+    pushed = [text for drive in design.drive for text in places_of(drive)]
     written = (as_place(text) for text in (*ends, *pushed) if text is not None)
     return [text for text in dict.fromkeys(written) if text != GROUND_PLACE and not is_vertex(text)]
 

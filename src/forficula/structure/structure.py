@@ -8,8 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from forficula.design import Imperfection
+from forficula.design.named_protocol import Drive, RestState, Transition
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Drive, Goal, Measure, Motor, RestState, RigidFold, Transition
+from forficula.structure.course import Goal, Measure, Motor, RigidFold
 from forficula.structure.parts import (
     Bar,
     Body,

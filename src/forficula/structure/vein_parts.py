@@ -12,6 +12,7 @@ from forficula.arrays import Array
 from forficula.design import FanDesign, JointDesign, TendonSection, tendon_law
 from forficula.errors import InputError
 from forficula.pattern import vein_roles
+from forficula.structure.course import Measure
 from forficula.structure.crossing import bar_crossing, sine_between
 from forficula.structure.mass import end_inertia, turned_inertia
 from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
@@ -72,9 +73,23 @@ def bare_veins(
         masses=tuple(masses),
         hinges=tuple(hinges),
         tendons=tuple(tendons),
+        measures=(_distal_angle(hinges, len(veins[0].axes)),),
         span=design.pattern.proximal_length + design.pattern.distal_length,
         mass=_bar_mass(design),
         gravity=design.protocol.gravity,
+    )
+
+
+def _distal_angle(hinges: Sequence[Hinge], folds: int) -> Measure:
+    """The angles of the distal hinges, each of which is shared by so many ring folds of a vein."""
+    rings = tuple(number for number, hinge in enumerate(hinges) if hinge.role == "ring")
+    return Measure(
+        name="distal_angle",
+        kind="angle",
+        hinges=rings,
+        signs=(1,) * len(rings),
+        together=folds,
+        label="distal angle",
     )
 
 

@@ -17,10 +17,10 @@ from forficula.structure.appearance import Appearance
 from forficula.structure.couplings import vein_couplings
 from forficula.structure.fan_fold import fan_fold
 from forficula.structure.fan_masses import fan_masses, fan_panels
-from forficula.structure.fan_protocol import with_protocol
 from forficula.structure.medium import immersed
 from forficula.structure.panel_surface import fan_contact, overlapping_length, panel_surface
 from forficula.structure.parts import Hinge, LengthLimit, Membrane, MembraneLaw
+from forficula.structure.protocol import with_protocol
 from forficula.structure.structure import Structure
 from forficula.structure.vein import Vein, panel_lines
 from forficula.structure.vein_parts import bare_veins

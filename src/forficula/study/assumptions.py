@@ -6,17 +6,19 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.confirmation import HALF_STEP, OTHER_START, SETTLED_WITHIN
 from forficula.analysis.verdict import ending_word
-from forficula.design import Design, put
+from forficula.design import Design, design_text, put
+from forficula.design.design import DesignIdentity
 from forficula.displayed import Displayed
 from forficula.dynamics import Record, versions, with_timestep
 from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
 from forficula.names import counted
+from forficula.serial import Joules, Key, Quantity, Seconds, Written
 from forficula.structure import Structure
 from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
 from forficula.study.runs import half_step, run_each, with_checks
@@ -75,14 +77,14 @@ class AssumptionRun:
     name: str
     label: str
     meaning: str
-    timestep: float
+    effect: Effect = Effect.NOTHING
+    timestep: Seconds
     verdict: Verdict
     goal: str
     word: str
     status: str
-    times: Mapping[str, float | None]
-    works: Mapping[str, float | None]
-    effect: Effect = Effect.NOTHING
+    times: Annotated[Mapping[str, Seconds | None], Key("time")]
+    works: Annotated[Mapping[str, Joules | None], Key("work")]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,13 +102,29 @@ class Assumptions(Displayed):
         versions: of forficula and of the packages that computed the runs, by name.
     """
 
-    design: Design
+    design: Annotated[Design, Written.NEVER]
     transitions: tuple[TransitionName, ...]
     own: AssumptionRun
     runs: tuple[AssumptionRun, ...]
     left_out: Mapping[str, str]
-    uncertainty: Mapping[str, float]
+    uncertainty: Annotated[Mapping[str, float], Written.NEVER]
     versions: Mapping[str, str]
+
+    @property
+    def identity(self) -> Annotated[DesignIdentity, Written.BESIDE, Written.FIRST]:
+        """Name and hash of the design."""
+        return self.design.identity
+
+    @property
+    def quantities(self) -> Annotated[Mapping[str, Quantity], Key("uncertainty")]:
+        """The uncertainties with their units."""
+        units = {"time": "s", "work": "J"}
+        return {name: Quantity(half, units[name.rpartition(".")[2]]) for name, half in self.uncertainty.items()}
+
+    @property
+    def design_file(self) -> Annotated[str, Written.ALWAYS]:
+        """The file of the design."""
+        return design_text(self.design)
 
     @property
     def deciding(self) -> tuple[AssumptionRun, ...]:
@@ -114,7 +132,7 @@ class Assumptions(Displayed):
         return tuple(run for run in self.runs if run.effect is Effect.VERDICT)
 
     @property
-    def verdict(self) -> str:
+    def verdict(self) -> Annotated[str, Written.FIRST]:
         """Which assumptions decide the result, in a sentence without its full stop."""
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
         tried = counted(len(self.runs), "changed assumption")

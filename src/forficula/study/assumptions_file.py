@@ -9,32 +9,16 @@ from pathlib import Path
 from typing import Any
 
 from forficula.analysis import Verdict
-from forficula.design import Design, design_from_text, design_text
+from forficula.design import Design, design_from_text
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.names import counted
+from forficula.serial import json_text
 from forficula.study.assumptions import AssumptionRun, Assumptions, Effect, TransitionName
 
 ASSUMPTIONS_FILE = "assumptions.json"
 # of the folder beside that of a run in which the command leaves its results
 FOLDER_ENDING = "-assumptions"
-_UNITS = {"time": "s", "work": "J"}
-
-
-def assumptions_json(found: Assumptions) -> dict[str, Any]:
-    """Return assumptions as plain data with units in the keys, as the schema "assumptions" says."""
-    return {
-        "design": found.design.name,
-        "design_hash": found.design.hash,
-        "verdict": found.verdict,
-        "transitions": [{"name": each.name, "time": each.time, "noun": each.noun} for each in found.transitions],
-        "own": _run_json(found.own),
-        "runs": [_run_json(run) for run in found.runs],
-        "left_out": dict(found.left_out),
-        "uncertainty": {f"{name}_{_UNITS[name.rpartition('.')[2]]}": half for name, half in found.uncertainty.items()},
-        "design_file": design_text(found.design),
-        "versions": dict(found.versions),
-    }
 
 
 def save_assumptions(found: Assumptions, path: Path) -> None:
@@ -43,7 +27,7 @@ def save_assumptions(found: Assumptions, path: Path) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    write_text(path, json.dumps(assumptions_json(found), indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+    write_text(path, json_text(found))
 
 
 def load_assumptions(path: Path) -> Assumptions:
@@ -111,22 +95,6 @@ def _assumptions(text: str) -> Assumptions:
         uncertainty={name.rpartition("_")[0]: float(half) for name, half in content["uncertainty"].items()},
         versions=dict(content["versions"]),
     )
-
-
-def _run_json(run: AssumptionRun) -> dict[str, Any]:
-    return {
-        "name": run.name,
-        "label": run.label,
-        "meaning": run.meaning,
-        "effect": run.effect.value,
-        "timestep_s": run.timestep,
-        "verdict": run.verdict.value,
-        "goal": run.goal,
-        "word": run.word,
-        "status": run.status,
-        "time_s": dict(run.times),
-        "work_J": dict(run.works),
-    }
 
 
 def _run(content: dict[str, Any]) -> AssumptionRun:

@@ -8,14 +8,19 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import scipy
+from pydantic import BeforeValidator
 
 from forficula.arrays import Array
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
+from forficula.design.file_fields import ByKey, DesignValue, entry
+from forficula.design.part import Part, Quantity
 from forficula.design.provenance import WORDS
-from forficula.errors import InputError
+from forficula.design.rejection import read_part
+from forficula.errors import InputError, error_prefix
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
 
 _RANGE = re.compile(r"\s*(\S+?)\s*\.\.\s*(\S+)\s*(.*?)\s*\bstep\s+(\S+)\s*(.*?)\s*")
@@ -81,6 +86,26 @@ class Distribution:
 
 # the parameters of each distribution
 DISTRIBUTIONS = {"uniform": ("low", "high"), "log-uniform": ("low", "high"), "normal": ("mean", "deviation")}
+VALUES = 'list, or range such as "10..60 N/cm step 10"'
+
+
+class DistributionEntry(Part):
+    """A distribution as files have it."""
+
+    distribution: Literal["uniform", "log-uniform", "normal"] = entry(
+        "distribution that values of the key are drawn from", ...
+    )
+    low: DesignValue = entry("least value, of uniform and log-uniform")
+    high: DesignValue = entry("largest value, of uniform and log-uniform")
+    mean: DesignValue = entry("mean of the normal distribution")
+    deviation: DesignValue = entry("standard deviation of the normal distribution")
+
+
+Values = Annotated[Any, VALUES]
+Grid = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=VALUES))]
+Factors = Annotated[
+    dict[str, Any], BeforeValidator(ByKey(allowed=f"{VALUES}, or distribution", entry=DistributionEntry))
+]
 
 
 def read_factor(key: str, given: object, model: type[Design]) -> Factor:
@@ -111,7 +136,9 @@ def read_factor(key: str, given: object, model: type[Design]) -> Factor:
         _check_values(key, values[:1], model)
         return Factor(key=key, values=values, model=model)
     if isinstance(given, Mapping):
-        return Factor(key=key, distribution=_distribution(key, given, quantity is not None, model), model=model)
+        with error_prefix(f"{key}."):
+            table = read_part(DistributionEntry, given)
+        return Factor(key=key, distribution=_distribution(key, table, quantity), model=model)
     rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
     if names_law(key):
         rule = 'a list such as ["tpu-82a"]'
@@ -222,7 +249,8 @@ def _check_values(key: str, values: Sequence[object], model: type[Design]) -> No
     known: dict[object, object] = {}
     for value in values:
         if names_law(key) and isinstance(value, str) and value != NO_LAW:
-            _check_law(key, value)
+            with error_prefix(f"{key}: "):
+                tendon_material(value)
         if quantity is None:
             if not isinstance(value, str | int | float | list):
                 raise InputError(f"{key}: need numbers or words, got {as_written(value)}")
@@ -232,10 +260,8 @@ def _check_values(key: str, values: Sequence[object], model: type[Design]) -> No
         elif value in quantity.words:
             same = value
         else:
-            try:
+            with error_prefix(f"{key}: "):
                 same = float(f"{quantity.parse(value):.12g}")  # a unit's factor rounds: 50 mm is 5 cm
-            except InputError as error:
-                raise InputError(f"{key}: {error}") from None
         if same in known:
             twice = as_written(value) if value == known[same] else f"{as_written(known[same])} and {as_written(value)}"
             raise InputError(f"{key}: need values that differ, got {twice}{' twice' * (value == known[same])}")
@@ -247,14 +273,6 @@ def _comparable(value: object) -> object:
     if isinstance(value, list):
         return tuple(_comparable(each) for each in value)
     return type(value) is bool, value
-
-
-def _check_law(key: str, name: str) -> None:
-    """Refuse a law that there is none of, or that is for no tendon."""
-    try:
-        tendon_material(name)
-    except InputError as error:
-        raise InputError(f"{key}: {error}") from None
 
 
 def _finite(value: object) -> float:
@@ -275,33 +293,24 @@ def _written(key: str, value: float, model: type[Design]) -> object:
     return value if quantity is None else format_quantity(value, quantity.unit)
 
 
-def _distribution(key: str, given: Mapping[str, object], has_unit: bool, model: type[Design]) -> Distribution:
-    name = given.get("distribution")
-    if "distribution" not in given:
-        raise InputError(f"{key}.distribution: is missing; need one of {', '.join(DISTRIBUTIONS)}")
-    if not isinstance(name, str) or name not in DISTRIBUTIONS:
-        raise InputError(f"{key}.distribution: need one of {', '.join(DISTRIBUTIONS)}, got {as_written(name)}")
+def _distribution(key: str, table: DistributionEntry, quantity: Quantity | None) -> Distribution:
+    name = table.distribution
     names = DISTRIBUTIONS[name]
-    if set(given) != {"distribution", *names}:
-        raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {', '.join(given)}")
-    quantity = key_quantity(key, model)
+    if table.model_fields_set != {"distribution", *names}:
+        given = ", ".join(field for field in type(table).model_fields if field in table.model_fields_set)
+        raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {given}")
     numbers = []
     for parameter in names:
-        value = given[parameter]
-        try:
-            if has_unit and quantity is not None:
-                numbers.append(parse_quantity(value, quantity.unit))
-            else:
-                numbers.append(_finite(value))
-        except InputError as error:
-            raise InputError(f"{key}.{parameter}: {error}") from None
+        value = getattr(table, parameter)
+        with error_prefix(f"{key}.{parameter}: "):
+            numbers.append(_finite(value) if quantity is None else parse_quantity(value, quantity.unit))
     first, second = numbers
     if name == "normal" and second <= 0:
-        raise InputError(f"{key}.deviation: need > 0, got {given['deviation']}")
+        raise InputError(f"{key}.deviation: need > 0, got {table.deviation}")
     if not math.isfinite(second - first):
-        raise InputError(f"{key}.high: need a finite distance from low, {given['low']}, got {given['high']}")
+        raise InputError(f"{key}.high: need a finite distance from low, {table.low}, got {table.high}")
     if name != "normal" and second <= first:
-        raise InputError(f"{key}.high: need > low, {given['low']}, got {given['high']}")
+        raise InputError(f"{key}.high: need > low, {table.low}, got {table.high}")
     if name == "log-uniform" and first <= 0:
-        raise InputError(f"{key}.low: need > 0, got {given['low']}")
+        raise InputError(f"{key}.low: need > 0, got {table.low}")
     return Distribution(name=name, first=first, second=second)

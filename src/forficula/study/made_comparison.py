@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from forficula.analysis import Outcome, measure
 from forficula.design import Design
+from forficula.design.design import DesignIdentity
 from forficula.errors import InputError
 from forficula.make.as_made import GROUPS, Change, Group, as_made, changes
 from forficula.make.made_values import MadeValues, made_values
 from forficula.make.part import PartSet
 from forficula.make.unkept import Unkept, unkept
 from forficula.names import listed
+from forficula.serial import Key, Quantity, Written
 from forficula.statics import HingeLandscape, hinge_landscape, tendon_hinges
 from forficula.structure import crossing_tendons, structure_of
 from forficula.study.runs import run_each
@@ -28,9 +31,29 @@ class HingePair:
         made: alike.
     """
 
-    name: str
-    designed: HingeLandscape
-    made: HingeLandscape
+    name: Annotated[str, Key("hinge")]
+    designed: Annotated[HingeLandscape, Written.NEVER]
+    made: Annotated[HingeLandscape, Written.NEVER]
+
+    @property
+    def as_designed(self) -> Annotated[Mapping[str, Quantity], Key("designed")]:
+        """Barrier, holding torque and inertia as designed."""
+        return _hinge_numbers(self.designed)
+
+    @property
+    def as_made(self) -> Annotated[Mapping[str, Quantity], Key("made")]:
+        """Barrier, holding torque and inertia as made."""
+        return _hinge_numbers(self.made)
+
+
+def _hinge_numbers(hinge: HingeLandscape) -> dict[str, Quantity]:
+    angle = None if hinge.barrier_angle is None else hinge.sense * hinge.barrier_angle
+    return {
+        "barrier": Quantity(hinge.barrier, "J"),
+        "barrier_angle": Quantity(angle, "rad"),
+        "holding_torque": Quantity(hinge.holding_torque, "N m"),
+        "inertia": Quantity(hinge.hinge.inertia, "kg m^2"),
+    }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,18 +66,23 @@ class Trial:
         why: it cannot be built; mostly empty.
     """
 
-    groups: tuple[Group, ...]
-    outcome: Outcome | None
-    why: str = ""
+    groups: Annotated[tuple[Group, ...], Key("as_made")]
+    outcome: Annotated[Outcome | None, Written.NEVER]
+    why: Annotated[str, Written.NEVER] = ""
 
     @property
-    def status(self) -> str:
+    def held(self) -> Annotated[Mapping[str, bool | None], Key("holds")]:
+        """By name of a state, whether it was reached and held; empty where nothing was run."""
+        return {} if self.outcome is None else self.outcome.holds
+
+    @property
+    def status(self) -> Annotated[str, Written.ALWAYS]:
         """What it came to, in a few words."""
         return f"cannot be built: {self.why}" if self.outcome is None else self.outcome.status
 
     def holds(self, state: str) -> bool | None:
         """Whether a state was reached and held; None where the run tells nothing of it."""
-        return None if self.outcome is None else self.outcome.holds.get(state)
+        return self.held.get(state)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,13 +117,23 @@ class MadeComparison:
         blame: for each state that the design reaches and the design as made does not.
     """
 
-    designed: Design
-    made: Design
+    designed: Annotated[Design, Written.NEVER]
+    made: Annotated[Design, Written.NEVER]
     changes: tuple[Change, ...]
     unkept: tuple[Unkept, ...]
     hinges: tuple[HingePair, ...]
-    trials: tuple[Trial, ...] = ()
+    trials: Annotated[tuple[Trial, ...], Key("runs")] = ()
     blame: tuple[Blame, ...] = ()
+
+    @property
+    def identity(self) -> Annotated[DesignIdentity, Written.BESIDE, Written.FIRST]:
+        """Name and hash of the design."""
+        return self.designed.identity
+
+    @property
+    def made_hash(self) -> Annotated[str, Written.FIRST]:
+        """Hash of the design as made."""
+        return self.made.hash
 
     @property
     def as_designed(self) -> Trial | None:

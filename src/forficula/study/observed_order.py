@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 import scipy
 
 from forficula.arrays import Array
+from forficula.serial import Key, Seconds, Written
 
 # Of the integrator, semi-implicit Euler: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, I.1.2.
 FORMAL_ORDER = 1.0
@@ -30,12 +32,22 @@ class OrderFit:
         scatter: standard deviation of the times about the law, s.
     """
 
-    limit: float
-    coefficient: float
-    order: float
-    observed: bool
-    reason: str
-    scatter: float
+    limit: Seconds
+    coefficient: Annotated[float, Written.NEVER]
+    order: Annotated[float, Written.NEVER]
+    observed: Annotated[bool, Written.NEVER]
+    reason: Annotated[str, Key("why_not_observed")]
+    scatter: Seconds
+
+    @property
+    def observed_order(self) -> Annotated[float | None, Written.ALWAYS]:
+        """The order where it is the times' own, else None."""
+        return self.order if self.observed else None
+
+    @property
+    def assumed_order(self) -> Annotated[float | None, Written.ALWAYS]:
+        """The order where it is the integrator's, else None."""
+        return None if self.observed else self.order
 
     def time(self, timestep: Array) -> Array:
         """The law's time at these timesteps, s."""

@@ -1,30 +1,67 @@
-"""What a study file says of its search, read and checked."""
+"""The search of a study or goal file, read and checked."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Annotated, Any
+
+from pydantic import ConfigDict, Field
 
 from forficula.design import TORQUE, Design, key_quantity, key_value
-from forficula.errors import InputError
-from forficula.names import one_of
-from forficula.quantities import Unit, as_written, format_quantity, is_whole, parse_quantity
+from forficula.design.file_fields import Whole, entry
+from forficula.design.part import Part
+from forficula.errors import InputError, error_prefix
+from forficula.names import check_known, one_of
+from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
 from forficula.structure import Drive, Structure, Transition, drive_of, first_state, structure_of
-from forficula.study.factors import range_values
-from forficula.study.file_keys import check_keys
+from forficula.study.factors import Values, range_values
 from forficula.study.search_steps import Search, SearchStep
 
-SEARCHES = ("least-torques", "least-value")
 _MOST_TORQUES = 1000  # every one of them is a run of every point
 
 
+class TorqueSearchTable(Part):
+    """The table `search` of a goal file; DRIVE stands for names of the design's drives, by which keys are checked."""
+
+    model_config = ConfigDict(extra="allow")
+
+    DRIVE_torques: Values = entry(
+        "torques that are tried, rising, in searches for least torques",
+        left_out="the drive's",
+        examples=('${first}_torques = "0..50 N cm step 10"', '${second}_torques = "10..100 N cm step 10"'),
+    )
+    DRIVE_with: Annotated[Any, "N cm"] = entry(
+        "torque of the first drive in searches for least torques of the second",
+        left_out="the design's",
+        examples=('${first}_with = "50 N cm"',),
+    )
+    refinements: Annotated[Whole, Field(le=20)] = entry("how often the last step is halved", 0, at_least=0)
+
+
+class SearchTable(TorqueSearchTable):
+    """The table `search` of a study file."""
+
+    key: str | None = entry(
+        "key whose least value is searched for, with least-value", left_out="needed", examples=('key = "$key"',)
+    )
+    values: Values = entry(
+        "values that are tried, with least-value",
+        left_out="needed",
+        examples=('values = ["$low", "$value", "$high"]',),
+    )
+    state: str | None = entry(
+        "state that is to be reached, with least-value", left_out="the first", examples=('state = "$state"',)
+    )
+
+
 def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
-    """Read the table `search` of a study file.
+    """Read the table `search` of a study or goal file.
 
     Args:
         ask: "least-torques", of the first two transitions of the base, with keys such as `fold_torques`, `fold_with`,
             `unfold_torques`; or "least-value", with `key`, `values` and the `state` that is to be reached.
-        given: the table; torques that it does not give are those that the drive tries, or ten up to its own.
+        given: the values of the table that are given; torques that are not are those that the drive tries, or ten up
+            to its own.
         base: the design that is varied.
 
     Raises:
@@ -38,9 +75,11 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
         return _value_search(given, base, structure, start)
     first, *others = structure.transitions[:2]
     names = [f"{each.name}_torques" for each in (first, *others)]
-    check_keys(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    check_known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    drives = [drive_of(structure, each.drive) for each in (first, *others)]
     steps = [
-        _torque_step(each, drive_of(structure, each.drive), given, none=each is not first) for each in (first, *others)
+        _torque_step(each, drive, given, none=each is not first)
+        for each, drive in zip((first, *others), drives, strict=True)
     ]
     if len({step.key for step in steps}) < len(steps):
         raise InputError(
@@ -48,29 +87,27 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
             f' {first.name} and {others[0].name}; ask "least-value" of one'
         )
     # with its own torque of the first transition a point is what a run of the same values is
-    own = abs(drive_of(structure, first.drive).strength)
-    large = given.get(f"{first.name}_with", _shown(own or steps[0].values[-1]))
+    own = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)
+    name = f"{first.name}_with"
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_torques(f"{first.name}_with", [large])[0],
+        reference=_rising(name, [given.get(name, own)], TORQUE, none=False)[0],
         next_drive=next((each.drive for each in others), None),
         start_state=start,
-        refinements=_refinements(given),
+        refinements=given.get("refinements", 0),
     )
 
 
 def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
     """A search for the least value of any key that reaches a state."""
-    check_keys(given, ("key", "values", "state", "refinements"), "search.")
+    check_known(given, ("key", "values", "state", "refinements"), "search.")
     states = {transition.state: transition for transition in structure.transitions}
     state, key = given.get("state", next(iter(states))), given.get("key")
     if state not in states:
         raise InputError(f"search.state: need {one_of(list(states), str(state))}")
     if key is None:
         raise InputError('search.key: is missing; give the key whose least value is asked for: "tendon.stiffness"')
-    if not isinstance(key, str):
-        raise InputError(f'search.key: need a key such as "tendon.stiffness", got {as_written(key)}')
     quantity = key_quantity(key, type(base))
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
@@ -87,7 +124,12 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
         unit=quantity.unit,
     )
     return Search(
-        first=step, second=None, reference=0.0, next_drive=None, start_state=start, refinements=_refinements(given)
+        first=step,
+        second=None,
+        reference=0.0,
+        next_drive=None,
+        start_state=start,
+        refinements=given.get("refinements", 0),
     )
 
 
@@ -99,7 +141,7 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_torques(name, given.get(name, drive.tries or _tenths(drive.strength)), none=none),
+        values=_rising(name, given.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
         unit=TORQUE,
         sign=-1.0 if drive.strength < 0 else 1.0,
     )
@@ -107,22 +149,8 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
 
 def _tenths(torque: float) -> list[str]:
     """Ten torques up to one's size, or none at all."""
-    return [_shown(abs(torque) * tenths / 10) for tenths in range(1, 11)] if torque else [_shown(0.0)]
-
-
-def _shown(torque: float) -> str:
-    return format_quantity(torque, TORQUE)
-
-
-def _refinements(given: Mapping[str, Any]) -> int:
-    refinements = given.get("refinements", 0)
-    if not is_whole(refinements, 0, 20):
-        raise InputError(f"search.refinements: need a whole number from 0 to 20, got {refinements!r}")
-    return refinements
-
-
-def _torques(key: str, given: object, *, none: bool = False) -> tuple[float, ...]:
-    return _rising(key, given, TORQUE, none=none)
+    torques = [abs(torque) * tenths / 10 for tenths in range(1, 11)] if torque else [0.0]
+    return [format_quantity(each, TORQUE) for each in torques]
 
 
 def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
@@ -133,10 +161,8 @@ def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, 
         raise InputError(f'search.{key}: need {what} such as "0..50 {unit.display} step 10", got {given!r}')
     if len(values) > _MOST_TORQUES:
         raise InputError(f"search.{key}: need at most {_MOST_TORQUES} {what}, got {len(values)}")
-    try:
+    with error_prefix(f"search.{key}: "):
         numbers = tuple(parse_quantity(value, unit) for value in values)
-    except InputError as error:
-        raise InputError(f"search.{key}: {error}") from None
     rising = sorted(set(numbers))
     if key == "values":
         if list(numbers) not in (rising, rising[::-1]):

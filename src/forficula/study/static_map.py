@@ -16,7 +16,7 @@ from forficula.statics.lines import line_energy
 from forficula.statics.net.net_of import is_net
 from forficula.statics.potential import Ensemble, ensemble_of
 from forficula.statics.quasi_static import at_goal, slow_transition, start_state, state_after
-from forficula.structure import Structure, Transition, static_keys, structure_of
+from forficula.structure import Structure, Transition, goal_of, static_keys, structure_of
 from forficula.study.factors import grid_points, read_factor
 from forficula.study.outcome_kinds import transitions_text
 from forficula.study.search import point_design
@@ -171,7 +171,7 @@ def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | s
         slow = found.torque
         columns[step.least_name] = np.where(rests, slow, np.nan)
         position = state_after(structures, transition, slow, found.position).position
-        rests = at_goal(structures, position, transition.released)
+        rests = at_goal(structures, position, goal_of(structures.structure, transition.released))
         if step is search.first:
             columns[f"{after}_energy"] = np.where(rests, _tendon_energies(structures, position), np.nan)
         ways.append((transition, np.isfinite(slow), rests))

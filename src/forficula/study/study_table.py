@@ -5,9 +5,31 @@ from __future__ import annotations
 import xarray
 
 from forficula.displayed import Displayed
+from forficula.errors import InputError
+from forficula.study.study import Study
 
 
 class StudyTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
-    """An `xarray.Dataset` that shows its maps above its numbers."""
+    """An `xarray.Dataset` that shows its maps above its numbers.
 
-    __slots__ = ()
+    Attributes:
+        study: whose points are the rows. Parts of a table and tables that were read from a file do not have it.
+    """
+
+    __slots__ = ("study",)
+    study: Study
+
+
+def study_of_table(table: object) -> Study:
+    """Return the study whose points are the rows of a table.
+
+    Raises:
+        InputError: it is a part of a table, or was read from a file.
+    """
+    study = getattr(table, "study", None)
+    if not isinstance(study, Study):
+        raise InputError(
+            "need the whole table of a study as run_study or collect returns it; parts of it and tables that were read"
+            " from a file have no study; run_study returns the table of its folder without new runs"
+        )
+    return study

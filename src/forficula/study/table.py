@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from forficula.arrays import Array
 from forficula.csv_text import csv_text
 from forficula.design import TORQUE, Design
 from forficula.quantities import as_written, parse_quantity
+from forficula.serial import Written, key_with_unit, unit_suffix
 from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
 from forficula.study.choices import CHOICE, choice_label, own_value
 from forficula.study.evaluate import ending_row, row_key
@@ -87,7 +89,9 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         **_confirmations(rows),
         **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
     }
-    return StudyTable(variables, coordinates, attributes)
+    table = StudyTable(variables, coordinates, attributes)
+    table.study = study
+    return table
 
 
 def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
@@ -170,8 +174,23 @@ def table_csv(study: Study, table: xarray.Dataset) -> str:
     return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
 
 
+@dataclass(frozen=True, kw_only=True)
+class TableRow:
+    """A point of a study.
+
+    Attributes:
+        status: what the run came to, in a few words.
+        verdict: the same in a word.
+        others: values of the factors, and numbers and states of the run, by name and unit.
+    """
+
+    status: str
+    verdict: Verdict
+    others: Annotated[Mapping[str, float | str | bool | None], Written.BESIDE]
+
+
 def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
-    """The rows of `table_csv` as plain data, None where there is nothing."""
+    """Return the rows of `table_csv` as plain data, with the keys of `TableRow`; None where there is nothing."""
     names, rows = _rows(study, table)
     return [dict(zip(names, row, strict=True)) for row in rows]
 
@@ -181,7 +200,7 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
     names = _columns(study, table)
-    units = {name: unit_suffix(table[name].attrs["units"]) for name in names if table[name].attrs.get("units")}
+    units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
     columns = [table[name].values.ravel().tolist() for name in names]
     silent = [verdict for verdict in Verdict if not verdict.tells]
     told = table["verdict" if "verdict" in table else "outcome"].values
@@ -194,7 +213,7 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
             for value, (_, factor) in zip(values, factors, strict=True)
         ]
         rows.append([*cells, *(_told(column[number], tells=tells[number]) for column in columns)])
-    return [*(name for name, _ in factors), *(f"{name}{units.get(name, '')}" for name in names)], rows
+    return [*(name for name, _ in factors), *(name + units[name] for name in names)], rows
 
 
 def _result(
@@ -251,13 +270,8 @@ def _column(factor: Factor) -> tuple[str, float]:
     if unit is None:
         return factor.dimension, 1.0
     if unit.si == "rad":
-        return f"{factor.dimension}_deg", 180 / math.pi
-    return factor.dimension + unit_suffix(unit.si), 1.0
-
-
-def unit_suffix(unit: str) -> str:
-    """Turn "kg/m^3" into "_kg_per_m3"."""
-    return "_" + unit.replace("/", "_per_").replace("^", "").replace(" ", "_")
+        return key_with_unit(factor.dimension, unit.si), 180 / math.pi
+    return key_with_unit(factor.dimension, unit.si), 1.0
 
 
 def _nan(value: object) -> float:

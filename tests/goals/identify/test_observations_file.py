@@ -3,11 +3,11 @@
 import pytest
 
 from forficula.design import key_value
-from forficula.design.key_table import facts_within
+from forficula.design.key_table import key_facts
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
 from forficula.goals.identify.fact_text import asked_text
-from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
+from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.goals.identify.prior import prior_shares, values_at
 from tests.goals.identify.closed_form import TENDONS, count_fact
 
@@ -72,11 +72,11 @@ def test_longer_draws_begin_with_the_shorter_ones():
 @pytest.mark.parametrize(
     ("given", "error"),
     [
-        ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: need at least one table \[\[fact\]\], none is given"),
+        ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: is missing; need at least one table \[\[fact\]\]"),
         ({**tables(**TIME), "unknown": {}}, "unknown: need a table with at least one"),
         ({**tables(**TIME), "facts": []}, r"facts: unknown key, got \[\]; did you mean fact\?"),
-        ({**tables(**TIME), "sampling": {"samples": 0}}, "sampling.samples: need a whole number >= 1 .* got 0"),
-        (tables(quantity="folded"), "fact 0: name: need a short text, none is given"),
+        ({**tables(**TIME), "sampling": {"samples": 0}}, "sampling.samples: need >= 1, got 0"),
+        (tables(quantity="folded"), "fact 0: name: is missing; give it"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
         (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),
         (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),
@@ -116,9 +116,9 @@ def test_facts_need_names_of_their_own():
 
 
 def test_every_key_of_a_file_is_told():
-    told = {fact.key for fact in facts_within("", OBSERVATION_KEYS)}
-    assert {"unknown.KEY", "fact.quantity", "fact.least.key", "sampling.directed"} <= told
-    assert all(fact.meaning and fact.allowed for fact in facts_within("fact", OBSERVATION_KEYS))
+    told = {fact.key for fact in key_facts("", ObservationsFile)}
+    assert {"unknown.KEY", "fact.0.quantity", "fact.0.least.key", "sampling.directed"} <= told
+    assert all(fact.meaning and fact.allowed for fact in key_facts("fact", ObservationsFile))
 
 
 def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):

@@ -4,11 +4,9 @@ import pytest
 
 from forficula.goals import goal_of
 from forficula.goals.optimise import optimise_goal
-from forficula.goals.optimise.axis import Axis
-from forficula.goals.optimise.batches import batches
-from forficula.goals.optimise.filling import filling_count, filling_text
-from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.trial import Trial
+from forficula.goals.optimise.parabola_search import ParabolaSearch
+from forficula.goals.optimise.telling import filling_count, filling_text, told
+from forficula.goals.optimise.trials import Axis, Trial
 
 AREA = {"tendon.area": {"low": "1 mm^2", "high": "9 mm^2"}}
 
@@ -29,11 +27,11 @@ def goal(vary=AREA, **search):
 
 def points(axes, batch, count, sign):
     """The first points of a search for the least, or the largest, share of the first axis."""
-    search, found = batches(axes, 1, batch, 0), []
-    asked = next(search)
+    search, found = ParabolaSearch(axes, 1, batch, 0), []
     while len(found) < count:
+        asked = search.ask()
+        search.tell([Trial(point=each, objectives=(sign * each[0],)) for each in asked])
         found += asked
-        asked = search.send([Trial(point=each, objectives=(sign * each[0],)) for each in asked])
     return found[:count]
 
 

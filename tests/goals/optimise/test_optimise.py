@@ -1,6 +1,8 @@
 """Goals on designs: known optima, planted designs, what cannot be met, and searches that are stopped."""
 
+import json
 import math
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from scipy.optimize import brentq, minimize_scalar
@@ -9,6 +11,7 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.goal_file import goal_of
 from forficula.goals.optimise.optimise import optimise_goal
+from forficula.goals.optimise.parabola_search import ParabolaSearch
 from forficula.goals.optimise.telling import told
 from forficula.goals.static_values import static_values
 
@@ -174,6 +177,32 @@ def test_a_search_that_is_stopped_three_times_comes_to_the_same(tmp_path):
     assert len([line for line in lines if line]) == len(
         [line for line in (tmp_path / "whole" / "journal.jsonl").read_text().splitlines() if line]
     )
+
+
+class OtherPoints(ParabolaSearch):
+    """As on a machine whose optimiser proposes other points."""
+
+    def ask(self):
+        return [tuple(round(1 - share, 6) for share in point) for point in super().ask()]
+
+
+def test_a_search_that_is_taken_up_elsewhere_tries_the_points_of_its_journal(tmp_path, monkeypatch):
+    goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
+    whole = optimise_goal(goal, tmp_path)
+    monkeypatch.setattr("forficula.goals.optimise.optimise.ParabolaSearch", OtherPoints)
+    assert optimise_goal(goal, tmp_path).table.identical(whole.table)
+    assert not optimise_goal(goal, tmp_path / "anew").table.identical(whole.table)
+
+
+def test_shards_of_a_search_try_the_points_that_the_first_one_asked(tmp_path):
+    goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
+    with ThreadPoolExecutor(1) as executor:
+        first = executor.submit(optimise_goal, goal, tmp_path, shard=(1, 2))
+        second = optimise_goal(goal, tmp_path, shard=(2, 2))
+    assert first.result().table.identical(second.table)
+    lines = [json.loads(line) for path in tmp_path.glob("journal*.jsonl") for line in path.read_text().splitlines()]
+    keys = [line["key"] for line in lines if line.get("key", "").startswith("asked-")]
+    assert len(keys) == len(set(keys)) == 2
 
 
 def test_a_front_of_two_objectives_is_a_row_of_designs(tmp_path):

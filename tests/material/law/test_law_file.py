@@ -101,7 +101,7 @@ def test_petg_is_no_tendon():
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('[modulus]\nlinaer = "1 MPa"', 'modulus.linaer: unknown key, got "1 MPa"; did you mean linear?'),
+        ('[modulus]\nlinaer = "1 MPa"', 'modulus.linaer: unknown key, got "1 MPa"; did you mean modulus.linear?'),
         ('[drift.stiffness]\nkind = "none"', "drift.stiffness.seen: is missing; needed here: kind, seen"),
         ('[drift.stiffness]\nkind = "logarithm"\nseen = [1, 5]', "drift.stiffness.rate: is missing"),
         (

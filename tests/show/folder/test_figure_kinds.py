@@ -1,6 +1,5 @@
 """Figures drawn again from what a folder holds: the same ones, byte for byte, and what cannot be had in one line."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +9,7 @@ from forficula.design import load_design, save_design, with_values
 from forficula.dynamics import save_record
 from forficula.errors import InputError
 from forficula.files import write_bytes, write_text
+from forficula.serial import json_text
 from forficula.show.folder import landscape_folder
 from forficula.show.folder.assumptions_folder import assumptions_drawings
 from forficula.show.folder.convergence_folder import convergence_drawings
@@ -59,7 +59,7 @@ def folders(tmp_path_factory, reference, reference_run, cycling, convergence):
     save_record(reference_run, place / "run" / "record.nc")
     for name in ("run", "landscape"):
         save_design(reference, place / name / "design.toml")
-    write_text(place / "run" / "cycles.json", json.dumps(cycling_summary(cycling)))
+    write_text(place / "run" / "cycles.json", json_text(cycling_summary(cycling)))
     write_text(place / "landscape" / "landscape.json", '{"simulation": null, "figures": ["tendon", "wing", "levels"]}')
     save_convergence(convergence, place / "converge" / "convergence.nc")
     save_assumptions(ASSUMED, place / "assumptions" / "assumptions.json")

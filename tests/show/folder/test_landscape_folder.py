@@ -108,6 +108,6 @@ def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path, no_figures):  
     with pytest.raises(InputError, match=r"wing\.png"):
         write_landscape(landscape, blocked)
     assert [path.name for path in blocked.iterdir()] == ["wing.png"]
-    with pytest.raises(IndexError):  # a landscape that cannot be drawn, halfway through the files
-        write_landscape(replace(landscape, ideal_hinges=()), tmp_path / "broken")
+    with pytest.raises(TypeError):  # a landscape that cannot be written, after the file of its design
+        write_landscape(replace(landscape, remarks=None), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

@@ -44,7 +44,7 @@ def test_the_words_of_every_figure_can_be_read(landscape, kind, width):
 
 def test_barriers_are_left_out_where_there_is_one_state():
     stiff = energy_landscape(pyramid(**{"crease.stiffness": 1.0}))
-    assert len(stiff.net.states) == 1
+    assert len(stiff.states) == 1
     assert list(landscape_drawings(stiff)) == ["states", "modes", "courses"]
 
 

@@ -10,8 +10,8 @@ from forficula.design import key_value, with_values
 from forficula.goals.assessor import open_assessor
 from forficula.goals.deviation import off_values, read_deviations
 from forficula.goals.goal_file import goal_of
-from forficula.goals.optimise.kept_candidates import candidates_to_keep
 from forficula.goals.optimise.optimise import optimise_goal
+from forficula.goals.optimise.optimum import candidates_to_keep
 from forficula.quantities import parse_quantity
 from forficula.show.page.goal_page import write_goal_page
 from forficula.show.page.identify_page import write_identify_page

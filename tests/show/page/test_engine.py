@@ -19,10 +19,13 @@ from forficula.analysis.verdict import ENDING_TEXTS
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate, with_timestep
 from forficula.dynamics.closures import APART_TEXT
+from forficula.quantities import READING_UNITS
 from forficula.show.page.live_data import live_data, shown_measures
+from forficula.show.page.outcome_words import _PATTERNS
 from forficula.show.page.page import built
 from forficula.show.page.shape_mesh import shape_mesh
 from forficula.show.page.study_live import study_live
+from forficula.show.page.words import LIVE_OUTCOME_TEXTS
 from forficula.structure import structure_of
 from forficula.study.runs import run
 from forficula.study.search import SEARCH_TEXTS
@@ -252,7 +255,19 @@ def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
     """Each is handed over as data, with its fields in braces: copies drift."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
     texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "which moves with the time"]
+    texts += ["time by torque", *LIVE_OUTCOME_TEXTS.values()]
     pieces = {piece.strip() for text in texts for piece in re.split(r"\{\w+\}", text)}
     long = {piece for piece in pieces if piece.count(" ") > 1}
     assert len(long) > 8
     assert [piece for piece in sorted(long) if piece in sources] == []
+
+
+@pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
+def test_no_script_of_a_page_has_signs_of_outcomes_or_units_of_its_own():
+    """What became of a point, and the unit in which a number reads well, are decided once."""
+    sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
+    written = re.sub(r"\\u([0-9a-f]{4})", lambda found: chr(int(found[1], 16)), sources)
+    signs = [sign for sign in _PATTERNS if sign not in "·×–"]  # these are punctuation, too
+    assert [sign for sign in signs if sign in written] == []
+    units = {unit for names in READING_UNITS.values() for unit, _, _ in names if len(unit) > 1} - {"deg", "cm", "mm"}
+    assert [unit for unit in sorted(units) if f'"{unit}"' in written] == []

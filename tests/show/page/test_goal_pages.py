@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from forficula.goals.kept_designs import designs_to_keep
-from forficula.goals.optimise.kept_candidates import candidates_to_keep
+from forficula.goals.optimise.optimum import candidates_to_keep
 from forficula.show.page.bars import BarRow, bar, bar_table
 from forficula.show.page.goal_page import goal_page, shown_candidate
 from forficula.show.page.identify_page import identify_page, telling_unknowns
@@ -93,7 +93,7 @@ def test_where_nothing_meets_the_goal_the_page_says_which_limit_would_have_to_gi
     table = found.table.copy()
     for name in ("best", "front", "feasible"):
         table[name] = table[name].copy(data=np.zeros(table.sizes["candidate"], dtype=bool))
-    from forficula.goals.optimise.relaxation import Relaxation
+    from forficula.goals.optimise.trials import Relaxation
 
     given = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
     page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)

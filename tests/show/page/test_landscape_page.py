@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from forficula.analysis.simulated_snap import inner_hinge
 from forficula.design import load_design
-from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.page.landscape_curves import curve_data, landscape_curves
 from forficula.show.page.landscape_page import landscape_page
 from forficula.show.page.landscape_poses import poses_of
@@ -228,7 +228,7 @@ def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_
     plates = surveyed("plates")
     data = data_of(landscape_page(plates, tmp_path, {}))
     assert data["curves"][0]["drawn"] == "This hinge turns alone; the others are as at the start."
-    shown = shown_hinge(plates)
+    shown = inner_hinge(plates)
     poses = poses_of(plates, shown)
     assert np.ptp(poses.angles, axis=0) == pytest.approx(
         [np.ptp(shown.own.angle) if hinge == shown.hinge else 0 for hinge in range(len(plates.structure.hinges))]

@@ -3,10 +3,14 @@
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.linalg import null_space, orth
 from scipy.sparse import csr_array, eye_array
 
 from forficula.material.law.crease_law import CreaseLaw
+from forficula.statics.net.energy import built_shape
 from forficula.statics.net.net import Creases, Net, Springs
+from forficula.statics.net.rigidity import rigidity_matrix
+from forficula.statics.net.supports import rigid_motions
 
 
 def truss(nodes, bars, *, stiffness, rest=None, held=(), masses=None, gravity=0.0):
@@ -75,3 +79,13 @@ def miura(columns, rows, *, side=1.0, other=1.0, acute=np.pi / 3, fold=0.0):
     number = np.arange((columns + 1) * (rows + 1)).reshape(columns + 1, rows + 1)
     corners = (number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:])
     return nodes, np.stack(corners, axis=-1).reshape(-1, 4).tolist()
+
+
+def mechanisms(net, stiff):
+    """First-order mechanisms of a net without supports as built, orthonormal and beside motions of the whole.
+
+    By shape (mechanism, node, 3).
+    """
+    loose = null_space(rigidity_matrix(net, built_shape(net), stiff).toarray(), rcond=1e-6)
+    whole = rigid_motions(net.nodes).reshape(net.nodes.size, -1)
+    return orth(loose - whole @ (whole.T @ loose), rcond=1e-6).T.reshape(-1, *net.nodes.shape)

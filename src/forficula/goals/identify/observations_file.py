@@ -4,25 +4,127 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
-from forficula.design import Design, key_quantity, key_value, numbered_key
-from forficula.design.key_table import names_within
-from forficula.design.part import Quantity
-from forficula.errors import InputError
+from pydantic import BeforeValidator, Field
+
+from forficula.design import Design, key_quantity, numbered_key
+from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
+from forficula.design.part import Part, Quantity
+from forficula.design.rejection import read_part
+from forficula.errors import InputError, error_prefix
+from forficula.goals.deviation import positive_keys
 from forficula.goals.identify.fact import Fact
-from forficula.goals.identify.fact_file import read_fact
-from forficula.goals.identify.observation_keys import OBSERVATION_KEYS
+from forficula.goals.identify.fact_file import FactTable, read_fact
 from forficula.goals.identify.observations import Observations
-from forficula.names import as_given, check_whole, folder_name
+from forficula.goals.identify.row_quantity import row_quantities
+from forficula.names import listed
 from forficula.quantities import as_written
-from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor
-from forficula.study.file_keys import check_keys
-from forficula.study.named_file import base_design, load_named, named_files
+from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Factors
+from forficula.study.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.new_file import value_text
 from forficula.study.study_file import check_not_settled, read_factors
 
-_PACKAGE = "forficula.goals.identify"
-_SAMPLES, _DIRECTED = 256, 128
+_Count = Annotated[Whole, Field(le=MOST_VALUES)]
+
+
+class PriorSampling(Part):
+    """How many values are drawn."""
+
+    samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
+    directed: _Count = entry(
+        "further draws, placed where they may meet facts that no sample met together", 128, at_least=0
+    )
+    seed: _Count = entry("random seed", 0, at_least=0)
+
+
+def _with_facts_read(given: object) -> object:
+    """The tables of facts, each read with its name before what is wrong with it."""
+    if not isinstance(given, list) or not given:
+        raise InputError(f"need at least one table [[fact]], got {as_written(given)}")
+    facts = []
+    for number, table in enumerate(given):
+        if not isinstance(table, Mapping):
+            raise InputError(f"fact {number}: need a table, got {as_written(table)}")
+        with error_prefix(f"fact {table.get('name', number)}: "):
+            facts.append(read_part(FactTable, table))
+    return facts
+
+
+_FACT_EXAMPLES = (
+    """\
+name = "it gets $state"
+quantity = "$state"  # a state that all conditions reach; statistic may also be "none", "any" or "count"
+until = "$first"  # nothing after it is run""",
+    """\
+name = "$first within 0.2 to 0.4 s"
+quantity = "${first}_time"
+until = "$first"
+absent = "9 s"  # of a run that has none
+equals = "0.3 s"  # or at_least, at_most
+tolerance = "0.1 s\"""",
+    """\
+name = "two of three $first"
+quantity = "$state"
+statistic = "count"
+until = "$first"
+over = { "$other" = ["$other_low", "$other_value", "$other_high"] }
+equals = 2
+tolerance = 0""",
+)
+
+
+class ObservationsFile(Part):
+    """Observations as their file has them."""
+
+    about: ClassVar[str] = (
+        "Forficula observations: what was observed of a design some of whose values are unknown; forficula keys"
+        " --observations lists all keys"
+    )
+
+    name: FolderName = entry("what outputs call it", "observations", left_out="the file's name")
+    source: str = entry("where the facts come from", "")
+    design: DesignName = DESIGN
+    settings: Settings = SETTINGS
+    unknown: Factors = entry(
+        "what is believed of a value that is unknown: a distribution, or values that are equally likely",
+        {},
+        left_out="needed",
+        examples=(
+            '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
+            '"$key" = { distribution = "log-uniform", low = "$low", high = "$high" }',
+            '"$key" = { distribution = "normal", mean = "$value", deviation = "$step" }',
+            '"$key" = ["$low", "$value", "$high"]',
+        ),
+    )
+    sampling: PriorSampling = entry("how many values are drawn", PriorSampling())
+    fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
+        "what was observed, a table for each fact", (), examples=_FACT_EXAMPLES
+    )
+
+
+def _texts(design: Design) -> dict[str, str]:
+    """What a new file says beside its keys."""
+    other = next(key for key in positive_keys(design) if key != design.varied_key)
+    return {
+        "other": other,
+        "other_low": value_text(design, other, 0.9, few_digits=True),
+        "other_value": value_text(design, other, 1.0),
+        "other_high": value_text(design, other, 1.1, few_digits=True),
+        "fact": (
+            f"A quantity is {listed(row_quantities(design), 'or')}, a sum of some of these in one unit, or"
+            ' "least value"'
+        ),
+    }
+
+
+OBSERVATIONS = FileKind(
+    word="observations file",
+    several="observations",
+    package="forficula.goals.identify",
+    model=ObservationsFile,
+    texts=_texts,
+)
 
 
 def load_observations(name_or_path: str | Path) -> Observations:
@@ -34,56 +136,43 @@ def load_observations(name_or_path: str | Path) -> Observations:
     Raises:
         InputError: none such, not TOML, an unknown key, or a value that is not allowed.
     """
-    return load_named(name_or_path, _PACKAGE, "observations file", "observations", observations_of)
+    return load_named(name_or_path, OBSERVATIONS, _observations)
 
 
-def named_observations() -> list[str]:
-    """The names of the observations that come with the package."""
-    return named_files(_PACKAGE)
-
-
-def observations_of(tables: Mapping[str, Any], folder: Path = Path()) -> Observations:
+def observations_of(tables: Mapping[str, Any]) -> Observations:
     """Build observations of tables as a file has them, but for `design`, which may be one.
-
-    Args:
-        tables: of the file.
-        folder: that paths start from.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    check_keys(tables, names_within("", OBSERVATION_KEYS), "")
-    for key in ("settings", "sampling", "unknown"):
-        if not isinstance(tables.get(key, {}), dict):
-            raise InputError(f"{key}: need a table, got {as_written(tables[key])}")
-    try:
-        title = folder_name(tables.get("name", "observations"))
-    except InputError as error:
-        raise InputError(f"name: {error}") from None
-    base = base_design(tables, folder)
-    priors = _priors(tables, folder, base)
-    sampling = tables.get("sampling", {})
-    check_keys(sampling, names_within("sampling", OBSERVATION_KEYS), "sampling.")
+    return _observations(read_part(ObservationsFile, tables), Path())
+
+
+def named_observations() -> list[str]:
+    """The names of the observations that come with the package."""
+    return named_files(OBSERVATIONS)
+
+
+def _observations(file: ObservationsFile, folder: Path) -> Observations:
+    base = base_design(file.design, file.settings, folder)
+    priors = _priors(file, folder, base)
     return Observations(
-        name=title,
-        source=str(tables.get("source", "")),
+        name=file.name,
+        source=file.source,
         base=base,
         priors=priors,
-        facts=_facts(tables.get("fact"), base, folder, priors),
-        samples=_whole(sampling, "samples", _SAMPLES, 1),
-        directed=_whole(sampling, "directed", _DIRECTED, 0),
-        seed=_whole(sampling, "seed", 0, 0),
+        facts=_facts(file.fact, base, folder, priors),
+        samples=file.sampling.samples,
+        directed=file.sampling.directed,
+        seed=file.sampling.seed,
     )
 
 
-def _priors(tables: Mapping[str, Any], folder: Path, base: Design) -> tuple[Factor, ...]:
-    priors = read_factors(tables, "unknown", folder, base)
-    check_not_settled(tables, "unknown", priors, base)
+def _priors(file: ObservationsFile, folder: Path, base: Design) -> tuple[Factor, ...]:
+    priors = read_factors(file.unknown, "unknown", folder, base)
+    check_not_settled(file.settings, "unknown", priors, base)
     for prior in priors:
-        now, quantity = key_value(base, prior.key), key_quantity(prior.key, prior.model)
-        if prior.distribution is not None and quantity is None and not isinstance(now, float):
-            raise InputError(f"unknown.{prior.key}: need a list or a range; only numbers with fractions are drawn")
-        if quantity is not None:
+        if (quantity := key_quantity(prior.key, prior.model)) is not None:
             _check_allowed(prior, quantity)
     return priors
 
@@ -96,25 +185,20 @@ def _check_allowed(prior: Factor, quantity: Quantity) -> None:
         ends = (drawn.first,) if drawn.name == "normal" else (drawn.first, drawn.second)
         given = [(f".{name}", end) for name, end in zip(DISTRIBUTIONS[drawn.name], ends, strict=False)]
     for place, value in given:
-        try:
+        with error_prefix(f"unknown.{prior.key}{place}: "):
             quantity.read(value, in_si=drawn is not None)
-        except InputError as error:
-            raise InputError(f"unknown.{prior.key}{place}: {error}") from None
 
 
-def _facts(given: object, base: Design, folder: Path, priors: Sequence[Factor]) -> tuple[Fact, ...]:
-    if not isinstance(given, list) or not given:
-        raise InputError(f"fact: need at least one table [[fact]], {as_given(given)}")
+def _facts(tables: Sequence[FactTable], base: Design, folder: Path, priors: Sequence[Factor]) -> tuple[Fact, ...]:
+    if not tables:
+        raise InputError("fact: is missing; need at least one table [[fact]]")
     facts: list[Fact] = []
-    for number, table in enumerate(given):
-        name = table.get("name", number) if isinstance(table, dict) else number
-        try:
+    for table in tables:
+        with error_prefix(f"fact {table.name}: "):
             facts.append(read_fact(table, base, folder))
             _check_known(facts[-1], base, priors)
-        except InputError as error:
-            raise InputError(f"fact {name}: {error}") from None
-        if facts[-1].name in [fact.name for fact in facts[:-1]]:
-            raise InputError(f"fact {name}: need a name of its own")
+            if facts[-1].name in [fact.name for fact in facts[:-1]]:
+                raise InputError("need a name of its own")
     return tuple(facts)
 
 
@@ -128,7 +212,3 @@ def _check_known(fact: Fact, base: Design, priors: Sequence[Factor]) -> None:
             if (own := unknown.get(numbered_key(base, key))) is not None:
                 told = "" if place.endswith(own) else f", as {own}"
                 raise InputError(f"{place}: is under [unknown], too{told}; need it in one of them")
-
-
-def _whole(sampling: Mapping[str, Any], key: str, default: int, least: int) -> int:
-    return check_whole(f"sampling.{key}", sampling.get(key, default), least, MOST_VALUES)

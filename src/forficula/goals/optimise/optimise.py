@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -15,16 +17,23 @@ from forficula.design import Design, key_value
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.goal import Goal
-from forficula.goals.optimise.axis import Point
-from forficula.goals.optimise.batches import batches
-from forficula.goals.optimise.candidate import Candidate, asks_probability, axes_of, costs, trial_of, wanted_share
-from forficula.goals.optimise.neighbours import neighbour_offsets, neighbours_of
+from forficula.goals.optimise.candidate import (
+    Candidate,
+    Verification,
+    asks_probability,
+    axes_of,
+    costs,
+    neighbour_offsets,
+    neighbours_of,
+    trial_of,
+    verified,
+    wanted_share,
+)
 from forficula.goals.optimise.optimum import Effort, Optimum
 from forficula.goals.optimise.optimum_table import optimum_table
-from forficula.goals.optimise.ranking import best_ranked, pareto_front
-from forficula.goals.optimise.relaxation import relaxations
+from forficula.goals.optimise.parabola_search import Optimiser, ParabolaSearch
 from forficula.goals.optimise.screening import screened
-from forficula.goals.optimise.verification import Verification, verified
+from forficula.goals.optimise.trials import Point, best_ranked, pareto_front, relaxations
 from forficula.study.journal import Row
 from forficula.study.run_study import Evaluate
 
@@ -107,20 +116,28 @@ def optimise_goal(
 
 
 def _searched(goal: Goal, assess: Assessor, done: Callable[[Sequence[Candidate]], None]) -> list[Candidate]:
-    """All candidates of a search, batch after batch; what was tried so far is told after each."""
+    """All candidates of a search, batch after batch; what was tried so far is told after each.
+
+    The points that are asked go into the journal, under a hash of everything that decides them. A search that is taken
+    up again, on whatever machine, or shared tries the same points, even where the last bit of what the optimiser
+    computes differs.
+    """
     candidates: list[Candidate] = []
-    search = batches(axes_of(goal), len(goal.objectives), goal.batch, goal.seed, _starts(goal))
-    points = next(search)
-    while True:
+    start = (axes_of(goal), len(goal.objectives), goal.batch, goal.seed, _starts(goal))
+    optimiser: Optimiser = ParabolaSearch(*start)
+    history = hashlib.sha256(repr(start).encode())
+    while len(candidates) < goal.runs:
+        row = assess.agreed({"key": f"asked-{history.hexdigest()}", "points": optimiser.ask()})
+        points = [tuple(point) for point in row["points"]]
+        if not points:
+            break
         batch = _tried(goal, assess, points[: goal.runs - len(candidates)], candidates)
+        trials = [trial_of(goal, each) for each in batch]
+        optimiser.tell(trials)
+        history.update(json.dumps([astuple(trial) for trial in trials]).encode())
         candidates += batch
         done(candidates)
-        if len(candidates) >= goal.runs:
-            return candidates
-        try:
-            points = search.send([trial_of(goal, each) for each in batch])
-        except StopIteration:
-            return candidates
+    return candidates
 
 
 def estimate_optimise(goal: Goal) -> tuple[int, float]:

@@ -1,16 +1,21 @@
-"""What a search for the best design came to."""
+"""What a search for the best design came to, and which of its designs are worth a record."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
+from numpy.typing import NDArray
 
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.goals.goal import Goal
-from forficula.goals.optimise.candidate import Candidate
-from forficula.goals.optimise.relaxation import Relaxation
-from forficula.goals.optimise.verification import Verification
+from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
+from forficula.goals.optimise.candidate import Candidate, Verification
+from forficula.goals.optimise.trials import Relaxation
+from forficula.serial import Key, Written
+from forficula.study.kept_runs import RunToKeep
 
 if TYPE_CHECKING:
     import xarray
@@ -35,12 +40,12 @@ class Effort:
     runs: int
     ruled_out: dict[str, int]
     neighbour_runs: int
-    spared_neighbours: int
+    spared_neighbours: Annotated[int, Key("neighbours_spared")]
     verification_runs: int
-    simulated: bool
+    simulated: Annotated[bool, Written.NEVER]
 
     @property
-    def spared_runs(self) -> int:
+    def spared_runs(self) -> Annotated[int, Key("runs_spared")]:
         """Runs that were never made, where there would have been any."""
         return sum(self.ruled_out.values()) if self.simulated else 0
 
@@ -84,3 +89,34 @@ class Optimum(Displayed):
     def __repr__(self) -> str:
         """What was asked and how many designs answer it."""
         return f"<Optimum {self.goal.name}: {len(self.best)} of {self.effort.tried} designs are best>"
+
+
+Numbers = NDArray[np.int64]
+
+
+def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKeep]:
+    """The best, the front, and of the others those that meet the goal and those that do not by turns, spread evenly.
+
+    Args:
+        optimum: what was found.
+        most: runs at most; none where nothing is run.
+    """
+    if not optimum.goal.simulate:
+        return []
+    table = optimum.table
+    best, front, feasible = (table[name].values.astype(bool) for name in ("best", "front", "feasible"))
+    first = [*np.flatnonzero(best), *np.flatnonzero(front & ~best)][:most]
+    left = most - len(first)
+    ran = table["outcome"].values != "not run"
+    others = [_spread(np.flatnonzero(ran & ~best & ~front & kind), left) for kind in (feasible, ~feasible)]
+    by_turns = [int(numbers[place]) for place in range(left) for numbers in others[::-1] if place < len(numbers)]
+    designs = [each.found.design for each in optimum.candidates]
+    return designs_to_keep(designs, [*map(int, first), *by_turns], most)
+
+
+def _spread(numbers: Numbers, most: int) -> Numbers:
+    """So many of some numbers, evenly."""
+    if len(numbers) <= most:
+        return numbers
+    places = np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(np.int64)
+    return np.asarray(numbers[places], dtype=np.int64)

@@ -12,12 +12,12 @@ from forficula.analysis import Ending, Verdict
 from forficula.csv_text import csv_text
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
-from forficula.goals.optimise.ranking import pareto_front
+from forficula.goals.optimise.trials import pareto_front
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.parameter import Parameter
 from forficula.quantities import as_written, parse_quantity
+from forficula.serial import unit_suffix
 from forficula.study.evaluate import ending_row
-from forficula.study.table import unit_suffix
 
 if TYPE_CHECKING:
     import xarray
@@ -110,10 +110,7 @@ def _standing(
 def optimum_csv(table: xarray.Dataset) -> str:
     """The table as text, one line a candidate, units in the names of the columns, empty where there is no number."""
     columns = {**table.coords, **table.data_vars}
-    names = [
-        f"{name}{unit_suffix(column.attrs['units'])}" if column.attrs.get("units") else str(name)
-        for name, column in columns.items()
-    ]
+    names = [f"{name}{unit_suffix(column.attrs.get('units', ''))}" for name, column in columns.items()]
     rows = zip(*(column.values.tolist() for column in columns.values()), strict=True)
     return csv_text([names, *([_cell(value) for value in row] for row in rows)])
 

@@ -8,13 +8,11 @@ from collections import Counter
 from forficula.design import Design
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.limit import Limit
-from forficula.goals.optimise.bounded import bounded_text
-from forficula.goals.optimise.candidate import Candidate, trial_of, wanted_share
-from forficula.goals.optimise.filling import filling_text
-from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.candidate import Candidate, Neighbours, Verification, axes_of, trial_of, wanted_share
 from forficula.goals.optimise.optimum import Optimum
-from forficula.goals.optimise.relaxation import Relaxation, nearest_trial
-from forficula.goals.optimise.verification import Verification
+from forficula.goals.optimise.parabola_search import filling_count
+from forficula.goals.optimise.trials import Relaxation, nearest_trial
+from forficula.goals.parameter import Parameter
 from forficula.names import counted
 from forficula.quantities import show_quantity
 
@@ -170,3 +168,47 @@ def _effort(found: Optimum) -> str:
 def _missed(margin: float) -> str:
     """By how much a limit is missed: margins go no farther than a whole bound."""
     return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
+
+
+# of the way from bound to bound: no further from one it lies there
+_NEAR = 1e-3
+
+
+def bounded_text(goal: Goal, best: Candidate) -> str | None:
+    """That a design lies at bounds of what may vary, in a sentence; None where it lies between all of them."""
+    ends = [
+        f"{parameter.key} at its {end}"
+        for parameter, share in zip(goal.parameters, best.point, strict=True)
+        if (end := _end(parameter, share))
+    ]
+    if not ends:
+        return None
+    return f"the best lies at the edge of what may vary, {' and '.join(ends)}: further on there may be better ones"
+
+
+def _end(parameter: Parameter, share: float) -> str:
+    """Which end of its range a share lies at; empty where at none, or where its values have no order."""
+    if not parameter.ordered:
+        return ""
+    near = max(_NEAR, 1 / len(parameter.choices)) if parameter.choices else _NEAR
+    return "lowest" if share < near else "highest" if share > 1 - near else ""
+
+
+def only_fills(goal: Goal) -> int | None:
+    """How many designs fill the space of a goal where it tries no more than these, and not all there are; else None."""
+    axes = axes_of(goal)
+    count = filling_count(axes, goal.batch)
+    places = math.prod(axis.levels for axis in axes) or math.inf
+    return count if goal.runs <= count and goal.runs < places else None
+
+
+def filling_text(goal: Goal) -> str | None:
+    """That a goal's designs only fill the space, in a sentence; None where they do more."""
+    count = only_fills(goal)
+    if count is None:
+        return None
+    designs = "its one design does" if goal.runs == 1 else f"its {goal.runs} designs do"
+    return (
+        f"{designs} no more than fill the space evenly: a search that learns from them begins after {count}"
+        " (search.runs)"
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 import scipy
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from forficula.goals.share_interval import LEVEL
 from forficula.goals.tolerance.probability import Probability, probability
+from forficula.serial import Key, Written
 
 Values = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
@@ -31,10 +32,10 @@ class Narrowed:
     """
 
     gain: float
-    gain_low: float
-    gain_high: float
-    below: Probability
-    above: Probability
+    gain_low: Annotated[float, Key("low")]
+    gain_high: Annotated[float, Key("high")]
+    below: Annotated[Probability, Written.NEVER]
+    above: Annotated[Probability, Written.NEVER]
 
 
 def narrowed(offsets: Values, works: Booleans, distribution: Literal["uniform", "normal"]) -> Narrowed:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
+
+from forficula.serial import Key, Written
 
 
 class Answer(StrEnum):
@@ -37,12 +40,12 @@ class Reach:
         why: what it is there; that it works where everything does.
     """
 
-    works: float
-    beyond: float | None
-    why: Answer
+    works: Annotated[float, Key("works_to")]
+    beyond: Annotated[float | None, Written.NEVER]
+    why: Annotated[Answer, Key("beyond")]
 
     @property
-    def fails(self) -> float | None:
+    def fails(self) -> Annotated[float | None, Key("fails_at")]:
         """The nearest that fails; None where it works, or cannot be told, before that."""
         return self.beyond if self.why is Answer.FAILS else None
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import scipy
 
 from forficula.goals.share_interval import LEVEL, share_interval
+from forficula.serial import Key, Written
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,10 +29,10 @@ class Probability:
     works: int
     fails: int
     unknown: int
-    share: float | None
+    share: Annotated[float | None, Key("probability")]
     low: float
     high: float
-    undecided: int = 0
+    undecided: Annotated[int, Written.NEVER] = 0
 
     @property
     def count(self) -> int:

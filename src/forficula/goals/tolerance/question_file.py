@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, TypeVar
 
 from forficula.design import Design, numbered_key
-from forficula.design.key_table import names_within
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import Deviation, default_deviations
-from forficula.goals.goal_file import deviations_within, flat_table, read_limits, with_torques
-from forficula.goals.goal_keys import GOAL_KEYS
+from forficula.goals.goal_file import GOAL, deviations_within, read_limits, with_torques
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.tolerance.question import Question
 from forficula.quantities import as_written
-from forficula.study.file_keys import check_keys
-from forficula.study.named_file import base_design, read_named, settings_of, settled_by
-from forficula.toml_text import parse_toml
-
-T = TypeVar("T")
-_GOALS = "forficula.goals"
+from forficula.study.named_file import base_design, load_named, settings_of, settled_by
 
 
 def question_of(
@@ -52,47 +44,21 @@ def question_of(
         if design is None:
             raise InputError("need a design, or a goal that has one")
         return _question(design, tolerances, limits or {}, Path())
-    text, where, folder = read_named(goal, _GOALS, "goal", "goals")
-    tables = _of_file(where, lambda: _tables(text))
+    file, folder = load_named(goal, GOAL, lambda file, folder: (file, folder))
+    of_file = f"{goal}: "
     if design is None:
-        asked = _of_file(where, lambda: base_design(tables, folder)).with_values(settings or {})
+        with error_prefix(of_file):
+            design = base_design(file.design, file.settings, folder)
+        design = design.with_values(settings or {})
     else:
-        asked = _of_file(where, lambda: _settled(design, tables, folder, settings or {}))
-    tolerances, limits = tolerances or _flat(tables, "tolerances") or None, limits or _flat(tables, "limits")
-    return _of_file(where, lambda: _question(asked, tolerances, limits, folder))
-
-
-def _of_file(where: str, read: Callable[[], T]) -> T:
-    """What is read of a file; an error begins with it."""
-    try:
-        return read()
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
-
-
-def _tables(text: str) -> dict[str, Any]:
-    """The tables of a goal file that are looked at, checked to be such; what else it has is not."""
-    tables = parse_toml(text, "a goal")
-    check_keys(tables, names_within("", GOAL_KEYS), "")
-    for name in ("tolerances", "limits", "vary"):
-        if not isinstance(tables.get(name, {}), dict):
-            raise InputError(f"{name}: need a table, got {as_written(tables[name])}")
-        _flat(tables, name)
-    return tables
-
-
-def _flat(tables: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """One table of a goal file by dotted key."""
-    return flat_table(tables, name, keep=("distribution", "size", "intervals_of", "low", "high", "step"))
-
-
-def _settled(design: Design, tables: Mapping[str, Any], folder: Path, settings: Mapping[str, object]) -> Design:
-    """A design with the settings of a goal, but for keys that were given otherwise, and what the goal varies."""
-    own = {numbered_key(design, key) for key in (*settings, *_flat(tables, "vary"))}
-    replaced = {
-        key: value for key, value in settings_of(tables, folder).items() if numbered_key(design, key) not in own
-    }
-    return settled_by(design, replaced) if replaced else design
+        # settings of the goal hold but for keys that were given otherwise, and what the goal varies
+        own = {numbered_key(design, key) for key in (*(settings or {}), *file.vary)}
+        values = settings_of(file.settings, folder)
+        replaced = {key: value for key, value in values.items() if numbered_key(design, key) not in own}
+        with error_prefix(of_file):
+            design = settled_by(design, replaced) if replaced else design
+    with error_prefix(of_file):
+        return _question(design, tolerances or file.tolerances or None, limits or file.limits, folder)
 
 
 def _question(

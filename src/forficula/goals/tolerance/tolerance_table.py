@@ -9,6 +9,7 @@ import xarray
 
 from forficula.design import key_quantity, key_value
 from forficula.displayed import Displayed
+from forficula.errors import InputError
 from forficula.goals.deviation import allowed_ends, deviation_widths
 from forficula.goals.tolerance.advice import advice
 from forficula.goals.tolerance.indices import Indices
@@ -21,9 +22,29 @@ from forficula.study.outcome_kinds import transitions_text
 
 
 class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
-    """An `xarray.Dataset` that a notebook shows with what it says."""
+    """An `xarray.Dataset` that a notebook shows with what it says.
 
-    __slots__ = ()
+    Attributes:
+        tolerance: that the table is of. Parts of a table and tables that were read from a file do not have it.
+    """
+
+    __slots__ = ("tolerance",)
+    tolerance: Tolerance
+
+
+def tolerance_of_table(table: object) -> Tolerance:
+    """Return the tolerance that a table is of.
+
+    Raises:
+        InputError: it is a part of a table, or was read from a file.
+    """
+    found = getattr(table, "tolerance", None)
+    if not isinstance(found, Tolerance):
+        raise InputError(
+            "need the whole table as tolerance returns it; parts of it and tables that were read from a file have no"
+            " design; tolerance returns the table of its folder without new runs"
+        )
+    return found
 
 
 def tolerance_table(found: Tolerance) -> xarray.Dataset:
@@ -62,7 +83,9 @@ def tolerance_table(found: Tolerance) -> xarray.Dataset:
         "runs": found.runs,
         "says": "\n".join(advice(found)),
     }
-    return ToleranceTable(variables, coordinates, attributes)
+    table = ToleranceTable(variables, coordinates, attributes)
+    table.tolerance = found
+    return table
 
 
 def _facts(found: Tolerance) -> dict[str, Any]:

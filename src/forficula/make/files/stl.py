@@ -7,6 +7,7 @@ import struct
 import numpy as np
 
 from forficula.make.mesh import Mesh
+from forficula.pattern.geometry import triangle_normals
 
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEADER = 80  # bytes
@@ -21,7 +22,7 @@ def stl_bytes(mesh: Mesh, name: str) -> bytes:
     """
     triangles = np.zeros(len(mesh.triangles), dtype=_TRIANGLE)
     corners = mesh.points[mesh.triangles].astype("<f4")
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = triangle_normals(corners)
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     # a triangle without area has none
     triangles["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)

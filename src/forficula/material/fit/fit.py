@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 
@@ -17,12 +18,16 @@ from forficula.material.fit.uncertainty import effective_points
 from forficula.material.law.law_form import LawForm, all_forms
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.tensile.strain_history import StrainHistory
+from forficula.quantities import Unit
+from forficula.serial import Key, Quantity, Written
 
 _SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
 # a refusal: the values that it names, and why; and the numbers of one, by which refusals of the same kind differ
 _NAMED = re.compile(r"(?P<keys>[a-z_]+[\w.]*(?:, [a-z_]+[\w.]*)*): (?P<reason>.*)", re.DOTALL)
 _NUMBERS = re.compile(r"(?<![\w.])[-+]?\d[\d.e+-]*|\b[kMG]?Pa\b")
 _TIMES = 16  # relaxation times tried in place of a damper
+_Criterion = Annotated[float, Key("bayesian_information_criterion")]
+_Rms = Annotated[float, Key("residual_rms"), Unit("Pa")]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,14 +37,26 @@ class Candidate:
     Attributes:
         form: what was tried.
         bic: Bayesian information criterion, less is better; nan where it was refused.
+        above_chosen: by how much the criterion exceeds that of the chosen form; nan where it was refused.
         misfit: root mean square of the residual, Pa; nan where it was refused.
         refused: why, or empty.
     """
 
-    form: LawForm
-    bic: float = np.nan
-    misfit: float = np.nan
-    refused: str = ""
+    form: Annotated[LawForm, Written.NEVER]
+    bic: _Criterion = np.nan
+    above_chosen: float = np.nan
+    misfit: _Rms = np.nan
+    refused: Annotated[str, Written.OR_NULL] = ""
+
+    @property
+    def law(self) -> Annotated[str, Written.FIRST]:
+        """Name of the form."""
+        return self.form.name
+
+    @property
+    def values(self) -> Annotated[int, Written.FIRST]:
+        """Number of the values that the form has."""
+        return len(self.form.keys)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,16 +101,34 @@ class LawFit:
         candidates: all that were tried, the chosen one first, the refused ones last.
     """
 
-    law: MaterialLaw
-    form: LawForm
+    law: Annotated[MaterialLaw, Written.NEVER]
+    form: Annotated[LawForm, Written.NEVER]
     points: int
     effective_points: float
-    bic: float
-    misfit: float
-    relative_misfit: float
-    scatter: float | None
-    residuals: tuple[Residual, ...]
-    candidates: tuple[Candidate, ...]
+    bic: _Criterion
+    misfit: _Rms
+    relative_misfit: Annotated[float, Key("residual_rms_by_largest_stress")]
+    scatter: Annotated[float | None, Key("amplitude_standard_deviation")]
+    residuals: Annotated[tuple[Residual, ...], Written.NEVER]
+    candidates: Annotated[tuple[Candidate, ...], Key("compared")]
+
+    @property
+    def law_name(self) -> Annotated[str, Key("law"), Written.FIRST]:
+        """Name of the form."""
+        return self.form.name
+
+    @property
+    def amplitudes(self) -> Annotated[list[Mapping[str, str | float]], Written.ALWAYS]:
+        """Stress of every specimen by that of the law."""
+        return [{"specimen": each.name, "amplitude": each.amplitude} for each in self.residuals]
+
+    @property
+    def force_zero(self) -> Annotated[list[Mapping[str, str | Quantity]], Written.ALWAYS]:
+        """What the load cell shows of every specimen without force, and the drift of that."""
+        return [
+            {"specimen": each.name, "offset": Quantity(each.offset, "Pa"), "drift": Quantity(each.drift, "Pa/s")}
+            for each in self.residuals
+        ]
 
 
 def fit_law(
@@ -264,14 +299,23 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
     alike = [each for each in ranked if each.bic(effective) <= ranked[0].bic(effective) + _SAME_FIT]
     best = min(alike, key=lambda each: len(each.values))
     ranked = [best, *(each for each in ranked if each is not best)]
-    tried = [Candidate(form=each.model.form, bic=each.bic(effective), misfit=each.misfit) for each in ranked]
+    chosen = best.bic(effective)
+    tried = [
+        Candidate(
+            form=each.model.form,
+            bic=each.bic(effective),
+            above_chosen=each.bic(effective) - chosen,
+            misfit=each.misfit,
+        )
+        for each in ranked
+    ]
     problem, logarithms = best.model.problem, best.model.parts(best.values)[1]
     return LawFit(
         law=replace(best.law, name=name, source=source),
         form=best.model.form,
         points=len(problem.stress),
         effective_points=effective_points(best.residual, problem.specimen),
-        bic=best.bic(effective),
+        bic=chosen,
         misfit=best.misfit,
         relative_misfit=best.misfit / problem.peak,
         scatter=float(np.std(logarithms, ddof=1)) if len(logarithms) > 1 else None,

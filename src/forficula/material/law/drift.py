@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
 import numpy as np
 import scipy
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import as_written
+from forficula.serial import Key, Written
 
 Kind = Literal["none", "logarithm", "plateau"]
 
@@ -40,10 +41,15 @@ class Drift:
 
     kind: Kind
     rate: float
-    interval: tuple[float, float]
-    cycles: float
+    interval: Annotated[tuple[float, float], Key("rate_interval_95")]
+    cycles: Annotated[float, Written.NEVER]
     relative: bool
-    seen: tuple[int, int]
+    seen: Annotated[tuple[int, int], Key("seen_cycles")]
+
+    @property
+    def plateau_cycles(self) -> Annotated[float | None, Written.ALWAYS]:
+        """Cycles of the plateau; None where the drift has none."""
+        return self.cycles if self.kind == "plateau" else None
 
     def __post_init__(self) -> None:
         if self.kind not in get_args(Kind):

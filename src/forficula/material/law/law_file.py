@@ -13,14 +13,14 @@ from typing import Any
 
 import tomli_w
 
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import read_toml, write_text
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_keys import TERMS, law_unit, nearest, number
 from forficula.material.law.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.law.softening import OgdenRoxburgh, Triple
-from forficula.names import unknown_key
+from forficula.names import check_known
 from forficula.quantities import as_written, format_quantity, parse_quantity
 
 _NUMBERS = ("yield_strain", "residual_strain", "largest_strain", "lowest_strain_rate", "highest_strain_rate")
@@ -128,8 +128,8 @@ def _named_law(name: str) -> MaterialLaw:
 
 def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
     """Turn the tables of a file into a law; every error begins with the file."""
-    try:
-        _only("", tables, (*_TEXTS, *_NUMBERS, *_TABLES))
+    with error_prefix(f"{where}: "):
+        check_known(tables, (*_TEXTS, *_NUMBERS, *_TABLES), "")
         texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
         numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
         softening = _softening(tables["softening"]) if "softening" in tables else None
@@ -152,22 +152,12 @@ def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
             unknown=_unknown(tables),
             facts=tuple(_fact(index, each) for index, each in enumerate(_list("facts", tables))),
         )
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
-
-
-def _only(section: str, table: Mapping[str, object], allowed: tuple[str, ...]) -> None:
-    """Refuse keys that are none."""
-    for key in table:
-        if key not in allowed:
-            shown = key if key.replace("_", "").replace("-", "").isalnum() else as_written(key)
-            raise InputError(unknown_key(f"{section}{shown}", table[key], nearest(key, list(allowed))))
 
 
 def _table(key: str, value: object, allowed: tuple[str, ...], needed: tuple[str, ...] = ()) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise InputError(f"{key}: need a table under [{key}], got {as_written(value)}")
-    _only(f"{key}.", value, allowed)
+    check_known(value, allowed, f"{key}.")
     for name in needed:
         if name not in value:
             raise InputError(f"{key}.{name}: is missing; needed here: {', '.join(needed)}")
@@ -191,10 +181,8 @@ def _quantity(key: str, value: object) -> float:
     unit = law_unit(key)
     if unit.display == "dimensionless":
         return number(key, value)
-    try:
+    with error_prefix(f"{key}: "):
         return parse_quantity(value, unit)
-    except InputError as error:
-        raise InputError(f"{key}: {error}") from None
 
 
 def _triple(section: str, tables: Mapping[str, Any]) -> Triple | None:
@@ -285,10 +273,8 @@ def _pair(section: str, key: str, value: object) -> Bounds:
     unit = law_unit(key)
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(f'{section}.{key}: need two values such as ["{unit.example}", ...], got {as_written(value)}')
-    try:
+    with error_prefix(f"{section}."):
         low, high = (_quantity(key, each) for each in value)
-    except InputError as error:
-        raise InputError(f"{section}.{error}") from None
     if not low <= high:
         raise InputError(f"{section}.{key}: need the lower value first, got {as_written(value)}")
     return Bounds(key=key, low=low, high=high)

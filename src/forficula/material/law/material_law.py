@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from forficula.displayed import Displayed
 from forficula.errors import InputError
@@ -12,6 +13,7 @@ from forficula.material.law.law_keys import law_unit, show_range
 from forficula.material.law.softening import OgdenRoxburgh, Triple, pulls
 from forficula.material.law.tendon_law import TendonBranch, TendonLaw
 from forficula.quantities import Unit, show_quantity
+from forficula.serial import Written
 
 _LENGTH = Unit(display="cm", si="m", example="6 cm")
 _AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
@@ -68,7 +70,7 @@ class Fact:
 
     what: str
     value: str
-    source: str
+    source: Annotated[str, Written.NEVER]
 
 
 @dataclass(frozen=True, kw_only=True)

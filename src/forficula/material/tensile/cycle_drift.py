@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.errors import InputError
 from forficula.material.tensile.cycles import Cycle
+from forficula.quantities import Unit
+from forficula.serial import JoulesPerCubicMetre, Key, Pascals, Written
 
+_PerCycle = Annotated[float, Unit("1/cycle")]
 _QUANTITIES: dict[str, Callable[[Cycle], float]] = {
     "secant_modulus": lambda cycle: cycle.secant_modulus,
     "loss": lambda cycle: cycle.loss,
@@ -35,10 +39,10 @@ class CycleMedians:
         largest_strain: at the turn above.
     """
 
-    number: int
+    number: Annotated[int, Key("cycle")]
     specimens: int
-    secant_modulus: float
-    loss: float
+    secant_modulus: Pascals
+    loss: JoulesPerCubicMetre
     residual_strain: float
     slack_strain: float
     onset_strain: float
@@ -62,13 +66,13 @@ class CycleDrift:
         largest_strain: per cycle.
     """
 
-    specimens: int
-    secant_modulus: float
-    loss: float
-    residual_strain: float
-    slack_strain: float
-    onset_strain: float
-    largest_strain: float
+    specimens: Annotated[int, Written.NEVER]
+    secant_modulus: Annotated[float, Unit("Pa/cycle")]
+    loss: Annotated[float, Unit("J/m^3/cycle")]
+    residual_strain: _PerCycle
+    slack_strain: _PerCycle
+    onset_strain: _PerCycle
+    largest_strain: _PerCycle
 
 
 def cycle_medians(specimens: Sequence[Sequence[Cycle]]) -> tuple[CycleMedians, ...]:

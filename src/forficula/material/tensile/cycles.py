@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Annotated
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.material.tensile.tensile_test import TensileTest
 from forficula.material.tensile.turning_points import turning_points
+from forficula.serial import JoulesPerCubicMetre, Key, Pascals, Written
 
 BAND = 0.05  # share of the largest travel; a crosshead's noise is a thousandth of it or less
 _SLACK_SHARE = 0.01  # of the peak stress: less is called no force
@@ -51,17 +53,17 @@ class Cycle:
         unloading: from the turn above to the turn below, both in it.
     """
 
-    number: int
-    loading: Branch
-    unloading: Branch
+    number: Annotated[int, Key("cycle")]
+    loading: Annotated[Branch, Written.NEVER]
+    unloading: Annotated[Branch, Written.NEVER]
 
     @property
-    def largest_strain(self) -> float:
+    def largest_strain(self) -> Annotated[float, Written.ALWAYS]:
         """Strain at the turn above."""
         return float(self.loading.strain[-1])
 
     @property
-    def loss(self) -> float:
+    def loss(self) -> JoulesPerCubicMetre:
         """Energy lost per volume, J/m3: the integral of stress over strain around the cycle.
 
         Trapezoids between the samples. Where the end is not where the cycle began, a straight line closes the loop.
@@ -71,12 +73,12 @@ class Cycle:
         return float(np.trapezoid(up.stress, up.strain) + np.trapezoid(down.stress, down.strain) + closing)
 
     @property
-    def secant_modulus(self) -> float:
+    def secant_modulus(self) -> Pascals:
         """Stress above `zero_stress` over strain, both at the largest strain, Pa."""
         return (self._peak_stress - self.zero_stress) / self.largest_strain
 
     @cached_property
-    def zero_stress(self) -> float:
+    def zero_stress(self) -> Pascals:
         """What the load cell shows while the specimen hangs slack, Pa: its offset.
 
         The median over the samples that hang slack; 0 where none do, as then nothing tells an offset from a force.
@@ -103,7 +105,7 @@ class Cycle:
         return hanging if abs(slope) < steepest else np.zeros_like(hanging)
 
     @property
-    def slack_strain(self) -> float:
+    def slack_strain(self) -> Annotated[float, Written.ALWAYS]:
         """Strain below which the unloading carries no force.
 
         No force is less than 1 % of the peak stress, or than five standard deviations of the noise where that is more,
@@ -117,7 +119,7 @@ class Cycle:
         return float(down.strain[carrying[-1] + 1])
 
     @property
-    def onset_strain(self) -> float:
+    def onset_strain(self) -> Annotated[float, Written.ALWAYS]:
         """Strain above which the loading carries force, by the same threshold as `slack_strain`.
 
         What is left of the slack after the rest between the two; the first cycle's is slack from clamping. Nan where
@@ -128,7 +130,7 @@ class Cycle:
         return float(up.strain[slack[-1]]) if len(slack) and slack[-1] < len(up.stress) - 1 else math.nan
 
     @property
-    def residual_strain(self) -> float:
+    def residual_strain(self) -> Annotated[float, Written.ALWAYS]:
         """Strain at which the unloading comes to zero stress, by a straight line through its foot.
 
         That is how residual strain is defined for elastomers in cycles (Qi and Boyce 2005, Mechanics of Materials 37,

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.tensile.cycles import Branch, Cycle
+from forficula.quantities import Unit
+from forficula.serial import Key, Written
 
 CLASS_WIDTH = 0.1  # strain, as in the paper
 _FEWEST = 5  # samples in a class
@@ -31,9 +33,9 @@ class Quartiles:
         upper: three quarters.
     """
 
-    lower: float
+    lower: Annotated[float, Key("lower_quartile")]
     median: float
-    upper: float
+    upper: Annotated[float, Key("upper_quartile")]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,14 +56,19 @@ class ModulusClass:
         points: how many samples of the machine are behind them.
     """
 
-    cycle: int | None
+    cycle: Annotated[int | None, Written.NEVER]
     way: Way
     from_strain: float
     to_strain: float
-    secant_modulus: Quartiles
-    local_modulus: Quartiles
+    secant_modulus: Annotated[Quartiles, Unit("Pa")]
+    local_modulus: Annotated[Quartiles, Unit("Pa")]
     values: int
     points: int
+
+    @property
+    def of_cycle(self) -> Annotated[int | Literal["pooled"], Key("cycle"), Written.FIRST]:
+        """Number of the cycle, or that cycles are pooled."""
+        return "pooled" if self.cycle is None else self.cycle
 
 
 @dataclass(frozen=True, kw_only=True)

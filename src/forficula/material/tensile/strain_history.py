@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.material.law.stress import check_history
 from forficula.material.tensile.cycles import BAND
 from forficula.material.tensile.turning_points import turning_points
@@ -58,14 +58,12 @@ class StrainHistory:
     def __post_init__(self) -> None:
         for field in ("time", "strain", "stress"):
             object.__setattr__(self, field, np.asarray(getattr(self, field), dtype=np.float64))
-        try:
+        with error_prefix(f"{self.name}: "):
             check_history(self.time, self.strain)
             if self.stress.shape != self.time.shape or not np.all(np.isfinite(self.stress)):
                 raise InputError(f"stress: need a finite number in each of the {len(self.time)} rows")
             if not 0 <= self.first < len(self.time):
                 raise InputError(f"first: need a sample from 0 to {len(self.time) - 1}, got {self.first}")
-        except InputError as error:
-            raise InputError(f"{self.name}: {error}") from None
 
 
 def strain_rate(history: StrainHistory) -> Array:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_quantity, show_value
+from forficula.serial import Metres, SquareMetres, Written
 
 # no rubber stretches as far; a length in the wrong unit does
 _MOST_STRAIN = 20
@@ -38,11 +40,16 @@ class TensileTest:
     """
 
     name: str
-    time: Array
-    extension: Array
-    force: Array
-    length: float
-    area: float
+    time: Annotated[Array, Written.NEVER]
+    extension: Annotated[Array, Written.NEVER]
+    force: Annotated[Array, Written.NEVER]
+    length: Metres
+    area: SquareMetres
+
+    @property
+    def rows(self) -> Annotated[int, Written.ALWAYS]:
+        """Return the number of rows."""
+        return len(self.time)
 
     def __post_init__(self) -> None:
         rows = self.time.shape

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from forficula.csv_text import csv_text
+from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_text
+from forficula.serial import Written, json_text
 from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.results_page import write_results_page
@@ -43,22 +46,41 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
     rows = convergence_rows(convergence)
     cells = [["" if value is None else value for value in row.values()] for row in rows]
     write_text(folder / "convergence.csv", csv_text([list(rows[0]), *cells]))
-    content = {
-        "design": convergence.design.name,
-        "design_hash": convergence.design.hash,
-        "key": convergence.key,
-        "verdict": convergence.verdict,
-        "fine": convergence.fine,
-        "tolerance": convergence.tolerance,
-        "own": rows[int(np.argmax(convergence.values == convergence.own))],
-        "runs": rows,
-        **{f"{name}_time": _law(fit) for name, fit in convergence.orders.items()},
-        "versions": versions(),
-    }
-    write_text(folder / "convergence.json", json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+    write_text(folder / "convergence.json", json_text(convergence_summary(convergence)))
     save_convergence(convergence, folder / CONVERGENCE_FILE)
     texts = save_figures(convergence_drawings(convergence), folder)
     write_results_page(folder, "convergence", convergence.design.name, convergence_table(convergence), _HEADINGS, texts)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConvergenceSummary:
+    """A convergence study as `convergence.json` has it; beside its keys the law of every time over the timestep."""
+
+    design: Annotated[DesignIdentity, Written.BESIDE]
+    key: str
+    verdict: str
+    fine: bool | None
+    tolerance: float
+    own: Mapping[str, Any]
+    runs: Sequence[Mapping[str, Any]]
+    times: Annotated[Mapping[str, OrderFit | None], Written.BESIDE]
+    versions: Mapping[str, str]
+
+
+def convergence_summary(convergence: Convergence) -> ConvergenceSummary:
+    """Return a convergence study as `convergence.json` has it."""
+    rows = convergence_rows(convergence)
+    return ConvergenceSummary(
+        design=convergence.design.identity,
+        key=convergence.key,
+        verdict=convergence.verdict,
+        fine=convergence.fine,
+        tolerance=convergence.tolerance,
+        own=rows[int(np.argmax(convergence.values == convergence.own))],
+        runs=rows,
+        times={f"{name}_time": fit for name, fit in convergence.orders.items()},
+        versions=versions(),
+    )
 
 
 def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
@@ -66,18 +88,6 @@ def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
     return {
         "angles": lambda width: draw_convergence_angles(convergence, width),
         "times": lambda width: draw_convergence_times(convergence, width),
-    }
-
-
-def _law(fit: OrderFit | None) -> dict[str, Any] | None:
-    if fit is None:
-        return None
-    return {
-        "limit_s": fit.limit,
-        "observed_order": fit.order if fit.observed else None,
-        "assumed_order": None if fit.observed else fit.order,
-        "why_not_observed": fit.reason,
-        "scatter_s": fit.scatter,
     }
 
 

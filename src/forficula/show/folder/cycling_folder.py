@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from rich.console import Console
 
-from forficula.analysis.summary import drive_entry
+from forficula.analysis.summary import drive_strength
 from forficula.csv_text import csv_text
 from forficula.design import load_design
+from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
+from forficula.serial import Quantity, Written, json_text
 from forficula.show.folder.cell import first_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.cycling_section import cycling_section
@@ -41,8 +44,7 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
     """
     with replacing_all(folder) as unfinished:
         write_text(unfinished / "cycles.csv", cycling_csv(cycling))
-        text = json.dumps(cycling_summary(cycling), indent=2, ensure_ascii=False, allow_nan=False)
-        write_text(unfinished / "cycles.json", text + "\n")
+        write_text(unfinished / "cycles.json", json_text(cycling_summary(cycling)))
         texts = save_figures(cycling_drawings(cycling), unfinished)
         if (page := read_page(folder)) is not None:
             drawn = figure_html(unfinished, "cycles", texts["cycles"])
@@ -87,21 +89,37 @@ def cycling_csv(cycling: Cycling) -> str:
     return csv_text([list(rows[0]), *(["" if value is None else value for value in row.values()] for row in rows)])
 
 
-def cycling_summary(cycling: Cycling) -> dict[str, Any]:
-    """All of it as plain data with units in its keys."""
+@dataclass(frozen=True, kw_only=True)
+class CyclingSummary:
+    """A structure over cycles, as `cycles.json` has it; beside its keys the strengths of the drives."""
+
+    design: Annotated[DesignIdentity, Written.BESIDE]
+    verdict: str
+    remarks: Sequence[str]
+    seen_cycles: tuple[int, int] | None
+    first_failure: int | None
+    drives: Annotated[Mapping[str, Quantity], Written.BESIDE]
+    cycles: Sequence[Mapping[str, Any]]
+    versions: Mapping[str, str]
+
+
+def cycling_summary(cycling: Cycling) -> CyclingSummary:
+    """Return a structure over cycles as `cycles.json` has it."""
     structure = structure_of(cycling.design)
-    drives = {drive.name: drive_entry(structure, drive) for drive in structure.drives}
-    return {
-        "design": cycling.design.name,
-        "design_hash": cycling.design.hash,
-        "verdict": cycling.verdict,
-        "remarks": list(cycling.remarks),
-        "seen_cycles": None if cycling.seen is None else list(cycling.seen),
-        "first_failure": cycling.first_failure,
-        **{f"{name}_{key}": value for name, (key, value) in drives.items()},
-        "cycles": cycling_rows(cycling),
-        "versions": versions(),
-    }
+    return CyclingSummary(
+        design=cycling.design.identity,
+        verdict=cycling.verdict,
+        remarks=cycling.remarks,
+        seen_cycles=cycling.seen,
+        first_failure=cycling.first_failure,
+        drives={
+            f"{drive.name}_{kind}": strength
+            for drive in structure.drives
+            for kind, strength in drive_strength(structure, drive).items()
+        },
+        cycles=cycling_rows(cycling),
+        versions=versions(),
+    )
 
 
 def read_cycling(folder: Path) -> Cycling:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import itertools
-import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ import numpy as np
 from forficula.csv_text import csv_text
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.identify.marginal import marginals, unknowns_of
+from forficula.serial import json_text
 from forficula.show.folder.cell import first_figure, numbers, printed
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.identify_figures import identify_drawings
@@ -45,8 +46,7 @@ def write_identification(result: Dataset, folder: Path) -> None:
     """
     with replacing_all(folder) as unfinished:
         write_bytes(unfinished / IDENTIFIED, result.to_netcdf(engine="h5netcdf"))
-        told = json.dumps(identification_json(result), indent=2, ensure_ascii=False, allow_nan=False)
-        write_text(unfinished / IDENTIFIED_FILE, told + "\n")
+        write_text(unfinished / IDENTIFIED_FILE, json_text(identification_summary(result)))
         csv = samples_csv(result)
         write_text(unfinished / "samples.csv", csv)
         write_text(
@@ -76,77 +76,144 @@ def samples_csv(result: Dataset) -> str:
     return csv_text([["sample", *headings, *of_facts, "facts met", "status"], *rows])
 
 
-def identification_json(result: Dataset) -> dict[str, Any]:
-    """What came out as plain data: the facts, how often each and each pair is met, and what agrees."""
+@dataclass(frozen=True, kw_only=True)
+class FactSummary:
+    """A fact and the drawn samples that meet it. Distances from the fact are in its units."""
+
+    name: str
+    asked: str
+    units: str
+    told: int
+    met: int
+    share: Sequence[float]
+    nearest: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairSummary:
+    """Two facts and how far they are met together. Counts are of drawn samples that have both."""
+
+    facts: tuple[str, str]
+    told: int
+    met: int
+    met_alone: tuple[int, int]
+    met_if_independent: float
+    largest_share: float
+    placed_to: int
+    met_by_placed: int
+    nearest_in_scales: float
+    verdict: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class BetweenSummary:
+    """The samples between those that ran, of which a model tells the facts."""
+
+    emulated: bool
+    share: float
+    apart: float
+    possible: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownSummary:
+    """An unknown: its values in the drawn samples, those that agree, and the chance that facts do not narrow it."""
+
+    key: str
+    units: str
+    believed: Sequence[float | str]
+    agrees: Sequence[float | str]
+    chance: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class IdentificationSummary:
+    """The result of an identification, as `identified.json` has it."""
+
+    name: str
+    design: str
+    drawn: int
+    placed: int
+    could_not_run: int
+    runs: int
+    most_met: int
+    facts: Sequence[FactSummary]
+    pairs: Sequence[PairSummary]
+    between: BetweenSummary
+    sentences: Sequence[str]
+    agrees_sentences: Sequence[str]
+    unknowns: Sequence[UnknownSummary]
+
+
+def identification_summary(result: Dataset) -> IdentificationSummary:
+    """Return an identification as `identified.json` has it."""
     told = result.attrs
-    return {
-        **{name: str(told[name]) for name in ("name", "design")},
-        # whole numbers of a file are those of numpy
-        **{name: int(told[name]) for name in ("drawn", "placed", "could_not_run", "runs", "most_met")},
-        "facts": [_fact_json(result.isel(fact=number)) for number in range(result.sizes["fact"])],
-        "pairs": [
-            _pair_json(result.isel(fact=one, other_fact=other), float(result["met_alone"].values[other, one]))
+    return IdentificationSummary(
+        name=str(told["name"]),
+        design=str(told["design"]),
+        drawn=told["drawn"],
+        placed=told["placed"],
+        could_not_run=told["could_not_run"],
+        runs=told["runs"],
+        most_met=told["most_met"],
+        facts=[_fact(result.isel(fact=number)) for number in range(result.sizes["fact"])],
+        pairs=[
+            _pair(result.isel(fact=one, other_fact=other), int(result["met_alone"].values[other, one]))
             for one, other in itertools.combinations(range(result.sizes["fact"]), 2)
         ],
-        "between": {
-            "emulated": bool(told["emulated"]),
-            "share": _finite(told["between_share"]),
-            "apart": _finite(told["between_apart"]),
-            "possible": bool(told["between_possible"]),
-        },
-        "sentences": together_sentences(result),
-        "agrees_sentences": agrees_sentences(result),
-        "unknowns": [
-            {
-                "key": each.key,
-                "units": str(result[each.name].attrs.get("units", "")),
-                "believed": [_plain(end) for end in each.believed],
-                "agrees": [_plain(end) for end in each.agrees],
-                "chance": each.chance,
-            }
+        between=BetweenSummary(
+            emulated=bool(told["emulated"]),
+            share=float(told["between_share"]),
+            apart=float(told["between_apart"]),
+            possible=bool(told["between_possible"]),
+        ),
+        sentences=together_sentences(result),
+        agrees_sentences=agrees_sentences(result),
+        unknowns=[
+            UnknownSummary(
+                key=each.key,
+                units=str(result[each.name].attrs.get("units", "")),
+                believed=[_number(end) for end in each.believed],
+                agrees=[_number(end) for end in each.agrees],
+                chance=each.chance,
+            )
             for each in marginals(result)
         ],
-    }
+    )
 
 
-def _fact_json(fact: Dataset) -> dict[str, Any]:
+def _fact(fact: Dataset) -> FactSummary:
     distances = fact["distance"].values
     known = distances[np.isfinite(distances)]
-    return {
-        "name": str(fact["fact"].values),
-        "asked": str(fact["fact_asked"].values),
-        "units": str(fact["fact_units"].values),
-        "told": int(fact["told"]),
-        "met": int((fact["met"].values & ~fact["directed"].values).sum()),
-        "share": [float(fact[f"met_share{end}"]) for end in ("", "_low", "_high")],
-        "nearest": float(known.min()) if len(known) else None,
-    }
+    return FactSummary(
+        name=str(fact["fact"].values),
+        asked=str(fact["fact_asked"].values),
+        units=str(fact["fact_units"].values),
+        told=int(fact["told"]),
+        met=int((fact["met"].values & ~fact["directed"].values).sum()),
+        share=[float(fact[f"met_share{end}"]) for end in ("", "_low", "_high")],
+        nearest=float(known.min()) if len(known) else None,
+    )
 
 
-def _pair_json(pair: Dataset, other_alone: float) -> dict[str, Any]:
-    """Two facts and how far they are met together; counts are of drawn samples that tell of both."""
-    near = float(pair["together_near"])
-    return {
-        "facts": [str(pair["fact"].values), str(pair["other_fact"].values)],
-        "told": int(pair["told_together"]),
-        "met": int(pair["met_together"]),
-        "met_alone": [int(pair["met_alone"]), int(other_alone)],
-        "met_if_independent": float(pair["together_if_independent"]),
-        "largest_share": float(pair["together_share_high"]),
-        "placed_to": int(pair["tried_together"]),
-        "met_by_placed": int(pair["met_together_placed"]),
-        "nearest_in_scales": near if np.isfinite(near) else None,
-        "verdict": str(pair["together"].values),
-    }
+def _pair(pair: Dataset, other_alone: int) -> PairSummary:
+    return PairSummary(
+        facts=(str(pair["fact"].values), str(pair["other_fact"].values)),
+        told=int(pair["told_together"]),
+        met=int(pair["met_together"]),
+        met_alone=(int(pair["met_alone"]), other_alone),
+        met_if_independent=float(pair["together_if_independent"]),
+        largest_share=float(pair["together_share_high"]),
+        placed_to=int(pair["tried_together"]),
+        met_by_placed=int(pair["met_together_placed"]),
+        nearest_in_scales=float(pair["together_near"]),
+        verdict=str(pair["together"].values),
+    )
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
-
-
-def _plain(value: object) -> object:
-    """A number, or a word, as JSON has it."""
-    return float(value) if isinstance(value, float | int) else value
+def _number(value: object) -> float | str:
+    """Return a number, or a word."""
+    return float(value) if isinstance(value, float | int) else str(value)
 
 
 def _cell(result: Dataset) -> Iterator[str]:

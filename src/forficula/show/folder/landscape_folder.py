@@ -10,7 +10,7 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from forficula.analysis.simulated_rests import rest_distances
-from forficula.analysis.simulated_snap import inner_tendon, simulation_summary
+from forficula.analysis.simulated_snap import inner_hinge, simulation_summary
 from forficula.design import load_design, save_design
 from forficula.dynamics import Record, versions
 from forficula.errors import InputError
@@ -53,7 +53,7 @@ def write_landscape(
 def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None, tendon: int | None) -> None:
     save_design(landscape.design, folder / "design.toml")
     content = landscape_summary(landscape) | {
-        "simulation": None if record is None else simulation_summary(record, tendon),
+        "simulation": None if record is None else simulation_summary(record, inner_hinge(landscape, tendon)),
         **({} if record is None or landscape.net is None else _apart(landscape, record)),
         "versions": versions(),
         "figures": list(landscape_kinds(landscape)),
@@ -93,11 +93,11 @@ def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
     What it does not have is left out: no tendon across one hinge, no hinge that folds. Where it has no one way to fold,
     the states in which it rests stand in place of the path; of points that slide the states that were found.
     """
-    structure, net = landscape.structure, landscape.net
-    if net is not None:
-        states = ("states", "modes") if net.states else ()
-        return (*states, *["barriers"] * (len(net.states) > 1), *["courses"] * bool(net.courses))
-    tendon = ("tendon",) if inner_tendon(structure) is not None else ()
+    structure = landscape.structure
+    if landscape.net is not None:
+        states = ("states", "modes") if landscape.states else ()
+        return (*states, *["barriers"] * (len(landscape.states) > 1), *["courses"] * bool(landscape.courses))
+    tendon = ("tendon",) if landscape.hinges else ()
     # a single hinge has no levels between, and its own figure
     levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)

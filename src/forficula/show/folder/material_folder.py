@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 
 from forficula.files import replacing_all, write_text
 from forficula.material.characterisation import Characterisation
 from forficula.material.law.law_file import save_law
-from forficula.material.material_summary import material_summary
+from forficula.serial import json_text
 from forficula.show.folder.cell import picture, printed
 from forficula.show.folder.presentation import Presentation
 from forficula.show.material.cycles_figure import draw_cycles
@@ -46,9 +45,7 @@ def write_material(material: Characterisation, folder: Path) -> None:
 
 
 def _write_files(material: Characterisation, folder: Path) -> None:
-    # what does not exist is null; not every reader of JSON knows NaN
-    text = json.dumps(material_summary(material), indent=2, ensure_ascii=False, allow_nan=False)
-    write_text(folder / "material.json", text + "\n")
+    write_text(folder / "material.json", json_text(material))
     if material.law is not None:
         save_law(material.law, folder / LAW_FILE)
     texts = save_figures(material_drawings(material), folder)

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import json
-import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from forficula.design import save_design
+from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.goal import own_limits
-from forficula.goals.optimise.neighbours import Neighbours
-from forficula.goals.optimise.optimum import Optimum
+from forficula.goals.optimise.candidate import Neighbours, Verification
+from forficula.goals.optimise.optimum import Effort, Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.verification import Verification
+from forficula.goals.optimise.trials import Relaxation
+from forficula.serial import Seconds, Written, json_text
 from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.goals.optimum_figures import draw_candidates, draw_front
@@ -44,7 +45,7 @@ def write_optimum(found: Optimum, folder: Path) -> None:
     with replacing_all(folder, [path.name for path in folder.glob("best*.toml")]) as unfinished:
         for name, design in zip(names, found.designs, strict=True):
             save_design(design, unfinished / name)
-        write_text(unfinished / OPTIMUM_FILE, json.dumps(optimum_json(found), indent=2, ensure_ascii=False) + "\n")
+        write_text(unfinished / OPTIMUM_FILE, json_text(optimum_summary(found)))
         write_text(unfinished / "table.csv", optimum_csv(found.table))
         write_bytes(unfinished / "table.nc", found.table.to_netcdf(engine="h5netcdf"))
         save_figures(optimum_drawings(found), unfinished)
@@ -73,61 +74,70 @@ def write_optimum_report(found: Optimum, kept: Iterable[KeptRun], count: int, fo
     write_goal_page(found, laid_out(optimum_text(found)), folder / "report.html", kept, count)
 
 
-def optimum_json(found: Optimum) -> dict[str, Any]:
-    """A search as plain data: quantities in SI under their names, None where there is no number."""
-    goal, effort = found.goal, found.effort
+@dataclass(frozen=True, kw_only=True)
+class VerifiedDesign:
+    """A design that meets a goal, and how it does where the search did not look. Quantities are in SI."""
+
+    values: Mapping[str, Any]
+    quantities: Mapping[str, float | None]
+    least_margin: float
+    neighbours: Neighbours | None
+    fresh_neighbours: Neighbours | None
+    timestep: Seconds | None
+    margin_at_quarter_timestep: float | None
+    residual_at_quarter_timestep: float | None
+    holds: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class OptimumSummary:
+    """The result of a search for the best design, as `optimum.json` has it."""
+
+    goal: str
+    design: Annotated[DesignIdentity, Written.BESIDE]
+    objectives: Mapping[str, str]
+    limits: Sequence[str]
+    says: Sequence[str]
+    best: Sequence[VerifiedDesign]
+    discarded: Sequence[VerifiedDesign]
+    effort: Effort
+    would_have_to_give: Mapping[str, Relaxation]
+    seed: int
+    versions: Mapping[str, str]
+
+
+def optimum_summary(found: Optimum) -> OptimumSummary:
+    """Return the result of a search as `optimum.json` has it."""
+    goal = found.goal
     names = [*map(str, own_limits(goal)), "works"]
-    return {
-        "goal": goal.name,
-        "design": goal.base.name,
-        "design_hash": goal.base.hash,
-        "objectives": {each.quantity.name: each.kind for each in goal.objectives},
-        "limits": [str(each) for each in (*goal.given, *goal.limits)],
-        "says": told(found),
-        "best": [_verification(found, each) for each in found.best],
-        "discarded": [_verification(found, each) for each in found.discarded],
-        "effort": {
-            "tried": effort.tried,
-            "runs": effort.runs,
-            "runs_spared": effort.spared_runs,
-            "ruled_out": effort.ruled_out,
-            "neighbour_runs": effort.neighbour_runs,
-            "neighbours_spared": effort.spared_neighbours,
-            "verification_runs": effort.verification_runs,
-        },
-        "would_have_to_give": {
-            names[each.limit]: {"best_margin": _number(each.best), "best_where_others_hold": _number(each.alone)}
-            for each in found.relaxations
-        },
-        "seed": goal.seed,
-        "versions": versions(),
-    }
+    return OptimumSummary(
+        goal=goal.name,
+        design=goal.base.identity,
+        objectives={each.quantity.name: each.kind for each in goal.objectives},
+        limits=[str(each) for each in (*goal.given, *goal.limits)],
+        says=told(found),
+        best=[_verified(found, each) for each in found.best],
+        discarded=[_verified(found, each) for each in found.discarded],
+        effort=found.effort,
+        would_have_to_give={names[each.limit]: each for each in found.relaxations},
+        seed=goal.seed,
+        versions=versions(),
+    )
 
 
-def _verification(found: Optimum, each: Verification) -> dict[str, Any]:
+def _verified(found: Optimum, each: Verification) -> VerifiedDesign:
     candidate = each.candidate
-    return {
-        "values": dict(candidate.values),
-        "quantities": {quantity.name: candidate.value(quantity) for quantity in found.goal.quantities},
-        "least_margin": _number(candidate.found.least),
-        "neighbours": _neighbours(candidate.neighbours),
-        "fresh_neighbours": _neighbours(each.fresh),
-        "timestep_s": each.timestep,
-        "margin_at_quarter_timestep": None if each.finer is None else _number(each.finer.least),
-        "residual_at_quarter_timestep": each.residual,
-        "holds": each.holds,
-    }
-
-
-def _neighbours(each: Neighbours | None) -> dict[str, Any] | None:
-    if each is None:
-        return None
-    low, high = each.interval
-    return {"works": each.works, "tried": each.tried, "share": each.share, "low": low, "high": high}
-
-
-def _number(value: float) -> float | None:
-    return None if math.isnan(value) else value
+    return VerifiedDesign(
+        values=candidate.values,
+        quantities={quantity.name: candidate.value(quantity) for quantity in found.goal.quantities},
+        least_margin=candidate.found.least,
+        neighbours=candidate.neighbours,
+        fresh_neighbours=each.fresh,
+        timestep=each.timestep,
+        margin_at_quarter_timestep=None if each.finer is None else each.finer.least,
+        residual_at_quarter_timestep=each.residual,
+        holds=each.holds,
+    )
 
 
 def _write(found: Optimum, folder: Path) -> None:

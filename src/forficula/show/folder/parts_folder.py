@@ -21,7 +21,6 @@ from forficula.make.as_made import AS_MADE
 from forficula.make.check import Check
 from forficula.make.check_parts import check_parts
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
-from forficula.make.files.checks import checks_json
 from forficula.make.files.lying import file_names
 from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
@@ -29,10 +28,10 @@ from forficula.make.make_parts import PartName, make_parts
 from forficula.make.part import PartSet
 from forficula.make.sheet_dxf import write_sheet_dxf
 from forficula.make.sheet_svg import write_sheet_svg
+from forficula.serial import json_text, plain
 from forficula.show.folder.cell import framed
 from forficula.show.folder.presentation import Presentation
 from forficula.show.make.made_figure import draw_made
-from forficula.show.make.made_table import made_json
 from forficula.show.make.parts_figure import draw_parts
 from forficula.show.page.parts_page import parts_page, write_parts_page
 from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
@@ -90,8 +89,7 @@ def write_parts(
         save_figures(parts_drawings(parts, checks, compared), unfinished)
         if compared is not None:
             save_design(compared.made, unfinished / AS_MADE)
-            told = json.dumps(made_json(compared), indent=2, ensure_ascii=False, allow_nan=False)
-            write_text(unfinished / AS_MADE_FILE, told + "\n")
+            write_text(unfinished / AS_MADE_FILE, json_text(compared))
         _write_lists(parts, checks, unfinished)
         progress("writing parts.html")
         files = [name for name in _files(unfinished) if not name.startswith("figures/")]
@@ -149,8 +147,7 @@ def _marked(figure: Figure, checks: Sequence[Check]) -> Figure:
 
 def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
     """Parts and what is checked of them as plain data: masses, sizes, totals by material, checks."""
-    bill = bill_json(bill_of(parts))
-    return {"design": parts.design.name, "design_hash": parts.design.hash, **bill, "checks": checks_json(checks)}
+    return {**plain(parts.design.identity), **bill_json(bill_of(parts)), "checks": plain(checks)}
 
 
 def read_parts(folder: Path) -> PartSet:
@@ -196,14 +193,12 @@ def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -
 
 def _write_lists(parts: PartSet, checks: Sequence[Check], folder: Path) -> None:
     """Write the bill, which lists the files that are there, and the checks."""
-    plain = parts_json(parts, checks)
-    # what does not exist is null; not every reader of JSON knows NaN
-    told = json.dumps(plain.pop("checks"), indent=2, ensure_ascii=False, allow_nan=False)
-    write_text(folder / _CHECKS_FILE, told + "\n")
+    bill = parts_json(parts, checks)
+    write_text(folder / _CHECKS_FILE, json_text(bill.pop("checks")))
     write_text(folder / "bill.csv", bill_csv(bill_of(parts)))
-    plain["files"] = sorted([*_files(folder), "parts.html"])
-    plain["versions"] = {name: metadata.version(name) for name in ("forficula", "manifold3d")}
-    write_text(folder / BILL_FILE, json.dumps(plain, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+    bill["files"] = sorted([*_files(folder), "parts.html"])
+    bill["versions"] = {name: metadata.version(name) for name in ("forficula", "manifold3d")}
+    write_text(folder / BILL_FILE, json_text(bill))
 
 
 def _files(folder: Path) -> list[str]:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.reproduction import compare
-from forficula.reproduction.comparison import comparison_json, comparison_markdown
+from forficula.reproduction.comparison import comparison_markdown
+from forficula.serial import json_text
 from forficula.show.folder.cell import first_figure, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.page.study_page import write_study_page
@@ -60,7 +60,7 @@ def _write_files(study: Study, table: Dataset, folder: Path) -> None:
     compared = compare(study, table)
     if compared is not None:
         write_text(folder / "comparison.md", comparison_markdown(compared))
-        write_text(folder / "comparison.json", json.dumps(comparison_json(compared), indent=2) + "\n")
+        write_text(folder / "comparison.json", json_text(compared.claims))
 
 
 def write_study_report(
@@ -93,4 +93,20 @@ def _cell(table: Dataset) -> Iterator[str]:
     yield numbers(table)
 
 
-PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read)
+def _write(table: Dataset, folder: Path) -> None:
+    """Write a table without kept runs, so its page plays none."""
+    from forficula.study.study_table import study_of_table
+
+    study = study_of_table(table)
+    write_study(study, table, folder)
+    write_study_report(study, table, (), 0, folder)
+
+
+def _write_page(table: Dataset, path: Path, engine: bool) -> None:
+    from forficula.study.study_table import study_of_table
+
+    study = study_of_table(table)
+    write_study_page(study, table, path, (), 0, compare(study, table), engine=engine)
+
+
+PRESENTATION = Presentation(drawings=study_drawings, cell=_cell, read=_read, write=_write, page=_write_page)

@@ -2,26 +2,29 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Iterator
-from dataclasses import asdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
 from forficula.csv_text import csv_text
 from forficula.design import key_value, save_design
+from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.goals.deviation import deviation_widths
 from forficula.goals.tolerance import Tolerance
 from forficula.goals.tolerance.advice import advice, tighten_first
 from forficula.goals.tolerance.indices import Values
+from forficula.goals.tolerance.narrowing import Narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Reach
+from forficula.goals.tolerance.plan import Plan
 from forficula.goals.tolerance.probability import Probability
 from forficula.goals.tolerance.question import MARGIN
-from forficula.goals.tolerance.tolerance_table import tolerance_table
+from forficula.goals.tolerance.tolerance_table import tolerance_of_table, tolerance_table
+from forficula.serial import Written, json_text, unit_suffix
 from forficula.show.folder.cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
@@ -31,7 +34,6 @@ from forficula.show.page.rich_html import laid_out
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
 from forficula.study.kept_runs import KeptRun
-from forficula.study.table import unit_suffix
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -60,7 +62,7 @@ def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
 
 def _write_files(found: Tolerance, table: Dataset, folder: Path) -> None:
     save_design(found.question.design, folder / "design.toml")
-    write_text(folder / TOLERANCE_FILE, json.dumps(tolerance_json(found), indent=2, ensure_ascii=False) + "\n")
+    write_text(folder / TOLERANCE_FILE, json_text(tolerance_summary(found)))
     write_text(folder / "table.csv", _samples_csv(table))
     write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
     save_figures(tolerance_drawings(table), folder)
@@ -119,24 +121,48 @@ def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
     return drawings
 
 
-def tolerance_json(found: Tolerance) -> dict[str, Any]:
-    """A tolerance as plain data with units in its keys; None where there is no number."""
+@dataclass(frozen=True, kw_only=True)
+class ToleranceSummary:
+    """A design within its tolerances, as `tolerance.json` has it. Deviations of a value are in tolerances of it."""
+
+    design: Annotated[DesignIdentity, Written.BESIDE]
+    nominal: str
+    works: Probability
+    probabilities: Mapping[str, Probability]
+    outcomes: Mapping[str, int]
+    tighten_first: str | None
+    says: Sequence[str]
+    tolerances: Mapping[str, str]
+    tolerances_given: bool
+    limits: Sequence[str]
+    meets_limits_on_probability: bool
+    indices: Mapping[str, Mapping[str, Mapping[str, Mapping[str, float] | None]]]
+    gains_of_half: Mapping[str, Narrowed]
+    alone_in_tolerances: Mapping[str, Mapping[str, Reach]]
+    nearest_failure_in_tolerances: Mapping[str, float] | None
+    runs: int
+    plan: Plan
+    seed: int
+    versions: Mapping[str, str]
+
+
+def tolerance_summary(found: Tolerance) -> ToleranceSummary:
+    """Return a tolerance as `tolerance.json` has it."""
     question, indices = found.question, found.indices
     telling = tighten_first(found)
-    return {
-        "design": question.design.name,
-        "design_hash": question.design.hash,
-        "nominal": str(found.nominal.outcomes[0]),
-        "works": _probability(found.probability),
-        "probabilities": {name: _probability(each) for name, each in found.probabilities.items()},
-        "outcomes": dict(found.outcomes),
-        "tighten_first": None if telling is None else question.keys[telling],
-        "says": advice(found),
-        "tolerances": {key: question.width_text(factor) for factor, key in enumerate(question.keys)},
-        "tolerances_given": not question.assumed,
-        "limits": [str(limit) for limit in (*question.limits, *question.wanted)],
-        "meets_limits_on_probability": found.meets,
-        "indices": {
+    return ToleranceSummary(
+        design=question.design.identity,
+        nominal=str(found.nominal.outcomes[0]),
+        works=found.probability,
+        probabilities=found.probabilities,
+        outcomes=found.outcomes,
+        tighten_first=None if telling is None else question.keys[telling],
+        says=advice(found),
+        tolerances={key: question.width_text(factor) for factor, key in enumerate(question.keys)},
+        tolerances_given=not question.assumed,
+        limits=[str(limit) for limit in (*question.limits, *question.wanted)],
+        meets_limits_on_probability=found.meets,
+        indices={
             result: {
                 group: {
                     "first": _three(indices.first, indices.first_low, indices.first_high, row, column),
@@ -146,43 +172,24 @@ def tolerance_json(found: Tolerance) -> dict[str, Any]:
             }
             for row, result in enumerate(indices.results)
         },
-        "gains_of_half": {
-            key: {"gain": float(each.gain), "low": float(each.gain_low), "high": float(each.gain_high)}
-            for key, each in zip(question.keys, found.narrowed, strict=True)
+        gains_of_half=dict(zip(question.keys, found.narrowed, strict=True)),
+        alone_in_tolerances={
+            key: {"down": down, "up": up} for key, (down, up) in zip(question.keys, found.reaches, strict=False)
         },
-        "alone_in_tolerances": {
-            key: {"down": _reach(down), "up": _reach(up)}
-            for key, (down, up) in zip(question.keys, found.reaches, strict=False)
-        },
-        "nearest_failure_in_tolerances": None
+        nearest_failure_in_tolerances=None
         if found.nearest is None
         else dict(zip(question.keys, found.nearest.offsets.tolist(), strict=True)),
-        "runs": found.runs,
-        "plan": asdict(found.plan),
-        "seed": found.seed,
-        "versions": versions(),
-    }
-
-
-def _probability(each: Probability) -> dict[str, Any]:
-    return {
-        "probability": each.share,
-        "low": each.low,
-        "high": each.high,
-        "works": each.works,
-        "fails": each.fails,
-        "unknown": each.unknown,
-    }
+        runs=found.runs,
+        plan=found.plan,
+        seed=found.seed,
+        versions=versions(),
+    )
 
 
 def _three(value: Values, low: Values, high: Values, row: int, column: int) -> dict[str, float] | None:
     if not np.isfinite(value[row, column]):
         return None
     return {name: float(each[row, column]) for name, each in (("index", value), ("low", low), ("high", high))}
-
-
-def _reach(reach: Reach) -> dict[str, Any]:
-    return {"works_to": reach.works, "fails_at": reach.fails, "beyond": reach.why.value}
 
 
 def _samples_csv(table: Dataset) -> str:
@@ -206,8 +213,16 @@ def _cell(table: Dataset) -> Iterator[str]:
     yield numbers(table)
 
 
+def _write(table: Dataset, folder: Path) -> None:
+    """Write a tolerance without kept runs, so its page plays none."""
+    found = tolerance_of_table(table)
+    write_tolerance(found, folder)
+    write_tolerance_report(found, (), 0, folder)
+
+
 PRESENTATION = Presentation(
     drawings=tolerance_drawings,
     cell=_cell,
     read=lambda folder: tolerance_drawings(read_dataset(folder / TOLERANCE_TABLE)),
+    write=_write,
 )

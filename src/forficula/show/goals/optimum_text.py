@@ -6,9 +6,9 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from forficula.goals.optimise.candidate import Verification
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.telling import told
-from forficula.goals.optimise.verification import Verification
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.quantities import show_quantity
 

@@ -1,4 +1,4 @@
-"""The energies of a net's stable states, and of the saddles over which the ways between them lead."""
+"""The energies of stable states, and of the saddles over which the ways between them lead."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from forficula.quantities import reading_unit
-from forficula.show.landscape.net_words import shown_value
+from forficula.show.landscape.landscape_marks import shown_value
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -20,7 +20,6 @@ from forficula.show.style import (
     in_column,
 )
 from forficula.statics import EnergyLandscape
-from forficula.statics.net_landscape import NetLandscape
 
 _HALF = 0.22  # of the mark of a state
 _POINTS = 41  # of a curve
@@ -32,41 +31,40 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
     Only the energies at states and saddles are worked out; the curves between them guide the eye.
 
     Args:
-        landscape: of points that slide, with a stable state.
+        landscape: with a stable state.
         width: of the figure, inch.
     """
-    net = landscape.net
-    assert net is not None
-    places = _places(net)
-    energies = [state.energy for state in net.states]
-    tops = [energies[each.ends[0]] + each.barriers[0] for each in net.passes]
+    states, passes = landscape.states, landscape.passes
+    places = _places(landscape)
+    energies = [state.energy for state in states]
+    tops = [energies[each.ends[0]] + each.barriers[0] for each in passes]
     unit, factor = reading_unit("J", max(map(abs, [*energies, *tops])))
     with figure_style():
         figure = Figure(figsize=(width, 2.8), layout="constrained")
         axes = figure.subplots()
-        for each, top in zip(net.passes, tops, strict=True):
+        for each, top in zip(passes, tops, strict=True):
             _draw_pass(axes, [(places[end], energies[end]) for end in each.ends], top, factor)
         for place, energy in zip(places, energies, strict=True):
             axes.plot([place - _HALF, place + _HALF], [factor * energy] * 2, color=BLUE, lw=2.5, zorder=4)
         axes.set_xlim(-0.6, max(places) + 0.6)
         axes.margins(y=0.15)
-        names = {places[number]: state.name.replace(" ", "\n") for number, state in enumerate(net.states)}
+        names = {places[number]: state.name.replace(" ", "\n") for number, state in enumerate(states)}
         axes.set_xticks(sorted(names), [names[place] for place in sorted(names)])
         axes.tick_params(axis="x", length=0)
         axes.set_ylabel(f"stored energy ({unit})")
         handles = [Line2D([], [], color=BLUE, lw=2.5, label="stable state")]
-        if net.passes:
+        if passes:
             words = "saddle, and what is to climb to it from either side"
             mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
             handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
         fit_legend(figure, handles, 2, loc="outside upper center")
-        return describe(figure, _tell(landscape, net))
+        return describe(figure, _tell(landscape))
 
 
-def _places(net: NetLandscape) -> list[int]:
+def _places(landscape: EnergyLandscape) -> list[int]:
     """Where states stand: beside the one from which a pass leads to them."""
-    beside: dict[int, list[int]] = {number: [] for number in range(len(net.states))}
-    for each in net.passes:
+    beside: dict[int, list[int]] = {number: [] for number in range(len(landscape.states))}
+    for each in landscape.passes:
         beside[each.ends[0]].append(each.ends[1])
         beside[each.ends[1]].append(each.ends[0])
     order: list[int] = []
@@ -77,7 +75,7 @@ def _places(net: NetLandscape) -> list[int]:
             if number not in order:
                 order.append(number)
                 waiting += sorted(beside[number], reverse=True)
-    return [order.index(number) for number in range(len(net.states))]
+    return [order.index(number) for number in range(len(landscape.states))]
 
 
 def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: float) -> None:
@@ -104,12 +102,13 @@ def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: fl
     )
 
 
-def _tell(landscape: EnergyLandscape, net: NetLandscape) -> str:
-    states = ", ".join(f"{state.name} {shown_value(state.energy, 'J', 3)}" for state in net.states)
+def _tell(landscape: EnergyLandscape) -> str:
+    names = [state.name for state in landscape.states]
+    states = ", ".join(f"{state.name} {shown_value(state.energy, 'J', 3)}" for state in landscape.states)
     ways = [
-        f"{net.states[each.ends[0]].name} to {net.states[each.ends[1]].name} {shown_value(each.barriers[0], 'J', 3)}"
+        f"{names[each.ends[0]]} to {names[each.ends[1]]} {shown_value(each.barriers[0], 'J', 3)}"
         f" and back {shown_value(each.barriers[1], 'J', 3)}"
-        for each in net.passes
+        for each in landscape.passes
     ]
     barriers = f" Barriers: {'; '.join(ways)}." if ways else " No saddle between them was found."
     what = f"Energies of the stable states of the {landscape.structure.appearance.whole} {landscape.design.name}"

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from forficula.quantities import reading_unit
+from forficula.show.landscape.landscape_marks import course_words, shown_value
 from forficula.show.landscape.net_pictures import Pictures, hang_all, net_pictures
-from forficula.show.landscape.net_words import course_words, shown_value
 from forficula.show.style import (
     BLACK,
     BLUE,
@@ -25,6 +25,7 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.statics import EnergyLandscape
+from forficula.statics.landscape import net_courses
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
 from forficula.statics.net_course import Course, displaces, gone, reaction
@@ -45,7 +46,7 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
         width: of the figure, inch.
     """
     assert landscape.net is not None
-    courses = landscape.net.courses
+    courses = net_courses(landscape)
     moments = [_moments(course) for course in courses]
     columns = 1 if is_narrow(width) else min(2, len(courses))
     rows = -(-len(courses) // columns)

@@ -33,9 +33,9 @@ from forficula.show.style import (
     fit_legend,
     in_column,
 )
-from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges, stable_states
+from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges
 from forficula.statics.fold_path import rigid_fold
-from forficula.statics.landscape import fold_path_of
+from forficula.statics.landscape import fold_path_of, fold_states
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
@@ -64,7 +64,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
     rounding = rounding_torque(landscape)
     if float(np.abs(moment).max()) <= rounding:
         moment, sheet_energy = np.zeros_like(moment), np.zeros_like(sheet_energy)
-    states = stable_states(landscape)
+    states = fold_states(landscape)
     energy_unit, energy = reading_unit("J", float(path.energy.max()))
     sheet_unit, sheet = reading_unit("J", float(sheet_energy.max()))
     torque_unit, torque = reading_unit("N m", float(np.abs(moment).max()))
@@ -266,7 +266,7 @@ def _tell(landscape: EnergyLandscape) -> str:
     """The structure along its fold in words."""
     states = [
         f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
-        for state in stable_states(landscape)
+        for state in fold_states(landscape)
     ]
     saddles = [
         f"{reading(state.energy)} at {show_angle(state.coordinate)}"

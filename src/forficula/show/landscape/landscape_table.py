@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
@@ -15,20 +15,37 @@ from forficula.analysis.simulated_snap import (
     fold_limit,
     folded_angle,
     folding_transition,
-    predicted_snap,
+    hinge_name,
+    inner_hinge,
     simulated_snap,
 )
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
-from forficula.show.landscape.landscape_marks import rest_name, rounding_torque, show_angle, show_angles, torque_words
-from forficula.show.landscape.net_tables import TextTable, net_tables, net_verdict
-from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
-from forficula.show.structure.labels import shown_angles, title_of
-from forficula.statics import EnergyLandscape, FoldPath, HingeLandscape, stable_states
+from forficula.show.landscape.landscape_marks import (
+    course_words,
+    held_words,
+    reading_words,
+    rest_name,
+    rounding_torque,
+    show_angle,
+    show_angles,
+    shown_value,
+    torque_words,
+)
+from forficula.show.structure.labels import shown_angles, stress_text, title_of
+from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
+from forficula.statics.landscape import LeastTorque, net_courses, net_states
+from forficula.statics.net_state import Mobility, NetState
 from forficula.statics.snap import FOLD_START
 from forficula.statics.tip_stiffness import TipStiffness
-from forficula.structure import RigidFold, Transition
+from forficula.structure import Structure, drive_unit
 
+# the cells of a row by the headings of their columns, the name of the row first
+Row = dict[str, str]
+
+_MEASURES = 5  # whose readings a table has
+_LONGEST = 24  # letters of where a drive acts
+_LEFT = ("", "kind")  # headings of columns whose cells are words
 _KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without force"}
 _NONE = "none"
 _NOTHING = 1e-9  # m, below which a distance is rounding
@@ -51,15 +68,18 @@ def landscape_table(
         record: a run of its design.
         tendon: number of the one whose hinge stands for all; an inner one if not given.
     """
-    shown = shown_hinge(landscape, tendon)
+    shown = inner_hinge(landscape, tendon)
+    tables = (
+        _table("Stable states", _states(landscape, shown)),
+        _table("How it can move there, and what its parts bear", _moves(landscape)),
+        _table("Barriers", _barriers(landscape, shown)),
+        _table("Least slow torques, without help from inertia", _torques(landscape)),
+        _table("What drives do as they grow slowly", _courses(landscape)),
+        _table("What states withstand", _withstands(landscape)),
+        _table("Stiffness at every tip", _tips(landscape.tips)),
+        *_snap(landscape, record, shown),
+    )
     parts: list[RenderableType] = [Text(_verdict(landscape), style="bold")]
-    tables = [_plain(table) for table in net_tables(landscape)]
-    if landscape.net is None:
-        tables = [_states(landscape, shown), _barriers(landscape, shown), _torques(landscape)]
-    if landscape.tips is not None:
-        tables.append(_tips(landscape.tips))
-    if shown is not None:
-        tables.append(_snap(landscape, record, shown))
     for table in tables:
         if table.row_count:
             parts += [Text(), table]
@@ -70,53 +90,102 @@ def landscape_table(
 
 
 def _verdict(landscape: EnergyLandscape) -> str:
-    folds = landscape.partial_folds
+    folds, names = landscape.partial_folds, [state.name for state in landscape.states]
     if landscape.net is not None:
-        return net_verdict(landscape)
-    if landscape.fold_path is None:
-        names = [rest_name(each) for each in landscape.rests if each.stable]
-        told = f"rests stably: {', '.join(names)}" if names else "rests nowhere stably"
+        found = f"{len(names)} stable states were found" if len(names) != 1 else "one stable state was found"
+    elif landscape.fold_path is not None:
+        found = "stable along its fold" if names else "no stable state along its fold"
     else:
-        names = [state.name for state in stable_states(landscape)]
-        told = f"stable along its fold: {', '.join(names)}" if names else "no stable state along its fold"
+        names = [rest_name(each) for each in landscape.rests if each.stable]
+        found = "rests stably" if names else "rests nowhere stably"
     stable = sum(fold.stable for fold in folds)
     partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if len(folds) > 2 else ""
-    return f"{landscape.design.name}: {told}{partly}"
+    return f"{landscape.design.name}: {found}{': ' * bool(names)}{', '.join(names)}{partly}"
 
 
-def _plain(text: TextTable) -> Table:
-    table = _table(text.title, *text.headings)
-    for row in text.rows:
-        table.add_row(*row)
-    return table
-
-
-def _states(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
-    whole = landscape.structure.appearance.whole
-    table = _table("Stable states", "", "", "at", "energy", "held by")
-    for name, hinge in () if shown is None else shown.columns:
-        for state in hinge.states:
-            held = _torque(state.holding_torque) if state.kind == "stop" else ""
-            at = _range(hinge.sense * state.angle, hinge.sense * state.far_angle)
-            table.add_row(name, _KINDS[state.kind], at, _energy(state.energy), held)
-    if landscape.fold_path is not None:
-        for each in stable_states(landscape):
-            at = f"pleats {_range(each.pleat_angle, each.far_pleat_angle)}"
-            bar = landscape.structure.appearance.bar
-            held = f"{_torque(each.holding_torque)} a {bar}" if each.kind == "stop" else ""
-            table.add_row(f"{whole}, {each.name}", _KINDS[each.kind], at, _energy(each.energy), held)
-        return table
+def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
+    """The states of the shown hinge, and of the whole: stable ones, or where it rests if none were looked for."""
+    whole, bar = landscape.structure.appearance.whole, landscape.structure.appearance.bar
+    for name, hinge in _hinges(landscape, shown):
+        for place in hinge.states:
+            yield {
+                "": name,
+                "kind": _KINDS[place.kind],
+                "at": _range(hinge.sense * place.angle, hinge.sense * place.far_angle),
+                "energy": _energy(place.energy),
+                "held by": _torque(place.holding_torque) if place.kind == "stop" else "",
+            }
+    for state in landscape.states:
+        if isinstance(state, NetState):
+            yield _net_row(landscape.structure, state)
+        else:
+            yield {
+                "": f"{whole}, {state.name}",
+                "kind": _KINDS[state.kind],
+                "at": f"pleats {_range(state.pleat_angle, state.far_pleat_angle)}",
+                "energy": _energy(state.energy),
+                "held by": f"{_torque(state.holding_torque)} a {bar}" if state.kind == "stop" else "",
+            }
+    if landscape.fold_path is not None or landscape.net is not None:
+        return
     measures = shown_angles(landscape.structure)
     for rest in landscape.rests:
-        at = ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures)
-        kind = "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests"
-        table.add_row(f"{whole}, {rest.name or 'at the start'}", kind, at, _energy(rest.energy), "")
-    return table
+        yield {
+            "": f"{whole}, {rest.name or 'at the start'}",
+            "kind": "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests",
+            "at": ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures),
+            "energy": _energy(rest.energy),
+        }
 
 
-def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
-    table, whole = _table("Barriers", "", "energy"), landscape.structure.appearance.whole
-    columns = () if shown is None else shown.columns
+def _hinges(landscape: EnergyLandscape, shown: CrossedHinge | None) -> list[tuple[str, HingeLandscape]]:
+    """The ideal hinge, where there is one, and the true one, by name."""
+    if shown is None:
+        return []
+    own = f"{hinge_name(landscape.structure, shown.tendon)} of the {landscape.structure.appearance.whole}"
+    return [*([] if shown.ideal is None else [("ideal hinge", shown.ideal)]), (own, shown.own)]
+
+
+def _net_row(structure: Structure, state: NetState) -> Row:
+    titles = {measure.name: measure.label or measure.name for measure in structure.measures}
+    return {
+        "": state.name,
+        "energy": shown_value(state.energy, "J", 3),
+        **{part: shown_value(energy, "J", 3) for part, energy in state.stored.items()},
+        **{
+            titles[name]: reading_words(structure, name, readings.tolist())
+            for name, readings in list(state.readings.items())[:_MEASURES]
+        },
+    }
+
+
+def _moves(landscape: EnergyLandscape) -> Iterator[Row]:
+    """How a net can move, as built and in its states, and what its parts bear."""
+    if landscape.net is None:
+        return
+    states = net_states(landscape)
+    tendons = any(state.extension for state in states)
+    yield {"": "as built", "slowest": "", **_freedoms(landscape.net.built), "strain": "", "stress": ""}
+    for state in states:
+        yield {
+            "": state.name,
+            "slowest": f"{state.frequencies[0]:.3g} Hz" if len(state.frequencies) else "",
+            **_freedoms(state.mobility),
+            "strain": f"{100 * state.strain:.2g} %",
+            "stress": stress_text(state.stress, landscape.structure.strength),
+            **({"tendon extension": f"{100 * state.extension:.3g} %"} if tendons else {}),
+        }
+
+
+def _freedoms(mobility: Mobility | None) -> Row:
+    return {
+        "freedoms": "" if mobility is None else str(mobility.degrees_of_freedom),
+        "self-stresses": "" if mobility is None else str(mobility.self_stresses),
+    }
+
+
+def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
+    whole, columns = landscape.structure.appearance.whole, _hinges(landscape, shown)
     overbend = landscape.structure.appearance.overbend
     rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.rigid_fold
@@ -124,14 +193,17 @@ def _barriers(landscape: EnergyLandscape, shown: ShownHinge | None) -> Table:
     # that of a single hinge is its own
     if len(landscape.hinge_barriers) > len(columns[:1]):
         rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
-    if fold is not None:
+    if landscape.fold_path is not None and fold is not None:
         rows += [
             (f"{whole}, {fold.start} to {fold.end}, all hinges together", landscape.fold_barrier),
             (f"{whole}, {fold.end} to {fold.start}, all hinges together", landscape.unfold_barrier),
         ]
     for name, value in rows:
-        table.add_row(name, _NONE if value is None else _energy(value))
-    return table
+        yield {"": name, "energy": _NONE if value is None else _energy(value)}
+    for each in landscape.passes if landscape.net is not None else ():
+        one, other = (landscape.states[end].name for end in each.ends)
+        there, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
+        yield {"": f"{one} to {other}", "there": there, "back": back}
 
 
 def _way(hinge: HingeLandscape, start: str) -> str:
@@ -142,92 +214,111 @@ def _way(hinge: HingeLandscape, start: str) -> str:
     return f"{start} to {show_angle(hinge.sense * top) if top else 'straight'}"
 
 
-def _torques(landscape: EnergyLandscape) -> Table:
-    path, fold, rounding = landscape.fold_path, landscape.structure.rigid_fold, rounding_torque(landscape)
-    whole = landscape.structure.appearance.whole
-    columns = [whole] if path is None else ["rigid panels", f"compliant {whole}"]
-    table = _table("Least slow torques, without help from inertia", "", *columns)
-    for transition in landscape.structure.transitions:
-        slow = _least(landscape.least_torques[transition.name], rounding)
-        if landscape.inertial_help[transition.name] is not None:
-            slow = f"≤ {slow}"
-        along = [] if path is None or fold is None else [_least(_along(path, fold, transition), rounding)]
-        where = torque_words(landscape.structure, transition)
-        verb = transition.wording.verb
-        table.add_row(f"that {'make it ' * (' ' in verb)}{verb}, {where}", *along, slow)
-    return table
-
-
-def _along(path: FoldPath, fold: RigidFold, transition: Transition) -> float | None:
-    """The torque that takes rigid panels along their fold, where a transition leads to its end, or else back."""
-    return path.fold_torque if transition.state == fold.end else path.unfold_torque
+def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
+    """The torques that make the transitions of a tree, along its rigid fold where there is one, and of the whole."""
+    structure, path, fold = landscape.structure, landscape.fold_path, landscape.structure.rigid_fold
+    rounding, whole = rounding_torque(landscape), structure.appearance.whole
+    courses = {each.name: each for each in landscape.courses if isinstance(each, LeastTorque)}
+    for transition in structure.transitions if courses else ():
+        course, verb = courses[transition.name], transition.wording.verb
+        slow = f"{'≤ ' * (course.inertial_help is not None)}{_least(course.least, rounding)}"
+        name = f"that {'make it ' * (' ' in verb)}{verb}, {torque_words(structure, transition)}"
+        if path is None or fold is None:
+            yield {"": name, whole: slow}
+        else:
+            along = path.fold_torque if transition.state == fold.end else path.unfold_torque
+            yield {"": name, "rigid panels": _least(along, rounding), f"compliant {whole}": slow}
 
 
 def _least(torque: float | None, rounding: float) -> str:
     return _NONE if torque is None else _torque(torque if torque > rounding else 0.0)
 
 
-def _tips(tips: TipStiffness) -> Table:
+def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
+    """What drives do to a net: where it snaps, what takes it to its goal, and what snaps free."""
+    structure = landscape.structure
+    for course in net_courses(landscape):
+        unit, where = drive_unit(structure, course.drive), course.drive.where
+        released = sum(snap.released for snap in course.slow.snaps)
+        yield {
+            "": f"{course.name}, {where}" if 0 < len(where) <= _LONGEST else course.name,
+            "on the way": course_words(structure, course),
+            "at its goal": "" if course.least is None else shown_value(course.least, unit, 3),
+            "snaps free": shown_value(released, "J", 3) if course.slow.snaps else "",
+        }
+
+
+def _withstands(landscape: EnergyLandscape) -> Iterator[Row]:
+    """Loads by row, and by state up to where it withstands them."""
+    states = [state for state in net_states(landscape) if state.withstands]
+    for load in dict.fromkeys(each.load for state in states for each in state.withstands):
+        held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+        yield {"": load, **{state.name: held.get((state.name, load), "") for state in states}}
+
+
+def _tips(tips: TipStiffness | None) -> Iterator[Row]:
+    if tips is None:
+        return
     unit, factor = reading_unit("m", tips.deflection)
-    deflection = f"{factor * tips.deflection:.3g} {unit}"
-    table = _table("Stiffness at every tip", "", "along folding", "against folding")
-    table.add_row(f"flat (along: to {deflection})", _stiffness(tips.flat_along), _stiffness(tips.flat_against))
-    table.add_row("unlocked, hinges straight", *map(_stiffness, (tips.unlocked_along, tips.unlocked_against)))
-    table.add_row("flat, does not give up to", f"{tips.holding_force:.3g} N", "")
-    return table
+    for name, along, against in (
+        (
+            f"flat (along: to {factor * tips.deflection:.3g} {unit})",
+            _stiffness(tips.flat_along),
+            _stiffness(tips.flat_against),
+        ),
+        ("unlocked, hinges straight", _stiffness(tips.unlocked_along), _stiffness(tips.unlocked_against)),
+        ("flat, does not give up to", f"{tips.holding_force:.3g} N", ""),
+    ):
+        yield {"": name, "along folding": along, "against folding": against}
 
 
-def _snap(landscape: EnergyLandscape, record: Record | None, shown: ShownHinge) -> Table:
+def _snap(landscape: EnergyLandscape, record: Record | None, shown: CrossedHinge | None) -> Iterator[Table]:
     """How fast one hinge snaps: predicted where it has no spring of its own, and in the run where there is one."""
+    if shown is None:
+        return
     structure = landscape.structure
     folded, limit = folded_angle(structure, shown.hinge), fold_limit(structure, shown.hinge)
-    snap = None if record is None else simulated_snap(record, shown.tendon)
-    hinges = [each for _, each in shown.columns if each.spring is None]
-    predicted = [predicted_snap(each.hinge, folded) for each in hinges]
-    names = (["ideal hinge"] if shown.ideal is not None else []) + [shown.name] if hinges else []
-    headings = ["", *names] + ([f"in the simulated {shown.whole}"] if snap else [])
-    kind = "Snap of one hinge alone, without damping" if hinges else f"Snap of {shown.name}"
-    table = _table(kind, *headings)
-    if not hinges and snap is None:
-        return table
+    snap = None if record is None else simulated_snap(record, shown)
+    name = hinge_name(structure, shown.tendon)
+    alone = {"ideal hinge": shown.ideal, name: shown.own}
+    hinges = {of: each for of, each in alone.items() if each is not None and each.spring is None}
     top = "its top" if shown.own.hinge.offset_angle else "straight"
+    start, simulated = f"from {show_angle(FOLD_START)} past {top}", f"in the simulated {structure.appearance.whole}"
+    rows = list[Row]()
     if hinges:
-        table.add_row("time scale t*", *(_time(each.time_scale) for each in hinges))
-        table.add_row(f"growth rate at {top}", *(_rate(each.growth_rate) for each in hinges))
-    start = f"from {show_angle(FOLD_START)} past {top}"
-    rows: list[list[str]] = []
-    for angle, of, simulated in (
-        (folded, [each.folded_time for each in predicted], None if snap is None else snap.folded_time),
-        (limit, [each.fold_time for each in predicted], None if snap is None else snap.fold_time),
-    ):
-        if angle is None:
-            continue
-        rows.append([f"{start} to {show_angle(angle)}", *map(_time, of)])
-        if snap is not None:
-            rows[-1].append(_simulated_time(snap, simulated))
-    speed = ["final speed" if hinges else "largest speed", *(_speed(each.final_speed) for each in predicted)]
-    if snap is not None:
-        speed[0] += "; simulated: the largest" * bool(hinges)
-        speed.append(_speed(snap.peak_speed))
-    for row in (*rows, speed):
-        table.add_row(*row)
-    return table
+        rows.append({"": "time scale t*", **{of: _time(each.time_scale) for of, each in hinges.items()}})
+        rates = {of: _rate(each.growth_rate) for of, each in hinges.items()}
+        rows.append({"": f"growth rate at {top}", **rates})
+    if hinges or snap is not None:
+        if folded is not None:
+            times = {of: _time(each.time_to(folded)) for of, each in hinges.items()}
+            timed = {} if snap is None else {simulated: _simulated_time(snap, snap.folded_time)}
+            rows.append({"": f"{start} to {show_angle(folded)}", **times, **timed})
+        times = {of: _time(each.fold_time) for of, each in hinges.items()}
+        timed = {} if snap is None else {simulated: _simulated_time(snap, snap.fold_time)}
+        rows.append({"": f"{start} to {show_angle(limit)}", **times, **timed})
+        speed = "largest speed"
+        if hinges:
+            speed = f"final speed{'; simulated: the largest' * (snap is not None)}"
+        speeds = {of: _speed(each.final_speed) for of, each in hinges.items()}
+        rows.append({"": speed, **speeds, **({} if snap is None else {simulated: _speed(snap.peak_speed)})})
+    yield _table("Snap of one hinge alone, without damping" if hinges else f"Snap of {name}", rows)
 
 
 def _simulated_time(snap: SimulatedSnap, time: float | None) -> str:
     return f"folds to {show_angle(snap.largest_fold)} only" if time is None else _time(time)
 
 
-def _simulation_remarks(record: Record | None, shown: ShownHinge | None) -> Iterator[str]:
+def _simulation_remarks(record: Record | None, shown: CrossedHinge | None) -> Iterator[str]:
     """What became of the simulation, and how finely it was sampled."""
     if record is None:
         return
     outcome, structure = measure(record), record.structure
-    snap = None if shown is None else simulated_snap(record, shown.tendon)
+    snap = None if shown is None else simulated_snap(record, shown)
     yield f"the simulated {structure.appearance.whole}: {outcome.status}. {outcome.advice}".strip()
     if snap is None or shown is None:
         return
-    sampled = f"its {shown.name} is sampled every {_time(snap.sample_interval)}"
+    sampled = f"its {hinge_name(structure, shown.tendon)} is sampled every {_time(snap.sample_interval)}"
     if shown.own.spring is not None:
         yield sampled
         return
@@ -252,7 +343,10 @@ def _sentence(remark: str) -> str:
     return f"{start} {rest.rstrip('.')}."
 
 
-def _table(title: str, *headings: str) -> Table:
+def _table(title: str, rows: Iterable[Row]) -> Table:
+    """Lay out rows; the columns are those of any row, and a cell that a row does not have stays empty."""
+    rows = list(rows)
+    headings = list(dict.fromkeys(heading for row in rows for heading in row))
     table = Table(
         box=None,
         padding=(0, 2, 0, 0),
@@ -261,8 +355,10 @@ def _table(title: str, *headings: str) -> Table:
         show_header=any(headings),
         min_width=len(title),
     )
-    for number, heading in enumerate(headings):
-        table.add_column(heading, justify="right" if number and heading else "left")
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading in _LEFT else "right")
+    for row in rows:
+        table.add_row(*(row.get(heading, "") for heading in headings))
     return table
 
 

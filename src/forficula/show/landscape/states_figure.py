@@ -6,13 +6,13 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from forficula.show.landscape.landscape_marks import shown_value
 from forficula.show.landscape.net_pictures import hang_all, net_pictures
-from forficula.show.landscape.net_words import shown_value
 from forficula.show.style import PAGE_WIDTH, describe, figure_style, fit_legend, is_narrow
 from forficula.statics import EnergyLandscape
+from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import shape_at
-from forficula.statics.net.net import Shape
-from forficula.statics.net_landscape import NetLandscape
+from forficula.statics.net.net import Net, Shape
 from forficula.statics.net_state import NetState
 
 _SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
@@ -27,19 +27,19 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         landscape: of points that slide, with a stable state.
         width: of the figure, inch.
     """
-    net, structure = _net(landscape), landscape.structure
-    pictures = net_pictures(structure, net.net, [state.rest.shape for state in net.states])
-    columns = min(2 if is_narrow(width) else 4, len(net.states))
-    rows = -(-len(net.states) // columns)
+    net, structure, states = _net(landscape), landscape.structure, net_states(landscape)
+    pictures = net_pictures(structure, net, [state.rest.shape for state in states])
+    columns = min(2 if is_narrow(width) else 4, len(states))
+    rows = -(-len(states) // columns)
     height = min(width / columns * pictures.slope, 2.4) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, rows * height + _LEGEND * (1 + is_narrow(width))), layout="constrained")
         axes = np.ravel(figure.subplots(rows, columns, squeeze=False))
         hang_all(pictures, axes, width / columns)
-        for each, state in zip(axes, net.states, strict=False):
+        for each, state in zip(axes, states, strict=False):
             each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
         fit_legend(figure, pictures.handles, 4, loc="outside lower center")
-        told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in net.states)
+        told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in states)
         what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in space"
         return describe(figure, f"{what}. {told}.")
 
@@ -52,12 +52,12 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         width: of the figure, inch.
     """
     net, structure = _net(landscape), landscape.structure
-    told = [state for state in net.states if state.withstands] or net.states
+    told = [state for state in net_states(landscape) if state.withstands] or net_states(landscape)
     states = [state for state in told if len(state.modes)][:_MOST]
     count = max(len(state.modes) for state in states)
     columns = min(count, 2 if is_narrow(width) else 4)
     swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
-    pictures = net_pictures(structure, net.net, [*swung, *(state.rest.shape for state in states)])
+    pictures = net_pictures(structure, net, [*swung, *(state.rest.shape for state in states)])
     height = min(width / columns * pictures.slope, 2.0) + _TITLE
     with figure_style():
         figure = Figure(figsize=(width, len(states) * height), layout="constrained")
@@ -76,16 +76,16 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, f"{what}, at the end of a swing. {words}.")
 
 
-def _swung(net: NetLandscape, state: NetState, mode: int) -> Shape:
+def _swung(net: Net, state: NetState, mode: int) -> Shape:
     """A state at the end of a swing that is far larger than it would be."""
     shift = state.modes[mode] / np.linalg.norm(state.modes[mode], axis=1).max()
-    return shape_at(net.net, state.rest.shape.positions + _SWING * net.net.size * shift, state.rest.shape.angles)
+    return shape_at(net, state.rest.shape.positions + _SWING * net.size * shift, state.rest.shape.angles)
 
 
 def _hertz(frequency: float) -> str:
     return f"{frequency:.3g} Hz"
 
 
-def _net(landscape: EnergyLandscape) -> NetLandscape:
+def _net(landscape: EnergyLandscape) -> Net:
     assert landscape.net is not None
-    return landscape.net
+    return landscape.net.net

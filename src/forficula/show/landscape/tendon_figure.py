@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
-from forficula.analysis.simulated_snap import folding_rows
+from forficula.analysis.simulated_snap import folding_rows, inner_hinge
 from forficula.arrays import Array, Flags, Indices
 from forficula.dynamics import Record
 from forficula.errors import InputError
@@ -26,7 +26,6 @@ from forficula.show.landscape.landscape_marks import (
     state_handles,
     write_note,
 )
-from forficula.show.landscape.shown_hinge import ShownHinge, shown_hinge
 from forficula.show.structure.labels import label_of, parts_of, title_of
 from forficula.show.style import (
     BLACK,
@@ -44,8 +43,7 @@ from forficula.show.style import (
     in_column,
     is_narrow,
 )
-from forficula.statics import EnergyLandscape, HingeLandscape
-from forficula.structure import crossing_tendons
+from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
 
 _COLOURS = (BLUE, SKY, GREEN, PURPLE)
 _STOP = "0.87"
@@ -75,7 +73,7 @@ def draw_tendon(
     Raises:
         InputError: no tendon lies across one hinge.
     """
-    shown = shown_hinge(landscape, tendon)
+    shown = inner_hinge(landscape, tendon)
     if shown is None:
         raise InputError(f"{landscape.design.name}: no tendon lies across one hinge")
     own, curves = shown.own, list(tendon_curves(landscape, shown))
@@ -121,7 +119,7 @@ def _place(hinge: HingeLandscape, angle: ArrayLike) -> Array:
 
 
 def tendon_curves(
-    landscape: EnergyLandscape, shown: ShownHinge
+    landscape: EnergyLandscape, shown: CrossedHinge
 ) -> Iterator[tuple[HingeLandscape, Array, Array, str, dict[str, Any]]]:
     """Hinges to draw, with energy, moment, name and line style: the ideal one, and of the true ones those that differ.
 
@@ -132,9 +130,9 @@ def tendon_curves(
         name = "ideal hinge, bars square to its axis"
         yield shown.ideal, shown.ideal.energy, shown.ideal.moment, name, ideal_style
     structure = landscape.structure
-    labels = parts_of([label_of(structure.tendons[tendon]) for tendon in crossing_tendons(structure)])
+    labels = parts_of([label_of(structure.tendons[each.tendon]) for each in landscape.hinges])
     crease = "" if shown.ideal is None else f", its {structure.hinges[shown.hinge].role} crease"
-    whose = f"hinge of the {shown.whole}{crease}" if shown.own.spring is None else "tendon"
+    whose = f"hinge of the {landscape.structure.appearance.whole}{crease}" if shown.own.spring is None else "tendon"
     for number, (group, names) in enumerate(_groups(landscape.tendons, labels.names)):
         if len(names) < len(labels.names):
             which = f"{labels.heading} {', '.join(names)}".strip()
@@ -171,7 +169,7 @@ def _between(hinge: HingeLandscape, start: float, end: float) -> Flags:
     return np.asarray((hinge.angle >= low - 1e-12) & (hinge.angle <= high + 1e-12))
 
 
-def _plot_simulation(axes: Axes, record: Record, shown: ShownHinge, factor: float) -> None:
+def _plot_simulation(axes: Axes, record: Record, shown: CrossedHinge, factor: float) -> None:
     """Points of a simulated tendon and its hinge's spring, evenly spaced over the angle, folding and opening apart."""
     folding = folding_rows(record, shown.hinge)
     angle = np.degrees(record.series["hinge_angle"][:, shown.hinge])
@@ -248,7 +246,7 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
         axes.annotate(words, place, xytext=(4, 9 if hinge.spring is None else -9), **beside)
 
 
-def _close_up(axes: Axes, landscape: EnergyLandscape, shown: ShownHinge) -> None:
+def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> None:
     """The few degrees about the top, by energy above the overbend stop; a sentence where there is no barrier."""
     own = shown.own
     left, low, width, height = _INSET
@@ -300,7 +298,7 @@ def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
         rows[0].set(ylim=(0, 1), yticks=[0])
 
 
-def _tell(landscape: EnergyLandscape, shown: ShownHinge, title: str) -> str:
+def _tell(landscape: EnergyLandscape, shown: CrossedHinge, title: str) -> str:
     """One tendon in words."""
     hinge, sprung = shown.own, shown.own.spring is not None
     told = [f"up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')} are stored"]
@@ -313,7 +311,7 @@ def _tell(landscape: EnergyLandscape, shown: ShownHinge, title: str) -> str:
     if hinge.holding_torque is not None:
         told.append(f"the holding torque onto that stop {show_value(hinge.holding_torque, 'N m')}")
     states = ", ".join(show_angle(hinge.sense * state.angle) for state in hinge.states) or "none"
-    name, whole = landscape.design.name, shown.whole
+    name, whole = landscape.design.name, landscape.structure.appearance.whole
     with_spring = " and of the spring of its hinge" * sprung
     return (
         f"Energy and moment of one tendon of {name}{with_spring} over its {title}. In the {whole} {', '.join(told)};"

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections.abc import Iterator
-from typing import Any
 
 from forficula.quantities import show_value
 from forficula.show.landscape.landscape_marks import show_angle
 from forficula.statics import HingeLandscape
-from forficula.study.made_comparison import HingePair, MadeComparison, Trial
+from forficula.study.made_comparison import HingePair, MadeComparison
 
 
 def print_made(compared: MadeComparison | str | None) -> None:
@@ -40,39 +38,6 @@ def made_lines(compared: MadeComparison) -> Iterator[str]:
         yield blame.text
 
 
-def made_json(compared: MadeComparison) -> dict[str, Any]:
-    """A comparison as plain data with units in its keys; what does not exist is None."""
-    return {
-        "design": compared.designed.name,
-        "design_hash": compared.designed.hash,
-        "made_hash": compared.made.hash,
-        "changes": [
-            {"group": each.group, "key": each.key, "designed": each.designed or None, "made": each.made}
-            for each in compared.changes
-        ],
-        "unkept": [
-            {
-                "name": each.name,
-                "part": each.part,
-                "unit": each.unit,
-                "real": each.real,
-                "modelled": each.modelled if math.isfinite(each.modelled) else None,
-                "text": each.text,
-            }
-            for each in compared.unkept
-        ],
-        "hinges": [
-            {"hinge": pair.name, "designed": _plain(pair.designed), "made": _plain(pair.made)}
-            for pair in compared.hinges
-        ],
-        "runs": [_run(trial) for trial in compared.trials],
-        "blame": [
-            {"state": each.state, "alone": list(each.alone), "mends": list(each.mends), "text": each.text}
-            for each in compared.blame
-        ],
-    }
-
-
 def _numbers(pair: HingePair) -> tuple[str, str]:
     return _landscape(pair.designed), _landscape(pair.made)
 
@@ -85,18 +50,3 @@ def _landscape(hinge: HingeLandscape) -> str:
         f"barrier {show_value(hinge.barrier, 'J')} at {show_angle(hinge.sense * hinge.barrier_angle)}, holding torque"
         f" {show_value(hinge.holding_torque or 0.0, 'N m')}"
     )
-
-
-def _plain(hinge: HingeLandscape) -> dict[str, float | None]:
-    angle = hinge.barrier_angle
-    return {
-        "barrier_J": hinge.barrier,
-        "barrier_angle_deg": None if angle is None else math.degrees(hinge.sense * angle),
-        "holding_torque_N_m": hinge.holding_torque,
-        "inertia_kg_m2": float(hinge.hinge.inertia),
-    }
-
-
-def _run(trial: Trial) -> dict[str, Any]:
-    holds = {} if trial.outcome is None else dict(trial.outcome.holds)
-    return {"as_made": list(trial.groups), "status": trial.status, "holds": holds}

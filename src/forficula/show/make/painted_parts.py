@@ -13,9 +13,11 @@ from forficula.make.mesh import MILLIMETRES, mesh_of, solid_of
 from forficula.make.part import Part, PartSet
 from forficula.make.solids import Cut, Rod
 from forficula.make.strap_shape import StrapPlace, strap_line
+from forficula.pattern.geometry import triangle_normals
+from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks
 from forficula.show.make.part_mesh import PartMesh, part_mesh, sharp_edges
-from forficula.show.make.pose import STILL, Pose, apart, poses_at
+from forficula.show.make.pose import apart, poses_at
 from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
 
 _EDGE = "#2A2F35"
@@ -65,7 +67,7 @@ def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> Pai
     lamp = _LAMP / np.linalg.norm(_LAMP)
     for each in placed:
         corners = each.mesh.points[each.mesh.triangles]
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals = triangle_normals(corners)
         normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
         own = np.tile(to_rgb(colours[each.look]), (len(corners), 1))
         own[: each.mesh.stops] = to_rgb(STOP_COLOUR)
@@ -88,16 +90,16 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
     return PartMesh(points=points, triangles=mesh.triangles, stops=mesh.stops, edges=mesh.edges)
 
 
-def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, Pose], way: Array) -> PartMesh:
+def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], way: Array) -> PartMesh:
     """All straps of a tendon as they are bent, with their eyes; slack, they bow away from the hinge."""
     joint = next(each for each in parts.joints if each.tendon == place.tendon)
-    axis = poses[joint.proximal.body].frame @ joint.frame[:, 1]
+    axis = poses[joint.proximal.body].rotation @ joint.frame[:, 1]
     meshes = []
     for ends in place.ends:
         start, end = (poses[body].of(each) for body, each in zip(place.bodies, ends, strict=True))
         meshes.append(_band(place, strap_line(place, start, end, axis, 1), axis))
         for body, across, middle in zip(place.bodies, place.across, (start, end), strict=True):
-            meshes.append(_eye(place, middle, poses[body].frame @ across))
+            meshes.append(_eye(place, middle, poses[body].rotation @ across))
     first = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1].tolist()
     return PartMesh(
         points=np.concatenate([mesh.points for mesh in meshes]) + way,

@@ -11,6 +11,7 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.make.joint_layout import JointLayout
 from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part
+from forficula.pattern.geometry import triangle_normals
 
 # triangles that meet at more than this have an edge between them; those around a circle meet at 5 deg
 _EDGE = math.cos(math.radians(20.0))
@@ -55,7 +56,7 @@ def part_mesh(part: Part, joints: tuple[JointLayout, ...]) -> PartMesh:
 def _normals(mesh: Mesh) -> Array:
     """Unit vectors out of the triangles, (triangle, 3)."""
     corners = mesh.points[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = triangle_normals(corners)
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None])
 
 

@@ -12,6 +12,7 @@ from matplotlib.patheffects import Normal, Stroke
 
 from forficula.arrays import Array
 from forficula.make.part import PartSet
+from forficula.pattern.geometry import triangle_normals
 from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
 from forficula.show.make.part_facts import mass_text, masses_text, part_masses, total_mass
@@ -141,7 +142,7 @@ def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
     best, most = None, 0.0
     for each in taken:
         corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
-        areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ view.towards
+        areas = triangle_normals(corners) @ view.towards
         seen = np.maximum(areas, 0.0)
         if seen.sum() > most:
             middle = np.average(corners.mean(axis=1), axis=0, weights=seen)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,30 +10,11 @@ from forficula.arrays import Array
 from forficula.make.joint import turned
 from forficula.make.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
+from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.structure import GROUND
 
 # how far parts are moved apart at most, by the length of the arms that are moved, or by what they are
 _APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
-
-
-@dataclass(frozen=True, kw_only=True)
-class Pose:
-    """A rotation, and then a way: from where a body is built to where it is.
-
-    Attributes:
-        frame: (3, 3).
-        origin: m, (3,).
-    """
-
-    frame: Array
-    origin: Array
-
-    def of(self, places: Array) -> Array:
-        """Where places of the body come to, m, (..., 3)."""
-        return np.asarray(places @ self.frame.T + self.origin)
-
-
-STILL = Pose(frame=np.eye(3), origin=np.zeros(3))
 
 
 def angle_range(parts: PartSet) -> tuple[float, float]:
@@ -42,7 +22,7 @@ def angle_range(parts: PartSet) -> tuple[float, float]:
     return min(joint.lower for joint in parts.joints), max(joint.upper for joint in parts.joints)
 
 
-def poses_at(parts: PartSet, angle: float) -> Mapping[int, Pose]:
+def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
     """Every body with all joints at an angle in their own senses, rad, each no further than its own stops.
 
     A joint alone turns its distal half; bars that turn against the ground stay as they are built.
@@ -52,8 +32,7 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, Pose]:
     for number, body in enumerate(parts.structure.bodies):
         pose = poses[body.parent]
         if number in by_body:
-            frame, origin = turned(by_body[number], within(by_body[number], angle))
-            pose = Pose(frame=pose.frame @ frame, origin=pose.of(origin))
+            pose = pose.after(turned(by_body[number], within(by_body[number], angle)))
         poses[number] = pose
     return poses
 

@@ -13,8 +13,8 @@ from forficula.material.characterisation import AREA, LENGTH, Characterisation
 from forficula.material.fit.fit import Candidate, LawFit
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_keys import show_range, show_value
+from forficula.material.law.law_summary import known_values
 from forficula.material.law.material_law import MaterialLaw
-from forficula.material.material_summary import law_rows
 from forficula.material.tensile.modulus import ModulusClass, Quartiles
 from forficula.quantities import show_quantity
 from forficula.show.material.material_units import energy_unit, stress_unit
@@ -137,10 +137,9 @@ def _drift(drift: Drift) -> list[str]:
 def law_table(law: MaterialLaw) -> Table:
     """Lay out the values of a law, each with its interval where it has one."""
     table = plain_table("", "value", "95 % interval")
-    for key, value, bounds in law_rows(law):
-        table.add_row(
-            key, _minus(show_value(key, value)), _NONE if bounds is None else _minus(show_range(key, *bounds))
-        )
+    for each in known_values(law):
+        interval = _NONE if each.interval is None else _minus(show_range(each.key, *each.interval))
+        table.add_row(each.key, _minus(show_value(each.key, each.value)), interval)
     return table
 
 

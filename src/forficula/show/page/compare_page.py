@@ -15,7 +15,7 @@ from forficula.analysis.run_files import read_run
 from forficula.arrays import Array
 from forficula.design import Design
 from forficula.dynamics import Record
-from forficula.errors import InputError
+from forficula.errors import InputError, error_prefix
 from forficula.files import write_text
 from forficula.names import listed
 from forficula.quantities import reading_unit
@@ -69,10 +69,8 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
     Raises:
         InputError: too few or too many folders, one that holds no run, a wrong ending, or it cannot be written.
     """
-    try:
+    with error_prefix("--out: "):
         path = page_path(path)
-    except InputError as error:
-        raise InputError(f"--out: {error}") from None
     if not _FEWEST <= len(folders) <= _MOST:
         raise InputError(f"compare: need {_FEWEST} to {_MOST} folders of runs, got {len(folders)}")
     runs = []

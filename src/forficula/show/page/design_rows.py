@@ -9,7 +9,6 @@ from typing import Any
 
 from forficula.design import Design
 from forficula.design.design_file import load_design, named_designs
-from forficula.design.kinds import reference_of
 from forficula.design.part import Part
 from forficula.quantities import as_written, show_quantity
 
@@ -52,7 +51,7 @@ def base_design(design: Design) -> Design | None:
         None where no named design is of its kind.
     """
     named = named_designs()
-    for name in (design.name, reference_of(type(design)), *named):
+    for name in (design.name, design.reference, *named):
         if name in named:
             base = load_design(name)
             if type(base) is type(design):

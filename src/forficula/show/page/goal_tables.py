@@ -9,9 +9,8 @@ import numpy as np
 
 from forficula.goals.goal import Goal, Objective, own_limits
 from forficula.goals.limit import Limit
-from forficula.goals.optimise.neighbours import Neighbours
+from forficula.goals.optimise.candidate import Neighbours, Verification
 from forficula.goals.optimise.optimum import Optimum
-from forficula.goals.optimise.verification import Verification
 from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.quantities import show_quantity, show_value
 from forficula.show.page.bars import BarRow, bar, bar_table, percent_text

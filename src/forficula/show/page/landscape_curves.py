@@ -9,20 +9,19 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from forficula.analysis.simulated_snap import crossed_hinge
+from forficula.analysis.simulated_snap import inner_hinge
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit
 from forficula.show.landscape.landscape_marks import hinge_measure
-from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.landscape.tendon_figure import WIDEST, tendon_curves
 from forficula.show.page.packing import packed
 from forficula.show.page.words import readable
 from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.labels import label_of, parts_of, title_of
-from forficula.statics import EnergyLandscape, HingeLandscape, stable_states
+from forficula.statics import EnergyLandscape, HingeLandscape
+from forficula.statics.landscape import fold_states
 from forficula.statics.potential import ensemble, stored_energy
-from forficula.structure import crossing_tendons
 
 Rows = NDArray[np.int64]
 
@@ -114,7 +113,7 @@ def curve_data(curve: Curve) -> dict[str, Any]:
 
 def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> Curve | None:
     """One tendon over the angle of its hinge, with its hinge's spring; a ball for every tendon that has this curve."""
-    shown, structure = shown_hinge(landscape, tendon), landscape.structure
+    shown, structure = inner_hinge(landscape, tendon), landscape.structure
     if shown is None:
         return None
     own, title = shown.own, title_of(hinge_measure(structure, shown.hinge))
@@ -123,17 +122,15 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     # what holds of the hinge itself comes first: with a spring the sum of both, which is the last
     drawn = [last, *drawn[len(ideal) :]] if own.spring is not None else [*drawn[len(ideal) :], last]
     drawn += ideal
-    crossing = crossing_tendons(structure)
-    names = parts_of([label_of(structure.tendons[each]) for each in crossing]).names
+    names = parts_of([label_of(structure.tendons[each.tendon]) for each in landscape.hinges]).names
     balls = []
-    for number, name, hinge in zip(crossing, names, landscape.tendons, strict=True):
-        if record is None or not _alike(hinge, own):
+    for name, crossed in zip(names, landscape.hinges, strict=True):
+        if record is None or not _alike(crossed.own, own):
             continue
-        crossed = crossed_hinge(structure, number)
-        energy = record.series["tendon_energy"][rows, number]
-        if hinge.spring is not None:
-            energy = energy + record.series["hinge_energy"][rows, crossed]
-        balls.append(Course(name=name, angle=record.series["hinge_angle"][rows, crossed], energy=energy))
+        energy = record.series["tendon_energy"][rows, crossed.tendon]
+        if own.spring is not None:
+            energy = energy + record.series["hinge_energy"][rows, crossed.hinge]
+        balls.append(Course(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
     barrier, top = "", None
     if own.barrier is not None and own.barrier_angle is not None:
         start, reach = own.hinge.overbend, own.hinge.overbend - own.barrier_angle
@@ -191,8 +188,7 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
     along = -path.ring_angle if folds else path.pleat_angle
     line = Course(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
     states = [
-        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line)
-        for each in stable_states(landscape)
+        _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line) for each in fold_states(landscape)
     ]
     line, *states = (replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in (line, *states))
     told = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)

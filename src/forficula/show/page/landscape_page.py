@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from forficula.analysis import measure
+from forficula.analysis.simulated_snap import inner_hinge
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
-from forficula.show.landscape.shown_hinge import shown_hinge
 from forficula.show.page.design_rows import design_title
 from forficula.show.page.landscape_curves import Curve, curve_data, landscape_curves
 from forficula.show.page.landscape_poses import NO_POSE, Poses, pose_clip, poses_of
@@ -57,7 +57,7 @@ def landscape_page(
     data: dict[str, Any] | None = None
     drawn_curves: list[dict[str, Any]] = []
     if curves and drawn is None:
-        poses = poses_of(landscape, shown_hinge(landscape, tendon))
+        poses = poses_of(landscape, inner_hinge(landscape, tendon))
         data = {"kind": "curves", **({} if poses is None else _still_data(poses))}
         drawn_curves = [curve_data(each) | _pose_data(each, landscape, poses) for each in curves]
     if drawn is not None:

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.show.landscape.shown_hinge import ShownHinge
 from forficula.show.page.playback import Clip
 from forficula.show.page.shape_mesh import shape_mesh
-from forficula.statics import EnergyLandscape
+from forficula.statics import CrossedHinge, EnergyLandscape
 from forficula.statics.pose import carried_points, places_of, pose, tree_of
 from forficula.structure import Structure
 
@@ -36,7 +35,7 @@ class Poses:
     why: str
 
 
-def poses_of(landscape: EnergyLandscape, shown: ShownHinge | None) -> Poses | None:
+def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Poses | None:
     """Find what a structure looks like along its landscape's curves: as it folds rigidly, or as one hinge turns.
 
     Args:

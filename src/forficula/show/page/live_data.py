@@ -24,9 +24,10 @@ from forficula.dynamics import (
 )
 from forficula.dynamics.closures import APART_TEXT
 from forficula.names import listed
-from forficula.quantities import Unit, show_quantity
+from forficula.quantities import READING_UNITS, Unit, show_quantity
 from forficula.show.page.design_rows import key_meanings
 from forficula.show.page.packed_arrays import PackedArrays
+from forficula.show.page.words import LIVE_OUTCOME_TEXTS
 from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
 from forficula.structure import Goal, Measure, Structure, Transition, goal_of, measure_of, sums_of
 
@@ -69,6 +70,8 @@ def live_data(
             "apart": APART_TEXT,
             # without statics and an energy balance a page knows less to advise than a run
             "advice": {"diverged": SHORTER_STEP, "untrusted": SHORTER_STEP},
+            "outcome": LIVE_OUTCOME_TEXTS,
+            "reading_units": READING_UNITS,
         },
         "knobs": knobs,
         "design": {"name": design.name, "text": design_text(design)},
@@ -200,7 +203,7 @@ def _course_data(model: Model) -> dict[str, Any]:
         "stageStates": list(structure.stage_states),
         "states": [
             {"name": state.name, "missed": state.missed, "unknown": state.unknown}
-            | {"bounds": _goal_data(goal_in_units(model, state.bounds))}
+            | {"bounds": _goal_data(_goal_named(model, state.goal))}
             for state in structure.states
         ],
         "transitions": [_transition_data(model, each) for each in structure.transitions],
@@ -221,7 +224,7 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
         "goal": transition.goal,
         "asked": _goal_data(_goal_named(model, transition.goal)),
         "state": transition.state,
-        "released": _goal_data(goal_in_units(model, transition.released)),
+        "released": _goal_data(_goal_named(model, transition.released)),
         "reading": reading,
         "furthest": transition.furthest,
         "kind": transition.kind,

@@ -13,8 +13,10 @@ from forficula.study.outcome_kinds import Kind, outcome_kinds
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
+# the sign of what did all that was asked of it
+_GOOD = "●"
 _SIGNS = {
-    Kind.DID_ALL: "●",
+    Kind.DID_ALL: _GOOD,
     Kind.DID_FIRST: "◆",
     Kind.LOST_LATER: "↻",
     Kind.MOVING_LATER: "◁",
@@ -30,6 +32,37 @@ _SIGNS = {
     Kind.NOT_TRIED: "–",
 }
 _WITH_TORQUE, _OTHER = "⊗", "?"
+# the class of each sign in the style of pages
+_PATTERNS = {
+    _GOOD: "opened",
+    "◆": "folded",
+    "↻": "reclosed",
+    "◁": "opening",
+    "■": "closed",
+    "×": "unfolded",
+    "✱": "stuck",
+    "▷": "moving",
+    "↺": "returned",
+    "≷": "undecided",
+    "✚": "diverged",
+    "≠": "untrusted",
+    "⊘": "unbuilt",
+    "–": "untried",
+    "·": "unrun",
+    _WITH_TORQUE: "before",
+    "◐": "missed",
+    "◒": "missed",
+    "○": "apart",
+    "△": "placed",
+}
+
+
+def look_data(sign: str) -> dict[str, Any]:
+    """Return a sign as data for JSON, with its class in the style, and whether it stands for all that was asked."""
+    return {"sign": sign, "pattern": _PATTERNS.get(sign, "other"), "good": sign == _GOOD}
+
+
+OTHER_LOOK = look_data(_OTHER)  # of a word that no point of a page has
 
 
 class Words:
@@ -51,7 +84,7 @@ class Words:
         """All words as data for JSON, each with its sign and how many points have it as their outcome."""
         counts = Counter(verdicts)
         return [
-            {"word": word, "sign": self._signs.sign(word), "count": counts[number]}
+            {"word": word, "count": counts[number]} | look_data(self._signs.sign(word))
             for word, number in self._numbers.items()
         ]
 

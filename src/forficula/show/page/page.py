@@ -12,6 +12,7 @@ from typing import Any
 
 from forficula.errors import InputError
 from forficula.files import as_path
+from forficula.quantities import READING_UNITS
 from forficula.show.page.html import escaped
 
 _BUILT = resources.files("forficula.show.page") / "built"
@@ -98,7 +99,7 @@ def _json(data: dict[str, Any]) -> str:
 
 
 def _scripted(data: dict[str, Any], script: str) -> str:
-    return f"""<script type="application/json" id="data">{_json(data)}</script>
+    return f"""<script type="application/json" id="data">{_json(data | {"reading_units": READING_UNITS})}</script>
 <script>{script}</script>
 """
 

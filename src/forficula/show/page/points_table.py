@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from forficula.show.page.html import paragraph, table
-from forficula.show.page.study_data import BY_TORQUE
 
 # points beyond which a table is a thing for other programs
 _MOST_ROWS = 3000
@@ -36,7 +35,7 @@ def points_table(data: dict[str, Any]) -> str:
 
 def _columns(data: dict[str, Any]) -> list[dict[str, Any]]:
     """The quantities of which a point has one value."""
-    return [each for each in data["quantities"] if each["values"] is not None and each["group"] != BY_TORQUE]
+    return [each for each in data["quantities"] if each["values"] is not None and not each.get("tried")]
 
 
 def places(data: dict[str, Any], point: int) -> list[int]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from forficula.quantities import Unit, parse_quantity
-from forficula.show.page.outcome_words import Signs, Words
+from forficula.show.page.outcome_words import OTHER_LOOK, Signs, Words
 from forficula.show.page.study_data import factor_data, rounded
 from forficula.show.page.words import unbuilt_text
 
@@ -100,6 +100,7 @@ def samples_data(samples: Samples) -> dict[str, Any]:
         "verdicts": verdicts,
         "quantities": quantities,
         "words": words.data(verdicts),
+        "other": OTHER_LOOK,
     }
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from forficula.analysis import Verdict
 from forficula.quantities import reading_unit
-from forficula.show.page.outcome_words import Words, signs_of
+from forficula.show.page.outcome_words import OTHER_LOOK, Words, signs_of
 from forficula.show.page.words import unbuilt_text
 from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
 from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 _DIGITS = 7
 # the group of what a point has a value of for every torque that was tried
-BY_TORQUE = "time by torque"
 
 
 def study_data(study: Study, table: Dataset) -> dict[str, Any]:
@@ -90,6 +89,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "verdicts": verdicts,
         "quantities": quantities,
         "words": words.data(verdicts),
+        "other": OTHER_LOOK,
     }
 
 
@@ -158,6 +158,7 @@ def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
         "group": drawn.group,
         "unit": unit,
         "energy": table[drawn.name].attrs["units"] == "J",
+        "shares": drawn.group == "energy",
         "values": values,
         "reasons": _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words),
         "transition": drawn.transition,
@@ -183,8 +184,10 @@ def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
         yield {
             "name": f"{found.times}:{index}",
             "title": f"{found.label} with {value_with_unit(tried, index)}",
-            "group": BY_TORQUE,
+            "group": "time by torque",
             "unit": unit,
+            "shares": True,
+            "tried": True,
             "values": values,
             "reasons": _reasons(values, became, words),
             "transition": 0,

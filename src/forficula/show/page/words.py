@@ -16,6 +16,14 @@ from forficula.show.run.release import release_text
 from forficula.show.structure.labels import counted, measure_labels
 from forficula.structure import Structure, Transition, drive_of, drive_unit, hinge_groups
 
+# what a structure did that the engine of a page moves, as `outcome_sentence` of a run; the page fills in the fields
+LIVE_OUTCOME_TEXTS = {
+    "transition": "{did} in {time} for {work} of work",
+    "then": ", then ",
+    "reached": "The {whole} {transitions}.",
+    "missed": "The {whole} {transitions}; then: {status}.",
+}
+
 
 def outcome_sentence(name: str, outcome: Outcome) -> str:
     """What a structure did, how fast, with which torque and for how much work."""

@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 
 from forficula.arrays import Array, Indices
-from forficula.show.structure.polygon import is_convex, triangles_of
+from forficula.show.structure.polygon import drawn_pieces, is_convex
 from forficula.structure import (
     Membrane,
     Structure,
@@ -138,7 +138,7 @@ def shape_of(structure: Structure) -> Shape:
     for plate in structure.plates:
         corners = [vertices.at(point, point, 0.0) for point in plate.points]
         edges += (DrawnLine(kind="edge", crease="B", path=ends) for ends in pairwise([*corners, corners[0]]))
-        pieces = triangles_of(anchors[list(plate.points)])
+        pieces = drawn_pieces(anchors[list(plate.points)])
         faces += (tuple(corners[corner] for corner in piece) for piece in pieces)
         names += [structure.bodies[plate.body].role] * len(pieces)
     on_sheet = len(vertices.numbers)

@@ -8,6 +8,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
+from forficula.pattern.geometry import triangle_normals
 from forficula.statics.net.net import Net, Shape
 
 
@@ -82,9 +83,7 @@ def pressure(net: Net, shape: Shape, triangles: Indices) -> Load:
         shape: in which areas and normals are taken; the forces keep them.
         triangles: points at their corners, counterclockwise seen from where it pushes them to, (triangle, 3).
     """
-    places = net.points @ shape.positions
-    first, second, third = (places[triangles[:, corner]] for corner in range(3))
-    each = np.cross(second - first, third - first) / 6
+    each = triangle_normals((net.points @ shape.positions)[triangles]) / 6
     return point_forces(net, triangles.ravel(), np.repeat(each, 3, axis=0))
 
 

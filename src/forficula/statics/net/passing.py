@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
+from forficula.pattern.flat_faces import parts_of
 from forficula.statics.net.net import Net, Shape
 
 _TURNED = 1e-3  # rad beyond 180 deg
@@ -28,17 +29,9 @@ def panels_pass(net: Net, shape: Shape, triangles: Indices) -> bool:
 
 
 def _joined(net: Net) -> Indices:
-    """The points by number, (point,), where both sides of a crease between plates have the same numbers."""
-    numbers = np.arange(net.points.shape[0])
+    """Number the points, (point,), so that both sides of a crease between plates have the same numbers."""
     sides = [(flaps[end], flaps[end + 3]) for flaps in net.creases.points for end in (0, 1)]
-    # a point at several creases takes the least number of all of them
-    for _ in range(len(sides)):
-        before = numbers.copy()
-        for one, other in sides:
-            numbers[[one, other]] = min(numbers[one], numbers[other])
-        if np.array_equal(before, numbers):
-            break
-    return numbers
+    return parts_of(net.points.shape[0], sides)
 
 
 def _pierced(corners: Array, triangles: Indices) -> Flags:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.pattern.rotation import frame_along
 from forficula.structure import Hinge, Structure, mass_of
 from forficula.structure.tree import built_frames
 
@@ -82,10 +83,9 @@ def joint_places(structure: Structure, hinge: Hinge, size: float) -> list[tuple[
     """
     body = structure.bodies[hinge.body]
     axis = hinge.axis / np.linalg.norm(hinge.axis)
-    across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    across /= np.linalg.norm(across)
+    across, upwards, _ = frame_along(axis).T
     turned = hinge.sense * hinge.built
-    right = -np.cos(turned) * across - np.sin(turned) * np.cross(axis, across)
+    right = -np.cos(turned) * across - np.sin(turned) * upwards
     ours = [size * axis, np.zeros(3)]
     theirs = [body.position + body.frame @ place for place in (*ours, size * (axis / 2 + across))]
     parent = [(body.parent, place) for place in theirs]

@@ -5,18 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import eigh
 from scipy.sparse import csr_array, eye_array, kron, vstack
 
 from forficula.arrays import Array, Indices
+from forficula.pattern.rigidity import nullity
 from forficula.statics.net.energy import angle_slopes
 from forficula.statics.net.net import Flags, Net, Shape
-from forficula.statics.net.supports import rigid_motions
-
-_NONE = 1e-6  # share of the largest singular value that counts as none
+from forficula.statics.net.supports import loose_motions
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class Rigidity:
     """What the rigidity matrix of a net says.
 
@@ -24,15 +22,11 @@ class Rigidity:
         degrees_of_freedom: mechanisms of first order, beside motions of the whole.
         rigid_motions: of the whole, that the supports leave.
         self_stresses: stresses in equilibrium without a load.
-        singular_values: of the matrix, falling, (value,); for lengths in m.
-        mechanisms: orthonormal, without motions of the whole, (mechanism, node, 3).
     """
 
     degrees_of_freedom: int
     rigid_motions: int
     self_stresses: int
-    singular_values: Array
-    mechanisms: Array
 
 
 def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
@@ -65,33 +59,12 @@ def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
 
 
 def rigidity(net: Net, shape: Shape, stiff: Flags) -> Rigidity:
-    """Count mechanisms of first order and states of self-stress; arguments as for `rigidity_matrix`.
-
-    Singular values are roots of the eigenvalues of R^T R, good to 1e-8 of the largest.
-    """
+    """Count mechanisms of first order and states of self-stress; arguments as for `rigidity_matrix`."""
     matrix = rigidity_matrix(net, shape, stiff)
-    squares, vectors = eigh((matrix.T @ matrix).toarray())
-    values = np.sqrt(np.maximum(squares[::-1], 0.0))
-    rank = int(np.count_nonzero(values > _NONE * values[0])) if len(values) else 0
-    loose = vectors[:, : len(values) - rank]
-    whole = rigid_motions(shape.positions)
-    # motions of the whole that are none of the held coordinates
-    free, held = whole[net.free], whole[~net.free]
-    _, sizes, axes = np.linalg.svd(held, full_matrices=True)
-    kept = np.concatenate((sizes, np.zeros(len(axes) - len(sizes)))) < 1e-9
-    motions = np.linalg.qr(free @ axes[kept].T)[0]
-    remains = loose - motions @ (motions.T @ loose)
-    axes, sizes, _ = np.linalg.svd(remains, full_matrices=False)
-    count = len(values) - rank - motions.shape[1]
-    mechanisms = np.zeros((count, *net.nodes.shape))
-    mechanisms[:, net.free] = axes[:, :count].T
-    return Rigidity(
-        degrees_of_freedom=count,
-        rigid_motions=motions.shape[1],
-        self_stresses=matrix.shape[0] - rank,
-        singular_values=values,
-        mechanisms=mechanisms,
-    )
+    zeros, _ = nullity(matrix)
+    rigid = loose_motions(net, shape.positions).shape[2]
+    rank = matrix.shape[1] - zeros
+    return Rigidity(degrees_of_freedom=zeros - rigid, rigid_motions=rigid, self_stresses=matrix.shape[0] - rank)
 
 
 def _rows(numbers: Array, columns: Indices, width: int) -> csr_array:

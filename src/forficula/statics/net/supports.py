@@ -28,9 +28,14 @@ def rigid_motions(positions: Array) -> Array:
     return np.asarray(axes[:, sizes > _NONE * sizes[0]].reshape(len(positions), 3, -1))
 
 
-def loose_motions(net: Net) -> Array:
-    """Motions of a rigid body that the supports leave to the net as built, (node, 3, motion)."""
-    motions = rigid_motions(net.nodes)
+def loose_motions(net: Net, positions: Array | None = None) -> Array:
+    """Return the motions of a rigid body that the supports leave to a net, (node, 3, motion).
+
+    Args:
+        net: supported or not.
+        positions: of its nodes, m, (node, 3); as built if not given.
+    """
+    motions = rigid_motions(net.nodes if positions is None else positions)
     held = motions[~net.free]
     return np.asarray(motions @ null_space(held, rcond=_NONE)) if len(held) else motions
 

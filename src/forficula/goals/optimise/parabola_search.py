@@ -1,0 +1,243 @@
+"""Search by parabolas and differential evolution: which points to try next, from what became of those before."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+import scipy
+
+from forficula.arrays import Array
+from forficula.goals.optimise.parabolas import Aim, neighbourhood, proposed
+from forficula.goals.optimise.trials import (
+    Archive,
+    Axis,
+    Point,
+    Trial,
+    archive_of,
+    best_ranked,
+    distances,
+    pareto_front,
+    placed,
+    relaxations,
+)
+
+# Of a batch: the share that parabolas propose, and the share drawn around what they start from.
+_PROPOSED, _AROUND = 0.25, 0.25
+# Of the rest, as long as nothing is feasible: the share that fills the space further.
+_FILLING = 0.5
+# Trials before parabolas are of use, an axis, and at least.
+_START, _LEAST_START = 4, 32
+# How far proposals go, as shares of the neighbourhood, and how far they stay within the limits, one after another.
+_REACHES, _BACKS = (2.0, 1.0, 0.5, 0.25), (1e-6, 1e-3, 1e-4, 1e-2)
+# Bases are that far apart, and there are so many at most.
+_APART, _BASES = 0.2, 4
+# A front of no more than its ends does not tell yet how far it spans.
+_ENDS, _LEAST_SPAN = 2, 1e-12
+_END_EVERY = 4
+# Trials that differential evolution goes on with, batches; the share of them from which all others start.
+_POPULATION, _LEADING = 2, 0.05
+# Share of a difference that is gone, from and to, share of axes that change, and share of places that are drawn anew.
+_STEPS, _CROSSED, _DRAWN = (0.4, 0.9), 0.8, 0.1
+# Parts of each side of the weights of aims, by the number of objectives: 17 and 28 directions.
+_PARTS = {1: 1, 2: 16, 3: 6}
+# No objective is ever quite without weight, so that it is not given away for nothing.
+_LEAST_WEIGHT = 0.01
+
+
+class Optimiser(Protocol):
+    """A method that looks for the best points of the unit cube, batch after batch."""
+
+    def ask(self) -> list[Point]:
+        """Return the points to try next; none where no point is left."""
+        ...
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        """Learn from trials of the points that were tried, which may be others than those that `ask` returned."""
+        ...
+
+
+class ParabolaSearch:
+    """Search that fits parabolas to the trials around the best points and proposes the optimum of the parabolas.
+
+    Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas through the trials around the best ones,
+    apart from one another, propose where their optimum is, further ones are drawn around these, and the rest comes from
+    differential evolution, which finds what parabolas do not see. Points are a pure function of the arguments and of
+    what was told, in their order: a search that is told the same again asks the same again.
+    """
+
+    def __init__(
+        self, axes: Sequence[Axis], objectives: int, batch: int, seed: int, starts: Sequence[Point] = ()
+    ) -> None:
+        """Start a search.
+
+        Args:
+            axes: of the unit cube.
+            objectives: how many, 1 to 3.
+            batch: points at a time.
+            seed: of all that is drawn.
+            starts: points to look at first.
+        """
+        self._axes, self._batch, self._seed, self._starts = axes, batch, seed, starts
+        self._weights = aim_weights(objectives)
+        self._filling = scipy.stats.qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
+        self._trials: list[Trial] = []
+        self._tried: set[Point] = set()
+        self._number = 0
+
+    def ask(self) -> list[Point]:
+        """Return the next batch of points, none of which was tried before; none where no point is left."""
+        generator = np.random.default_rng([self._seed, self._number])
+        if len(self._trials) < filling_count(self._axes, self._batch):
+            starts = self._starts if self._number == 0 else []
+            wanted = [*placed(self._axes, np.array(starts).reshape(-1, len(self._axes))), *self._fill(self._batch)]
+        else:
+            wanted = self._near_the_best(generator)
+            rest = self._batch - len(self._new(wanted))
+            spread = 0 if any(trial.feasible for trial in self._trials) else round(_FILLING * rest)
+            wanted += self._fill(spread)
+            best = best_ranked(self._trials, _POPULATION * self._batch)
+            wanted += _varied(self._axes, best, rest - spread, generator)
+        points = self._new(wanted)
+        # what differential evolution repeats is of no use: fill instead, as long as there is anything to fill
+        for _ in range(8):
+            if len(points) < self._batch:
+                points = self._new([*points, *self._fill(self._batch)])
+        return points
+
+    def tell(self, trials: Sequence[Trial]) -> None:
+        """Learn from the trials of a batch."""
+        self._trials += trials
+        self._tried |= {trial.point for trial in trials}
+        self._number += 1
+
+    def _fill(self, count: int) -> list[Point]:
+        """Further points of the Sobol sequence."""
+        # one by one, because SciPy warns of counts that are no power of two
+        drawn = [self._filling.random()[0] for _ in range(count)]
+        return placed(self._axes, np.array(drawn).reshape(count, len(self._axes)))
+
+    def _new(self, points: Sequence[Point]) -> list[Point]:
+        """Points that were not tried before, each once, a batch at most."""
+        return [point for point in dict.fromkeys(points) if point not in self._tried][: self._batch]
+
+    def _near_the_best(self, generator: np.random.Generator) -> list[Point]:
+        """What parabolas propose, and points around their bases."""
+        axes, batch, weights, points = self._axes, self._batch, self._weights, list[Point]()
+        archive = archive_of(self._trials)
+        known = archive.objectives[np.isfinite(archive.objectives).all(axis=1)]
+        if not len(known):
+            return points
+        front = np.array([trial.objectives for trial in pareto_front(self._trials)])
+        best = front if len(front) else known
+        ideal, span = best.min(axis=0), np.ptp(front if len(front) > _ENDS else known, axis=0)
+        giving = [] if len(front) else relaxations(self._trials)
+        count, ends = max(1, round(_PROPOSED * batch)), archive.objectives.shape[1]
+        for number in range(count):
+            turn = self._number * count + number
+            # the ends of a front move last, and the rest is scaled by them
+            chosen = turn // _END_EVERY % ends if number % _END_EVERY == 0 else turn % len(weights)
+            aim = Aim(weights=weights[chosen], ideal=ideal, span=np.maximum(span, _LEAST_SPAN))
+            bases = _bases(axes, archive, aim)
+            base = bases[0 if number % 2 == 0 else turn // 2 % len(bases)]
+            # where nothing is feasible one limit after another gives, so that what each costs alone is found, too
+            gives = giving[self._number % len(giving)] if giving and number == count - 1 else None
+            if gives is not None and gives.trial is not None:
+                base = gives.trial
+            near = neighbourhood(axes, archive, base, aim)
+            if near is None:
+                continue
+            kind = (number if len(weights) == 1 else turn // len(weights)) % len(_REACHES)
+            limit = None if gives is None else gives.limit
+            points.append(proposed(axes, near, aim, _REACHES[kind], _BACKS[kind], limit))
+            points += _around(axes, base.point, near.radius / 2, max(1, round(_AROUND * batch / count)), generator)
+        return points
+
+
+def filling_count(axes: Sequence[Axis], batch: int) -> int:
+    """How many points fill the space evenly before a search looks closer anywhere, in whole batches.
+
+    Args:
+        axes: of the search.
+        batch: points at a time.
+    """
+    return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
+
+
+def aim_weights(objectives: int) -> Array:
+    """Weights of objectives, one row an aim; the ends first, then those in between in an order that leaps.
+
+    Das and Dennis, 1998, doi.org/10.1137/S1052623496307510. The least greatest weighted objective lies along the
+    direction of the inverse weights.
+
+    Args:
+        objectives: 1, 2 or 3.
+    """
+    parts = _PARTS[objectives]
+    shares = [
+        np.array(counts) / parts
+        for counts in itertools.product(range(parts + 1), repeat=objectives)
+        if sum(counts) == parts
+    ]
+    ends = [share for share in shares if share.max() == 1]
+    others = [share for share in shares if share.max() < 1]
+    leaping = sorted(range(len(others)), key=lambda number: (number * 7) % max(len(others), 1))
+    directions = np.maximum(np.array(ends + [others[number] for number in leaping]), _LEAST_WEIGHT)
+    weights = 1 / directions
+    return np.asarray(weights / weights.max(axis=1, keepdims=True))
+
+
+def _bases(axes: Sequence[Axis], archive: Archive, aim: Aim) -> list[Trial]:
+    """The best trials by an aim that lie apart from one another, the best first."""
+    lost = archive.standings.any(axis=1)
+    values = np.where(lost, 0.0, aim.values(archive.objectives))
+    order = np.lexsort((values, *archive.standings.T[::-1]))
+    bases: list[Trial] = []
+    while len(order) and len(bases) < _BASES:
+        bases.append(archive.trials[order[0]])
+        order = order[distances(axes, archive.points[order], bases[-1].point) > _APART]
+    return bases
+
+
+def _varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: np.random.Generator) -> list[Point]:
+    """Points by differential evolution from the best.
+
+    Storn and Price, 1997, doi.org/10.1023/A:1008202821328: their "best/1", of a few that are best.
+
+    Args:
+        axes: of the search.
+        best: trials, the best first.
+        count: how many.
+        generator: that draws.
+    """
+    points = np.array([trial.point for trial in best])
+    base, first, second = (points[generator.integers(len(points), size=count)] for _ in range(3))
+    leading = max(2, round(_LEADING * len(points)))
+    start = points[generator.integers(min(leading, len(points)), size=count)]
+    moved = start + generator.uniform(*_STEPS, size=(count, 1)) * (first - second)
+    unordered = np.array([not axis.ordered for axis in axes])
+    # of a choice there is no difference: it is one or another
+    moved[:, unordered] = start[:, unordered]
+    crossed = generator.random(moved.shape) < _CROSSED
+    crossed[np.arange(count), generator.integers(len(axes), size=count)] = True
+    children = np.where(crossed, _reflected(moved), base)
+    levelled = np.array([axis.levels > 0 for axis in axes])
+    drawn = levelled & (generator.random(children.shape) < _DRAWN)
+    return placed(axes, np.where(drawn, generator.random(children.shape), children))
+
+
+def _around(
+    axes: Sequence[Axis], base: Point, radius: float, count: int, generator: np.random.Generator
+) -> list[Point]:
+    """Points drawn from the box of a radius about a point; they tell parabolas of its surroundings."""
+    shift = radius * (2 * generator.random((count, len(axes))) - 1)
+    shift[:, [not axis.ordered for axis in axes]] = 0.0
+    return placed(axes, _reflected(np.asarray(base) + shift))
+
+
+def _reflected(shares: Array) -> Array:
+    """Shares, folded back at 0 and 1."""
+    return np.asarray(1 - np.abs(1 - np.abs(shares) % 2))

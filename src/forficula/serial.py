@@ -1,0 +1,294 @@
+"""JSON of results, and its schema: both follow from the annotated fields of data classes.
+
+A field has its unit once, as in `time: Annotated[float, Unit("s")]`. In JSON the unit stands at the end of the key,
+`time_s`, and angles are in degrees. A number that does not exist is null.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import types
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from enum import Enum
+from functools import cache, cached_property
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+from forficula.quantities import Unit
+
+_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+_NUMBER = {"type": ["number", "null"]}
+_SCALARS = {bool: "boolean", int: "integer", str: "string", type(None): "null"}
+# a description in the section "Attributes" of a docstring, up to the next one
+_ATTRIBUTE = re.compile(r"^ {8}(\w+): (.*(?:\n {12}.*)*)", re.M)
+
+Metres = Annotated[float, Unit("m")]
+SquareMetres = Annotated[float, Unit("m^2")]
+Radians = Annotated[float, Unit("rad")]
+Seconds = Annotated[float, Unit("s")]
+Joules = Annotated[float, Unit("J")]
+Newtons = Annotated[float, Unit("N")]
+NewtonMetres = Annotated[float, Unit("N m")]
+NewtonsPerMetre = Annotated[float, Unit("N/m")]
+Pascals = Annotated[float, Unit("Pa")]
+JoulesPerCubicMetre = Annotated[float, Unit("J/m^3")]
+
+
+@dataclass(frozen=True)
+class Key:
+    """Key of a field in JSON, without its unit, where the key is not the name of the field."""
+
+    name: str
+
+
+class Written(Enum):
+    """How JSON has a field or a property, where it does not simply have its value under its key.
+
+    Properties are written only where their type has one of these, a `Key` or a `Unit`.
+    """
+
+    ALWAYS = "always"  # a property that is written like a field
+    FIRST = "first"  # a property that is written before the fields
+    NEVER = "never"
+    IF_KNOWN = "if known"  # without its key where it is None
+    BESIDE = "beside"  # the entries of a mapping or a data class stand beside the keys of the whole, which come first
+    OR_NULL = "or null"  # an empty text is null
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A value whose unit is known only from the value itself, under a name of its own in a mapping.
+
+    Attributes:
+        value: number or array in SI.
+        unit: such as "N m"; empty for a number without a unit.
+    """
+
+    value: Any
+    unit: str
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """A field or a property as JSON has it.
+
+    Attributes:
+        name: of the field.
+        key: in JSON, with its unit.
+        unit: of its numbers; empty without one.
+        how: further rules.
+        hint: type.
+        meaning: of the docstring; empty where it has none.
+    """
+
+    name: str
+    key: str
+    unit: str
+    how: frozenset[Written]
+    hint: Any
+    meaning: str
+
+
+def key_with_unit(name: str, unit: str) -> str:
+    """Return the key of a quantity, such as "torque_N_m"; angles are in degrees.
+
+    >>> key_with_unit("stiffness", "N/m"), key_with_unit("angle", "rad"), key_with_unit("rate", "1/s")
+    ('stiffness_N_per_m', 'angle_deg', 'rate_per_s')
+    """
+    return name + unit_suffix("deg" if unit == "rad" else unit)
+
+
+def unit_suffix(unit: str) -> str:
+    """Return the end of a key whose values are in a unit; empty without a unit.
+
+    >>> unit_suffix("kg/m^3"), unit_suffix("1/s")
+    ('_kg_per_m3', '_per_s')
+    """
+    words = unit.removeprefix("1").replace("/", "_per_").replace("^", "").replace(" ", "_").strip("_")
+    return f"_{words}" if words else ""
+
+
+def plain(value: Any, unit: str = "") -> Any:
+    """Return a value as JSON has it: data classes and mappings as dict, arrays and tuples as list, NaN as None.
+
+    Args:
+        value: that is written.
+        unit: of its numbers, of which angles are turned into degrees.
+    """
+    if isinstance(value, Enum):
+        return value.value
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    if isinstance(value, float):
+        number = math.degrees(value) if unit == "rad" else float(value)
+        return number if math.isfinite(number) else None
+    if isinstance(value, Mapping):
+        return {
+            key_with_unit(key, each.unit) if isinstance(each, Quantity) else key: plain(each, unit)
+            for key, each in value.items()
+        }
+    if isinstance(value, Quantity):
+        return plain(value.value, value.unit)
+    if is_dataclass(value):
+        return _plain_fields(value)
+    if hasattr(value, "tolist"):  # of NumPy
+        return plain(value.tolist(), unit)
+    return [plain(each, unit) for each in value]
+
+
+def json_text(value: Any) -> str:
+    """Return the text of a JSON file with a value as `plain` returns it."""
+    return json.dumps(plain(value), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _plain_fields(value: Any) -> dict[str, Any]:
+    entries = _entries(value.__class__)
+    keys = {entry.key for entry in entries if Written.BESIDE not in entry.how}
+    told: dict[str, Any] = {}
+    for entry in entries:
+        content = getattr(value, entry.name)
+        if Written.BESIDE in entry.how:
+            others = {} if content is None else plain(content, entry.unit)
+            told |= {key: each for key, each in others.items() if key not in keys}
+        elif content is not None or Written.IF_KNOWN not in entry.how:
+            told[entry.key] = plain(None if Written.OR_NULL in entry.how and content == "" else content, entry.unit)
+    return told
+
+
+def schema_of(shape: Any, name: str) -> dict[str, Any]:
+    """Return the JSON schema (draft 2020-12) of what `plain` returns of values of a type.
+
+    Args:
+        shape: a data class, or another type.
+        name: of the schema.
+    """
+    parts: dict[str, Any] = {}
+    schema = _schema(shape, parts)
+    if "$ref" in schema:
+        schema = parts.pop(shape.__name__)
+    return {"$schema": _DIALECT, "$id": f"forficula-{name}", **schema, **({"$defs": parts} if parts else {})}
+
+
+def _schema(hint: Any, parts: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a type; those of data classes are added to `parts`, by their names."""
+    origin, arguments = get_origin(hint), get_args(hint)
+    if hint in _SCALARS:
+        return {"type": _SCALARS[hint]}
+    if hint is float:
+        return dict(_NUMBER)
+    if hint is Any:
+        return {}
+    if origin is Annotated:
+        return _schema(arguments[0], parts)
+    if hint is Quantity:
+        return _any_of([_NUMBER, {"type": "array", "items": _NUMBER}])
+    if origin in (Union, types.UnionType):
+        return _any_of([_schema(each, parts) for each in arguments])
+    if origin is Literal:
+        return {"enum": list(arguments)}
+    if isinstance(hint, type) and issubclass(hint, Enum):
+        return {"enum": [each.value for each in hint]}
+    if is_dataclass(hint):
+        return _reference(hint, parts)
+    if origin is not None and issubclass(origin, Mapping):
+        return {"type": "object", "additionalProperties": _schema(arguments[1], parts)}
+    if origin is not None and issubclass(origin, Sequence):
+        kinds = dict.fromkeys(each for each in arguments if each is not Ellipsis)
+        return {"type": "array", "items": _any_of([_schema(each, parts) for each in kinds])}
+    return {"type": "array", "items": {"type": ["number", "boolean", "array", "null"]}}
+
+
+def _reference(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
+    """Return the reference to the schema of a data class, which is added to `parts`."""
+    name = shape.__name__
+    if name not in parts:
+        parts[name] = {}  # a data class may hold others of its own
+        parts[name] |= _object(shape, parts)
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a data class, whose descriptions are those of its docstring."""
+    properties: dict[str, Any] = {}
+    required: list[str] = []
+    others: list[Any] = []
+    for entry in _entries(shape):
+        alternatives = _alternatives(entry.hint)
+        known = [each for each in alternatives if each is not type(None)]
+        if Written.BESIDE not in entry.how:
+            schema = _schema(entry.hint, parts)
+            schema = _any_of([schema, {"type": "null"}]) if Written.OR_NULL in entry.how else schema
+            properties[entry.key] = {"description": entry.meaning, **schema} if entry.meaning else schema
+            required += [entry.key] if Written.IF_KNOWN not in entry.how else []
+        elif is_dataclass(known[0]):
+            added = _object(known[0], parts)
+            properties |= added["properties"]
+            required += added["required"] if len(alternatives) == 1 else []
+        else:
+            others.append(get_args(known[0])[1])
+    return {
+        "type": "object",
+        "description": (shape.__doc__ or "").split("\n\n")[0],
+        "properties": properties,
+        "required": required,
+        "additionalProperties": _any_of([_schema(each, parts) for each in others]) if others else False,
+    }
+
+
+def _any_of(schemas: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """Return the schema of values that one of some schemas allows."""
+    different = [schema for number, schema in enumerate(schemas) if schema not in schemas[:number]]
+    if _NUMBER in different:
+        different = [schema for schema in different if schema != {"type": "null"}]
+    return different[0] if len(different) == 1 else {"anyOf": different}
+
+
+def _alternatives(hint: Any) -> tuple[Any, ...]:
+    """Return the members of a union, or the type itself."""
+    if get_origin(hint) is Annotated:
+        return _alternatives(get_args(hint)[0])
+    return get_args(hint) if get_origin(hint) in (Union, types.UnionType) else (hint,)
+
+
+@cache
+def _entries(shape: type) -> tuple[_Entry, ...]:
+    """Return what JSON has of a data class: its fields in their order, then its properties."""
+    hints = get_type_hints(shape, include_extras=True)
+    meanings = {name: " ".join(text.split()) for name, text in _ATTRIBUTE.findall(shape.__doc__ or "")}
+    every = [(each.name, hints[each.name], True, meanings.get(each.name, "")) for each in fields(shape)]
+    for base in reversed(shape.__mro__):
+        for name, member in vars(base).items():
+            if isinstance(member, property | cached_property):
+                function = member.fget if isinstance(member, property) else member.func
+                every.append((name, _returned(function), False, (function.__doc__ or "").split("\n")[0]))
+    entries = [entry for each in every if (entry := _entry(*each)) is not None]
+    return tuple(sorted(entries, key=lambda entry: Written.FIRST not in entry.how))
+
+
+def _entry(name: str, hint: Any, is_field: bool, meaning: str) -> _Entry | None:
+    """Return how JSON has a field or a property; None where it does not."""
+    notes = list(_notes(hint))
+    how = frozenset(note for note in notes if isinstance(note, Written))
+    if Written.NEVER in how or not (is_field or notes):
+        return None
+    unit = next((note.si for note in notes if isinstance(note, Unit)), "")
+    key = next((note.name for note in notes if isinstance(note, Key)), name)
+    return _Entry(name=name, key=key_with_unit(key, unit), unit=unit, how=how, hint=hint, meaning=meaning)
+
+
+def _returned(function: Callable[..., Any] | None) -> Any:
+    """Return the type that a property returns; None where only a type checker imports it: JSON has no such value."""
+    try:
+        return get_type_hints(function, include_extras=True).get("return")
+    except NameError:
+        return None
+
+
+def _notes(hint: Any) -> Iterator[Any]:
+    """Yield the units, keys and rules in a type, the outer ones first; those within data classes are not its own."""
+    if get_origin(hint) is Annotated:
+        yield from (note for note in hint.__metadata__ if isinstance(note, Unit | Key | Written))
+    for argument in get_args(hint):
+        yield from _notes(argument)

@@ -1,0 +1,226 @@
+"""The energy landscape of bodies on joints in a tree, found in the coordinates of their hinges."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.design import TORQUE, Design
+from forficula.quantities import show_quantity
+from forficula.statics.equilibrium import Equilibria
+from forficula.statics.fold_path import FoldPath, fold_path, fold_states
+from forficula.statics.hinge_landscape import CrossedHinge, crossed_hinges
+from forficula.statics.inertial_help import InertialHelp, inertial_help
+from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest
+from forficula.statics.partial_folds import (
+    fold_levels,
+    partial_folds,
+    single_hinge_barriers,
+    soft_stiffness,
+)
+from forficula.statics.potential import Ensemble, ensemble, slight_energy, stored_energy
+from forficula.statics.quasi_static import (
+    SlowTransition,
+    at_goal,
+    crosses,
+    least_slow_torque,
+    start_state,
+    state_after,
+    state_beyond,
+)
+from forficula.statics.slow_remarks import slow_remarks
+from forficula.statics.tip_stiffness import tip_stiffness
+from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
+
+# torques tried on hinges that tendons cross, by the largest moment of a tendon against it
+_MOST_OPENING = 4.0
+# by which hinges are shifted where a structure begins to snap, rad: not at all, and three times by about 0.3 deg
+_KICKS = (0.0, *[math.radians(0.3)] * 3)
+_STRAIGHT = math.radians(1)  # what counts as straight
+_SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one place, to what tables show
+
+
+def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyLandscape:
+    """Survey the statics of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
+    structures = ensemble([structure])
+    hinges = crossed_hinges(structure, points)
+    path = None if structure.rigid_fold is None else fold_path(structures, points)
+    start = start_state(structures)
+    peaks = [each.own.peak_opening.torque for each in hinges if each.own.peak_opening is not None]
+    rests, courses, said = _protocol(structures, start, max(peaks, default=0.0))
+    return EnergyLandscape(
+        design=design,
+        structure=structure,
+        rests=rests,
+        states=() if path is None else fold_states(structure, path),
+        passes=() if path is None else _passes(path),
+        courses=courses,
+        remarks=(
+            *structure.remarks,
+            *_tendon_remarks(structure, hinges),
+            *_shared_remarks(structure),
+            *_friction_remarks(structure),
+            *(() if path is None else path.remarks),
+            *_start_remarks(structure, start.position[0]),
+            *said,
+        ),
+        hinges=hinges,
+        fold_path=path,
+        levels=fold_levels(structure),
+        partial_folds=partial_folds(structures, start.position),
+        hinge_barriers=single_hinge_barriers(structures, start.position),
+        tips=None if path is None else tip_stiffness(structures, start.position),
+    )
+
+
+def _protocol(
+    structures: Ensemble, start: Equilibria, peak: float
+) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[str, ...]]:
+    """Where a structure rests after each transition, the least torques that make them, and what to say of those.
+
+    Args:
+        structures: of which the first case is taken.
+        start: where it rests first.
+        peak: the largest moment of a tendon against opening, N m.
+    """
+    structure = structures.structure
+    rests = [_rest(structures, first_state(structure, [state.name for state in structure.states]), start)]
+    courses, remarks = list[LeastTorque](), list[str]()
+    before, held = start, True
+    for transition in structure.transitions:
+        largest = _largest_torque(structures, transition, peak)
+        slow, span, after = None, None, state_beyond(structures, transition)
+        rests.append(_rest(structures, transition.state, after, rests))
+        # from where it does not rest nothing leads on
+        if held:
+            several = structures.repeated(len(_KICKS))
+            begins = np.tile(before.position, (len(_KICKS), 1))
+            shifted = least_slow_torque(several, begins, transition, largest, recorded=True, kicks=_KICKS)
+            slow = replace(shifted, torque=shifted.torque[:1], position=shifted.position[:1])
+            if np.isfinite(shifted.torque).any():
+                torques = np.where(np.isnan(shifted.torque), np.inf, shifted.torque)
+                span = float(torques.min()), float(torques.max())
+            after = state_after(structures, transition, slow.torque, slow.position)
+        helped = _help(structures, transition, slow)
+        courses.append(
+            LeastTorque(
+                name=transition.name,
+                drive=drive_of(structure, transition.drive),
+                least=None if slow is None or math.isnan(slow.torque[0]) else float(slow.torque[0]),
+                span=span,
+                inertial_help=helped,
+            )
+        )
+        remarks += slow_remarks(structure, transition, largest, slow, span, helped)
+        before, held = after, bool(at_goal(structures, after.position, goal_of(structure, transition.released))[0])
+    return tuple(rests), tuple(courses), tuple(remarks)
+
+
+def _passes(path: FoldPath) -> tuple[Pass, ...]:
+    """From each stable state along a fold to the next one, over the highest place between them."""
+    places = [place for place, state in enumerate(path.states) if state.stable]
+    passes = []
+    for number, (low, high) in enumerate(pairwise(places)):
+        top = max(state.energy for state in path.states[low : high + 1])
+        barriers = (top - path.states[low].energy, top - path.states[high].energy)
+        passes.append(Pass(ends=(number, number + 1), barriers=barriers, energy=top))
+    return tuple(passes)
+
+
+def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[Rest] = ()) -> Rest:
+    state, position = state_of(structures.structure, name), found.position[0]
+    goal = None if state is None else goal_of(structures.structure, state.goal)
+    within = goal is None or bool(at_goal(structures, found.position[:1], goal)[0])
+    slight = slight_energy(structures)
+
+    def known(energy: Array) -> float:
+        return float(energy[0]) if abs(energy[0]) > slight else 0.0
+
+    return Rest(
+        name=name if within or state is None else state.missed,
+        angles=position,
+        energy=known(found.energy),
+        stored={part: known(energy) for part, energy in stored_energy(structures, found.position[:1]).items()},
+        stable=bool(found.rests[0] and found.stiffness[0] > -soft_stiffness(structures)),
+        within=within,
+        same_as=next((each.name for each in earlier if np.all(np.abs(each.angles - position) <= _SAME)), ""),
+    )
+
+
+def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
+    """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
+    drive = drive_of(structures.structure, transition.drive)
+    own = abs(drive.strength)
+    return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
+
+
+def _help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
+    if found is None or not found.torque[0] > 0:
+        return None
+    return inertial_help(structures, found.paths[0], drive_of(structures.structure, transition.drive))
+
+
+def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tuple[str, ...]:
+    """What is said of the tendons' hinges: of the ideal ones, and of the true ones where those are slack otherwise.
+
+    What holds for some tendons only is said with their names.
+    """
+    of: dict[str, list[str]] = {}
+    for each in hinges:
+        tendon, own, ideal = structure.tendons[each.tendon], each.own, each.ideal
+        remarks = own.remarks if ideal is None else ideal.remarks
+        # where both are slack, the angles differ a little
+        if ideal is not None and ideal.hinge.pulls != own.hinge.pulls:
+            whose = structure.appearance.whole
+            remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in own.remarks))
+        for remark in remarks:
+            of.setdefault(remark, []).append(tendon.label or tendon.name)
+    return tuple(
+        remark if len(names) == len(hinges) else f"{', '.join(names)}: {remark}" for remark, names in of.items()
+    )
+
+
+def _shared_remarks(structure: Structure) -> tuple[str, ...]:
+    """What the landscapes of single hinges leave out where more than one tendon acts on some of them."""
+    of: dict[int, list[str]] = {}
+    for tendon in structure.tendons:
+        if tendon.crossing is not None:
+            of.setdefault(tendon.crossing.hinge, []).append(tendon.label or tendon.name)
+    remarks = [
+        f"{', '.join(names)} lie across one hinge, {structure.hinges[hinge].label or structure.hinges[hinge].name}: its"
+        f" landscapes have one of them each, all else is of all"
+        for hinge, names in of.items()
+        if len(names) > 1
+    ]
+    across = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is None]
+    if across and of:
+        remarks.append(f"the landscapes of single hinges leave out what lies across several: {', '.join(across)}")
+    return tuple(remarks)
+
+
+def _friction_remarks(structure: Structure) -> tuple[str, ...]:
+    largest = max((hinge.friction for hinge in structure.hinges), default=0.0)
+    if not largest:
+        return ()
+    return (
+        f"the landscape leaves out the dry friction of up to {show_quantity(largest, TORQUE)} of hinges: it holds"
+        " states more firmly, and torques that move them are larger",
+    )
+
+
+def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
+    if structure.rigid_fold is None:
+        return ()
+    least = float(angles[list(structure.rigid_fold.folds)].min())
+    if least >= -_STRAIGHT:
+        return ()
+    return (
+        f"let go flat, the compliant {structure.appearance.whole} does not stay so: a hinge goes to"
+        f" {math.degrees(least):.4g} deg;"
+        " its flat state, and what is said of it, is that",
+    )

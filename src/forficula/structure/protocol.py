@@ -1,0 +1,220 @@
+"""The protocol of a design on what is built: motors and drives on its hinges and points, and goals for its measures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.design import Design, SheetDesign, stage_drives
+from forficula.design.named_protocol import Action, Drive, NamedProtocol
+from forficula.errors import InputError
+from forficula.quantities import as_written
+from forficula.structure.course import Goal, Motor
+from forficula.structure.goals import coordinate_count, drive_of, goal_of
+from forficula.structure.sheet_measures import hinges_by_edge
+from forficula.structure.sheet_nodes import node_of, sheet_nodes
+from forficula.structure.structure import Structure
+from forficula.structure.tree import built_points
+
+# rad; a crease this near to its target is there
+_NO_WAY = 1e-9
+# stiffness of what displaces points, by the stiffest bar there, and its damping ratio with the mass of the point alone:
+# it lags by less than bars stretch, and shortens the timestep by less than half
+_SERVO, _SERVO_DAMPING = 4.0, 0.5
+
+
+def with_protocol(structure: Structure, design: Design) -> Structure:
+    """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
+    named = design.named_protocol
+    motors, drives = _driven(structure, design, named)
+    structure = replace(
+        structure,
+        motors=motors,
+        drives=drives,
+        goals=(),
+        states=named.states,
+        stage_states=named.stage_states,
+        transitions=named.transitions,
+    )
+    goals = (
+        _target(structure, named) if name == "target" else replace(goal_of(structure, text), name=name)
+        for name, text in named.goals.items()
+    )
+    return replace(structure, drives=(*drives, *_together(structure, design)), goals=tuple(goals))
+
+
+def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
+    """Motors and drives: hinges that the same torques act on share a motor, all other actions have their own."""
+    motors, moved = _torques(structure, named.drives)
+    strengths = [drive.strength for drive in named.drives]
+    for number, drive in enumerate(named.drives):
+        for action in drive.actions:
+            if action.kind == "torque":
+                continue
+            if action.to_targets:
+                motor, strengths[number] = _to_targets(structure, action, named.targets)
+            elif action.kind == "rest-angle":
+                motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(_hinges(structure, action)))
+            else:
+                motor = _at_places(structure, design, number, action)
+            motors.append(motor)
+            moved.append({number: action.share})
+    return tuple(motors), tuple(
+        replace(drive, shares=tuple(shares.get(number, 0.0) for shares in moved), strength=strengths[number])
+        for number, drive in enumerate(named.drives)
+    )
+
+
+def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
+    """The motors of torques, and the share of each by the number of the drive that it follows."""
+    acting = [
+        (number, action, _hinges(structure, action))
+        for number, drive in enumerate(drives)
+        for action in drive.actions
+        if action.kind == "torque"
+    ]
+    shared: dict[tuple[int, ...], list[int]] = {}
+    for hinge in range(len(structure.hinges)):
+        following = tuple(place for place, (_, _, hinges) in enumerate(acting) if hinge in hinges)
+        if following:
+            shared.setdefault(following, []).append(hinge)
+    # motors of creases in the order of these, those of named hinges in that of the actions
+    order = sorted(shared, key=lambda places: places[0] if acting[places[0]][1].hinges else 0)
+    motors: list[Motor] = []
+    for places in order:
+        hinges = shared[places]
+        whole = [action.motor for _, action, its in (acting[place] for place in places) if its == hinges]
+        motors.append(
+            Motor(
+                name=whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges),
+                hinges=tuple(hinges),
+                gains=_parts_of_creases(structure, hinges),
+                no_load_speed=_no_load_speed({acting[place][0]: acting[place][1] for place in places}),
+            )
+        )
+    return motors, [{acting[place][0]: acting[place][1].share for place in places} for places in order]
+
+
+def _hinges(structure: Structure, action: Action) -> list[int]:
+    """Numbers of the hinges that an action is on, rising."""
+    return [
+        number
+        for number, hinge in enumerate(structure.hinges)
+        if hinge.edge in action.edges or hinge.role in action.hinges or hinge.name in action.hinges
+    ]
+
+
+def _no_load_speed(actions: Mapping[int, Action]) -> float:
+    """That of actions on the same hinges, by the numbers of their drives."""
+    speeds = {action.no_load_speed: number for number, action in actions.items()}
+    if len(speeds) > 1:
+        one, other = sorted(speeds.values())
+        raise InputError(
+            f"drive.{other}.no_load_speed: need that of drive.{one}, which acts on the same creases, got another"
+        )
+    return next(iter(speeds))
+
+
+def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[float, ...]:
+    """The share of each hinge in the length of its crease; none where every hinge is whole."""
+    numbers = hinges_by_edge(structure.hinges)
+    if all(len(numbers.get(structure.hinges[hinge].edge, ())) < 2 for hinge in hinges):
+        return ()
+    ends = built_points(structure)[[(structure.hinges[hinge].flaps or ())[:2] for hinge in hinges]]
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    edges = np.array([structure.hinges[hinge].edge for hinge in hinges])
+    return tuple(float(length / lengths[edges == edge].sum()) for edge, length in zip(edges, lengths, strict=True))
+
+
+def _to_targets(structure: Structure, action: Action, targets: Mapping[int, float]) -> tuple[Motor, float]:
+    """The motor of springs whose rest angles go on to their targets, and the way of the one that goes furthest, rad."""
+    angles, hinges = _target_angles(structure, targets), _hinges(structure, action)
+    ways = {hinge: angles[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in angles}
+    motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(ways))
+    furthest = max(map(abs, ways.values()), default=0.0)
+    if furthest <= _NO_WAY:
+        return motor, 0.0
+    return replace(motor, gains=tuple(way / furthest for way in ways.values())), furthest
+
+
+def _at_places(structure: Structure, design: Design, number: int, action: Action) -> Motor:
+    """The motor of a force or a displacement, by the number of its drive; nodes have the numbers of their points."""
+    direction = np.array(action.direction, dtype=np.float64)
+    if isinstance(design, SheetDesign) and not structure.plates:
+        nodes = sheet_nodes(design)
+        points = tuple(node_of(design.sheet, nodes, text) for text in action.places)
+        for point, text in zip(points, action.places, strict=True):
+            if not any(direction[axis] for axis in structure.bodies[point].slides):
+                raise InputError(
+                    f"drive.{number}.of: need a vertex that is free along drive.{number}.direction, got"
+                    f" {as_written(text)}, which a support holds"
+                )
+    else:
+        named = {point.name: place for place, point in enumerate(structure.points)}
+        points = tuple(named[pushed_name(action.motor, place)] for place in range(len(action.places)))
+    direction /= np.linalg.norm(direction)
+    motor = Motor(name=action.motor, kind=action.kind, points=points, direction=direction)
+    if action.kind == "force":
+        return motor
+    stiffness = _SERVO * _stiffest(structure, points)
+    masses = [structure.bodies[structure.points[point].body].mass for point in points]
+    damping = tuple(2 * _SERVO_DAMPING * math.sqrt(stiffness * mass) for mass in masses)
+    return replace(motor, stiffness=stiffness, damping=damping)
+
+
+def _stiffest(structure: Structure, points: Sequence[int]) -> float:
+    """Stiffness of the stiffest bar at some points, N/m; of membranes Young's modulus times thickness."""
+    bars = [spring.stiffness for spring in structure.springs if set(spring.points) & set(points)]
+    return max([*bars, *(each.law.youngs_modulus * each.law.thickness for each in structure.membranes)])
+
+
+def pushed_name(drive: str, number: int) -> str:
+    """What the point of a plate is called at which a force acts, by the names of the drive and the number of place."""
+    return f"drive_{drive}_{number}"
+
+
+def _target_angles(structure: Structure, targets: Mapping[int, float]) -> dict[int, float]:
+    """Where creases are to fold to, in their own senses, rad, by the numbers of their hinges."""
+    numbers = hinges_by_edge(structure.hinges)
+    found = {hinge: angle for edge, angle in targets.items() for hinge in numbers[edge]}
+    return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items()}
+
+
+def _target(structure: Structure, named: NamedProtocol) -> Goal:
+    """The goal that every crease is where it is to fold to."""
+    count = coordinate_count(structure)
+    least, most = np.full(count, -np.inf), np.full(count, np.inf)
+    for hinge, angle in _target_angles(structure, named.targets).items():
+        least[hinge], most[hinge] = angle - named.arrival, angle + named.arrival
+    return Goal(name="target", kind="bounds", least=least, most=most)
+
+
+def _together(structure: Structure, design: Design) -> list[Drive]:
+    """The drives of stages that have several, each as one, where they lead to a state."""
+    known, stages = [drive.name for drive in structure.drives], design.protocol.stages
+    return [
+        _in_proportion(structure, stage_drives(stages[transition.stage]))
+        for transition in {each.drive: each for each in structure.transitions}.values()
+        if transition.drive not in known and transition.stage is not None
+    ]
+
+
+def _in_proportion(structure: Structure, names: Sequence[str]) -> Drive:
+    """Drives as one, which grow in proportion: that of the first with the others' shares.
+
+    One of no strength is no measure of the others: the first that has some is.
+    """
+    drives = [drive_of(structure, name) for name in names]
+    lead = next((drive for drive in drives if drive.strength), drives[0])
+    others = [drive for drive in drives if drive is not lead]
+    torques = [sum(each) for each in zip(*(drive.strengths for drive in drives), strict=True)]
+    return replace(
+        lead,
+        name=" and ".join(names),
+        shares=tuple(torque / lead.strength if lead.strength else 0.0 for torque in torques),
+        rise=max(drive.rise for drive in drives),
+        where=f"{lead.where}, with {' and '.join(drive.name for drive in others)} in proportion",
+    )
