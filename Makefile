@@ -13,7 +13,7 @@ demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder20
 
 test: $(INSTALLED)  ## run all tests; the next make docs tells of those of validation
 	mkdir -p docs/_build
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --junitxml=docs/_build/validation.xml  # a thread a core
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --junitxml=docs/_build/validation.xml  # a thread a worker
 
 test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and hold all solids to it
 	$(BIN)/python -m pip install --quiet --editable ".[step]"
