@@ -93,6 +93,10 @@ def test_keys_have_the_unit_of_their_field_and_angles_are_in_degrees():
     }
 
 
+def test_a_whole_number_of_radians_is_an_angle_too():
+    assert plain(swing(angle=1))["angle_deg"] == math.degrees(1.0)
+
+
 def test_a_value_that_exists_only_sometimes_has_its_key_only_then():
     assert "stored_J" not in plain(swing())
     assert plain(swing(energy=2.0, note="slow"))["stored_J"] == 2.0

@@ -119,11 +119,13 @@ def plain(value: Any, unit: str = "") -> Any:
     """
     if isinstance(value, Enum):
         return value.value
-    if value is None or isinstance(value, bool | int | str):
+    if value is None or isinstance(value, bool | str):
         return value
-    if isinstance(value, float):
-        number = math.degrees(value) if unit == "rad" else float(value)
-        return number if math.isfinite(number) else None
+    if isinstance(value, int | float):
+        number = math.degrees(value) if unit == "rad" else value
+        if isinstance(number, int):
+            return number
+        return float(number) if math.isfinite(number) else None  # of NumPy, too
     if isinstance(value, Mapping):
         return {
             key_with_unit(key, each.unit) if isinstance(each, WithUnit) else key: plain(each, unit)

@@ -34,7 +34,7 @@ class Presentation:
         read: returns what draws every figure of a folder, by the stem of its file; None where the folder does not have
             all that the figures show.
         copied: where `read` is None, why figures are copied and not drawn again, for messages.
-        write: writes a result to a folder as its command does; None where a command writes more than the result has.
+        write: writes a result to a folder as its command does; None where only the command can.
         page: writes a result as one HTML file, with the simulator or without; None where `write` writes it.
     """
 
