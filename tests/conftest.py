@@ -37,6 +37,11 @@ def pytest_collection_finish():
     gc.enable()
 
 
+def pytest_xdist_auto_num_workers():
+    """One worker more than cores, because tests wait for browsers and other processes while a core is idle."""
+    return (os.cpu_count() or 1) + 1
+
+
 # how long an example takes says more of the machine than of the code
 settings.register_profile("forficula", deadline=None)
 # What lands is checked by the same examples everywhere. Fewer do, because they are never new; who develops looks for

@@ -112,6 +112,7 @@ def test_figures_are_drawn_of_whatever_a_call_hands_back(tmp_path, record):
         ff.save({}, tmp_path)
 
 
+@pytest.mark.usefixtures("no_column_figures")
 def test_every_result_that_is_saved_is_written_as_a_page_too(tmp_path, design):
     results = {
         "landscape": ff.landscape("binder2025-joint"),

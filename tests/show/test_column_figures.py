@@ -91,6 +91,11 @@ KINDS = [
     *(f"stuck, {kind}" for kind in ("angles", "energy", "folding")),
     "cycling, cycles",
 ]
+# by the same code as another kind, with other words: a page, which has more room for these, is tried with that one
+DRAWN_BEFORE = (
+    *("three cycles, cycles", "study, torques", "study, energy", "beside, map"),
+    *("stuck, angles", "stuck, energy", "stuck, folding"),
+)
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
@@ -106,7 +111,9 @@ def test_a_legend_that_is_wider_than_its_figure_gets_fewer_columns_and_then_more
         assert told == " ".join(handle.get_label() for handle in handles).split()
 
 
-@pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("kind", "width"),
+    [*((kind, COLUMN_WIDTH) for kind in KINDS), *((kind, PAGE_WIDTH) for kind in KINDS if kind not in DRAWN_BEFORE)],
+)
 def test_all_words_of_a_figure_can_be_read_and_a_text_tells_its_numbers(drawings, kind, width):
     check_words(drawings[kind](width), width)

@@ -6,8 +6,6 @@ are not targets: the paper's geometry is lost. Membrane: elasticity of a strip; 
 """
 
 import math
-import subprocess
-import sys
 
 import mujoco
 import numpy as np
@@ -104,19 +102,17 @@ def test_a_diverged_run_is_data(outcome_of):
     assert not outcome.holds["opened"]
 
 
-def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path):
-    program = (
-        'import forficula as ff;design = ff.load_design("binder2025", {"protocol.timestep": "5 ms"});'
-        "print(ff.run(design, confirm=False).diverged_at)"
-    )
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert float(done.stdout) > 0
-    assert done.stderr == ""
+def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path, monkeypatch, capfd):
+    monkeypatch.chdir(tmp_path)
+    design = ff.load_design("binder2025", {"protocol.timestep": "5 ms"})
+    assert ff.run(design, confirm=False).diverged_at > 0
+    assert capfd.readouterr().err == ""
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(("units", "sector_angle"), [(2, "20 deg"), (3, "15 deg")])
-@pytest.mark.parametrize("timestep", ["0.2 ms", "0.1 ms"])
+@pytest.mark.parametrize(
+    ("units", "sector_angle", "timestep"), [(2, "20 deg", "0.1 ms"), (2, "20 deg", "0.2 ms"), (3, "15 deg", "0.2 ms")]
+)
 def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_angle, timestep):
     """100 N cm either way, held for 0.3 s; let go at once, hinges swing back by more than the 30 deg that count."""
     design = fan(
@@ -129,9 +125,10 @@ def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_
     assert outcome.states["folded"].readings["distal_angle"].mean.shape == (2 * units + 1,)
 
 
-def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
+def test_a_fan_of_five_units_folds_under_100_newton_centimetres_at_the_timestep_that_is_chosen():
     """It folds under the torque; whether all eleven hinges stay beyond 150 deg when let go is another matter."""
-    design = fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "0.1 ms"})
+    design = with_timestep(fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "auto"}))
+    assert timestep_warnings(design) == []
     record = ff.run(design, confirm=False)
     assert record.diverged_at is None
     assert record.stages[1].goal_time is not None
@@ -144,9 +141,8 @@ def test_a_fan_of_five_units_folds_under_100_newton_centimetres():
         {"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"},
         {"pattern.units": 2},
         {"pattern.units": 3, "pattern.sector_angle": "15 deg", "membrane.youngs_modulus": "5 MPa"},
-        {"pattern.units": 5, "pattern.sector_angle": "12 deg", "protocol.fold_torque": "100 N cm"},
     ],
-    ids=["reference", "stiff tendons", "five veins", "seven veins of 5 MPa", "eleven veins"],
+    ids=["reference", "stiff tendons", "five veins", "seven veins of 5 MPa"],
 )
 def test_the_timestep_that_is_chosen_does_not_diverge(values):
     design = with_timestep(ff.load_design("binder2025", {**values, "protocol.timestep": "auto"}))

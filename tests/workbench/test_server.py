@@ -228,7 +228,7 @@ def test_work_ends_when_its_page_leaves(served):
     )
 
 
-@pytest.mark.parametrize(("by", "at_work"), [("SIGINT", True), ("SIGTERM", True), ("SIGHUP", False)])
+@pytest.mark.parametrize(("by", "at_work"), [("SIGINT", True), ("SIGTERM", False), ("SIGHUP", False)])
 def test_ctrl_c_ends_it_in_the_midst_of_work_with_one_line_and_leaves_nothing(
     tmp_path, tmp_path_factory, monkeypatch, by, at_work
 ):

@@ -177,15 +177,15 @@ def test_work_of_torques_that_speed_takes_of_is_that_of_the_record(run_in_page):
 
 
 def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
-    """Every other length of Binder et al. 2025, table 1, with 50 N cm and at the design's own step."""
+    """Some of Binder et al. 2025, table 1, with 50 N cm and at the design's own step."""
     design = with_timestep(load_design("binder2025"))
     settle, fold, release = design.as_tables()["protocol"]["stages"][:3]
     # whether they stay folded is seen by then; how those that did not fold swing for two seconds more tells nothing
     design = with_values(design, {"protocol.stages": [settle, fold, release | {"time_limit": "0.15 s"}]})
     tendons = [
         {"tendon.stiffness": 1000.0 * tens, "tendon.rest_length": length / 100}
-        for tens in range(1, 7)
-        for length in range(0, 10, 2)
+        for tens in (1, 3, 6)
+        for length in (0, 2, 4, 6, 8)
     ]
     records = simulate([compile_model(with_values(design, each)) for each in tendons], sparse=True)
     found = outcomes(run_in_page(design, tendons))

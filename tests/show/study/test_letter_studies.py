@@ -14,8 +14,8 @@ from forficula.show.study.study_table import print_study
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study import load_study, run_study
 
-# every figure is drawn by `check`
-pytestmark = pytest.mark.usefixtures("no_figures")
+# every figure is drawn by `check`, for no file
+pytestmark = pytest.mark.usefixtures("undrawn")
 
 STIFFNESS = '"crease.stiffness" = ["1e-2 N m/rad/m", "0.2 N m/rad/m"]'
 DRIVE = '"drive.close.value" = ["1 N cm", "6 N cm"]'
@@ -56,7 +56,7 @@ def check(study, table, tmp_path, kinds, sentence, *, engine=False):
         figure = drawing(COLUMN_WIDTH)
         FigureCanvasAgg(figure).draw()
         assert not re.search("wing| fold", description(figure))
-    write_study(study, table, tmp_path / "written")  # those of a page are composed for it
+    write_study(study, table, tmp_path / "written")
     print_study(study, table)
     # behind it stands how many runs were repeated
     assert study_sentence(study, table).partition(f". {table.attrs['runs_repeated']} of ")[0].rstrip(

@@ -1,0 +1,44 @@
+"""What holds of every refusal of a value in a design, whichever key it is of; its words are tested once per rule."""
+
+import re
+
+import pytest
+
+from forficula.design import load_design
+from forficula.design.held_keys import held_keys
+from forficula.errors import InputError
+
+ALLOWED = re.compile("need |write it such as |neither .* nor ")
+DESIGNS = {name: load_design(name) for name in ("binder2025", "letter-fold", "miura-sheet", "binder2025-joint")}
+# with values, but for those of parts whose kind decides which keys there are
+KEYS = [
+    (name, each.fact.key)
+    for name, design in DESIGNS.items()
+    for each in held_keys(design)
+    if each.value and not each.fact.key.startswith(("drive.", "measure.", "support.", "tendon.law."))
+]
+
+
+def refusal(name, key, value):
+    """The words with which a value is refused, or nothing."""
+    try:
+        load_design(name, {key: value})
+    except InputError as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.parametrize("value", ["-3 parsec", "qqq", "-7e77"])
+def test_every_refusal_names_the_key_the_value_and_what_is_allowed(value):
+    names = {key: name for name, key in KEYS}
+    messages = {key: refusal(name, key, value) for key, name in names.items()}
+    refused = {key: message for key, message in messages.items() if message}
+    assert len(refused) > len(messages) / 2
+    for key, message in refused.items():
+        assert len(message.splitlines()) == 1
+        # what contradicts another key is told with the design's name before it; a name is missed where it is used
+        section = "" if key.endswith(".name") else key.rpartition(".")[0]
+        assert re.match(rf"(\S+: )?{re.escape(section)}[.\w]*: ", message), message
+        # as it was written, or as it is counted or converted
+        assert value in message or ", got " in message, message
+    assert [message for message in refused.values() if not ALLOWED.search(message)] == []
