@@ -42,7 +42,7 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, which sho
 	$(BIN)/python benchmarks/contact.py --units 1 --strips 1
 	$(BIN)/python benchmarks/identify.py --plantings 1 --only smooth
 	$(BIN)/python benchmarks/named_designs.py letter-fold
-	$(BIN)/python benchmarks/optimise.py --runs 4 --batch 4 --seeds 1 --only ways
+	$(BIN)/python benchmarks/optimise.py --runs 4 --batch 4 --seeds 1 --only methods --goals wing joint
 	$(BIN)/python benchmarks/screening.py --repetitions 1
 	$(BIN)/python benchmarks/search.py --points 1 --plain 1 --wings 2 --rounds 1
 	$(BIN)/python benchmarks/sheets.py --most 2

@@ -103,31 +103,32 @@ PROBLEMS: dict[str, dict[str, Any]] = {
 }
 
 
-class Spread:
-    """Scrambled Sobol points, whatever became of those before."""
+class SobolPoints:
+    """Scrambled Sobol points, which do not depend on trials."""
 
     def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
         self._axes, self._batch = axes, batch
         self._points = qmc.Sobol(len(axes), rng=np.random.default_rng(seed))
 
     def ask(self) -> list[Point]:
+        """Return the next batch of the sequence."""
         return placed(self._axes, np.array([self._points.random()[0] for _ in range(self._batch)]))
 
     def tell(self, trials: Sequence[Trial]) -> None:
-        pass
+        """Learn nothing."""
 
 
 def cost(trial: Trial) -> float:
-    """An objective, or, far above all, by how much limits fail."""
+    """Return the objective of a feasible trial; of any other, its violation of the limits, far above all objectives."""
     return trial.objectives[0] if trial.feasible else 1e3 * sum(standing(trial)[:3])
 
 
 class ClosedError(Exception):
-    """Nothing more is told."""
+    """No more trials follow."""
 
 
-class Turned:
-    """An optimiser that calls a function of points, in a thread of its own, as one that asks and is told."""
+class CallbackOptimiser:
+    """An optimiser that calls back to evaluate points, run in a thread of its own behind `ask` and `tell`."""
 
     def __init__(self, axes: Sequence[Axis], run: Callable[[Callable[[np.ndarray], list[Trial]]], Any]) -> None:
         self._axes = axes
@@ -136,10 +137,10 @@ class Turned:
 
         def evaluate(points: np.ndarray) -> list[Trial]:
             self._asked.put(points)
-            told = self._told.get()
-            if told is None:
+            trials = self._told.get()
+            if trials is None:
                 raise ClosedError
-            return list(told)
+            return list(trials)
 
         def work() -> None:
             with contextlib.suppress(ClosedError):
@@ -149,10 +150,12 @@ class Turned:
         threading.Thread(target=work, daemon=True).start()
 
     def ask(self) -> list[Point]:
+        """Return the points that the optimiser waits for; none once it has ended."""
         points = self._asked.get()
         return [] if points is None else placed(self._axes, points)
 
     def tell(self, trials: Sequence[Trial]) -> None:
+        """Hand trials to the optimiser."""
         self._told.put(trials)
 
     def close(self) -> None:
@@ -176,7 +179,7 @@ def evolution(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
             tol=0.0,
         )
 
-    return Turned(axes, run)
+    return CallbackOptimiser(axes, run)
 
 
 def cobyqa(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
@@ -206,13 +209,13 @@ def cobyqa(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
                 options={"initial_tr_radius": 0.1, "final_tr_radius": 1e-5},
             )
 
-    return Turned(axes, run)
+    return CallbackOptimiser(axes, run)
 
 
-class Adaptation:
-    """CMA-ES of the package `cmaes`, at its own settings, from the middle; trials are ranked as ours are."""
+class RankedAdaptation:
+    """CMA-ES of the package `cmaes` at its own settings, from the middle; limits enter by the ranks of trials."""
 
-    def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
+    def __init__(self, axes: Sequence[Axis], _batch: int, seed: int) -> None:
         from cmaes import CMA
 
         bounds = np.array([[0.0, 1.0]] * len(axes))
@@ -220,45 +223,51 @@ class Adaptation:
         self._method = CMA(mean=np.full(len(axes), 0.5), sigma=0.3, bounds=bounds, seed=seed)
 
     def ask(self) -> list[Point]:
+        """Return the next population."""
         self._points = np.array([self._method.ask() for _ in range(self._method.population_size)])
         return placed(self._axes, self._points)
 
     def tell(self, trials: Sequence[Trial]) -> None:
+        """Rank a population."""
         self._method.tell([(point, cost(trial)) for point, trial in zip(self._points, trials, strict=True)])
 
 
-class Lagrangian:
-    """CMA-ES of the package `cma` with its augmented Lagrangian of the limits, at its own settings, from the middle."""
+class LagrangianAdaptation:
+    """CMA-ES of the package `cma` at its own settings, from the middle; limits enter by an augmented Lagrangian."""
 
-    def __init__(self, axes: Sequence[Axis], batch: int, seed: int) -> None:
+    def __init__(self, axes: Sequence[Axis], _batch: int, seed: int) -> None:
         import cma
 
-        self._axes, self._told = axes, {}
+        self._axes, self._points = axes, list[np.ndarray]()
+        # objective and violated margins by point
+        self._known: dict[tuple[float, ...], tuple[float, list[float]]] = {}
         options = {"bounds": [0, 1], "seed": seed + 1, "verbose": -9}
         self._method = cma.CMAEvolutionStrategy(np.full(len(axes), 0.5), 0.3, options)
         self._cost = cma.ConstrainedFitnessAL(
-            lambda place: self._told[tuple(place)][0], lambda place: self._told[tuple(place)][1], logging=False
+            lambda point: self._known[tuple(point)][0], lambda point: self._known[tuple(point)][1], logging=False
         )
 
     def ask(self) -> list[Point]:
+        """Return the next population."""
         self._points = self._method.ask()
         return placed(self._axes, np.array(self._points))
 
     def tell(self, trials: Sequence[Trial]) -> None:
+        """Hand objectives and margins of a population to the augmented Lagrangian."""
         for point, trial in zip(self._points, trials, strict=True):
             margins = np.nan_to_num(np.array(trial.margins), nan=-1.0)
-            self._told[tuple(point)] = float(np.nan_to_num(trial.objectives[0], nan=1e3)), list(-margins)
+            self._known[tuple(point)] = float(np.nan_to_num(trial.objectives[0], nan=1e3)), list(-margins)
         self._method.tell(self._points, [self._cost(point) for point in self._points])
         self._cost.update(self._method)
 
 
 METHODS: dict[str, Callable[[Sequence[Axis], int, int], Optimiser]] = {
     "ours": lambda axes, batch, seed: ParabolaSearch(axes, 1, batch, seed),
-    "Sobol points": Spread,
+    "Sobol points": SobolPoints,
     "differential evolution": evolution,
     "COBYQA": cobyqa,
-    "CMA-ES (cmaes)": Adaptation,
-    "CMA-ES (cma)": Lagrangian,
+    "CMA-ES (cmaes)": RankedAdaptation,
+    "CMA-ES (cma)": LagrangianAdaptation,
 }
 _NEEDS = {"CMA-ES (cmaes)": "cmaes", "CMA-ES (cma)": "cma"}
 
@@ -283,9 +292,7 @@ def main() -> None:
             for name in arguments.goals:
                 goal = goal_of(PROBLEMS[name])
                 courses = {
-                    method: measure_method(
-                        folder / name, goal, method, arguments.runs, arguments.batch, arguments.seeds
-                    )
+                    method: measure_method(folder / name, goal, method, arguments)
                     for method in arguments.methods
                     if method not in _NEEDS or importlib.util.find_spec(_NEEDS[method])
                 }
@@ -298,23 +305,23 @@ def main() -> None:
         arguments.json.write_text(json.dumps(numbers, indent=2) + "\n")
 
 
-def measure_method(folder: Path, goal: Goal, method: str, runs: int, batch: int, seeds: int) -> list[list[float]]:
-    """The best objective, SI, after every design, by seed; nan before anything meets the goal.
+def measure_method(folder: Path, goal: Goal, method: str, settings: argparse.Namespace) -> list[list[float]]:
+    """Return the best objective, SI, after every design, by seed; nan before any design meets the goal.
 
-    What is ruled out before any run counts as tried, as it does in the goal.
+    Designs that statics rules out before any run count as tried, as they do in the goal.
     """
     courses = []
     with open_assessor(folder, goal.base, threads=1) as assess:
-        for seed in range(seeds):
-            optimiser = METHODS[method](axes_of(goal), batch, seed)
+        for seed in range(settings.seeds):
+            optimiser = METHODS[method](axes_of(goal), settings.batch, seed)
             trials: list[Trial] = []
-            while len(trials) < runs and (points := optimiser.ask()):
-                told = _trials(goal, assess, points)
-                optimiser.tell(told)
-                trials += told
-            if isinstance(optimiser, Turned):
+            while len(trials) < settings.runs and (points := optimiser.ask()):
+                latest = _trials(goal, assess, points)
+                optimiser.tell(latest)
+                trials += latest
+            if isinstance(optimiser, CallbackOptimiser):
                 optimiser.close()
-            courses.append(_course(goal, trials[:runs]))
+            courses.append(_course(goal, trials[: settings.runs]))
     return courses
 
 
@@ -347,13 +354,11 @@ def _course(goal: Goal, trials: Sequence[Trial]) -> list[float]:
 def show_methods(goal: Goal, courses: Mapping[str, list[list[float]]]) -> None:
     """Print the best objective by designs tried: the median of the seeds, and at last the worst and the best."""
     objective = goal.objectives[0]
-    display, scale = (
-        objective.quantity.unit.display,
-        parse_quantity(f"1 {objective.quantity.unit.display}", objective.quantity.unit),
-    )
+    unit = objective.quantity.unit
+    scale = parse_quantity(f"1 {unit.display}", unit)
     most = min(len(course) for every in courses.values() for course in every)
     counts = sorted({count for count in (32, 64, 128, 256) if count < most} | {most})
-    print(f"{goal.name}: {objective.kind} {objective.quantity.name}, {display}")
+    print(f"{goal.name}: {objective.kind} {objective.quantity.name}, {unit.display}")
     print(f"{'designs tried':24}", *(f"{count:>10}" for count in counts), f"{'from':>10}", f"{'to':>10}")
     for name, every in courses.items():
         # a seed that found nothing is worse than any that did

@@ -2,14 +2,14 @@
 
 `{keys} earwig-fan` lists the keys of a kind of design, `{keys} study` those of a study file; `:section:` one section of
 them, `:without:` all others. The role {key} links to a key's row, and an unknown key stops the build. `{commands}`
-lists all commands with their options.
+lists all commands with their options, `{results}` the keys of the JSON of all results.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -25,6 +25,8 @@ from forficula.design.part import Part
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
+from forficula.results import KINDS as RESULTS
+from forficula.results import json_schema
 from forficula.study.study_file import StudyFile
 
 _DESIGN_PAGE = "reference/design-file"
@@ -35,6 +37,7 @@ _EVERYWHERE = "* `--quiet`"
 _PARAMETERS = "**Parameters**:"
 _FILES: dict[str, type[Part]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
 _NUMBER = re.compile(r"\.0\.")
+_TYPES = {"string": "text", "boolean": "yes or no", "integer": "whole number", "null": "null", "array": "list"}
 
 
 def facts_of(kind: str) -> list[KeyFact]:
@@ -148,8 +151,57 @@ class CommandsDirective(SphinxDirective):
         return found
 
 
+class ResultsDirective(SphinxDirective):
+    """The keys of the JSON of every kind of results, a section each."""
+
+    def run(self) -> list[nodes.Node]:
+        found: list[nodes.Node] = []
+        for kind in (kind for kind in RESULTS if kind.shape):
+            schema = json_schema(kind.json)
+            title = f"{kind.name[0].upper()}{kind.name[1:]}"
+            section = nodes.section(ids=[nodes.make_id(f"json-{kind.json}")], names=[f"json {kind.json}"])
+            section += nodes.title("", title)
+            lines = [f"{schema['description']} `forficula schema {kind.json}` prints the schema.", ""]
+            lines += _table_of(schema)
+            for name, part in schema.get("$defs", {}).items():
+                if "properties" in part:
+                    lines += [f"`{name}`: {part['description']}", "", *_table_of(part)]
+            self.state.document.note_explicit_target(section)
+            self.state.nested_parse(StringList(lines, "results"), self.content_offset, section)
+            found.append(section)
+        return found
+
+
+def _table_of(part: dict[str, Any]) -> list[str]:
+    """The keys of a table of JSON as a table in Markdown."""
+    rows = [(f"`{key}`", _told(each), each.get("description", "")) for key, each in part["properties"].items()]
+    if part.get("additionalProperties"):
+        rows.append(("others", _told(part["additionalProperties"]), "by name"))
+    cells = [" | ".join(text.replace("|", "\\|") for text in row) for row in (("key", "value", "meaning"), *rows)]
+    return [f"| {cells[0]} |", "|---|---|---|", *(f"| {each} |" for each in cells[1:]), ""]
+
+
+def _told(schema: dict[str, Any]) -> str:
+    """What a value may be, in words."""
+    if "$ref" in schema:
+        return f"`{schema['$ref'].rpartition('/')[2]}`"
+    if "anyOf" in schema:
+        return " or ".join(dict.fromkeys(_told(each) for each in schema["anyOf"]))
+    if "enum" in schema:
+        return ", ".join(f'"{each}"' for each in schema["enum"])
+    kind = schema.get("type", "anything")
+    if isinstance(kind, list):
+        return " or ".join(_TYPES.get(each, each) for each in kind if each != "null")
+    if kind == "array":
+        return f"list of {_told(schema['items'])}"
+    if kind == "object":
+        return f"{_told(schema.get('additionalProperties', {}))} by name"
+    return _TYPES.get(kind, kind)
+
+
 def setup(app: Sphinx) -> dict[str, object]:
     app.add_directive("keys", KeysDirective)
     app.add_directive("commands", CommandsDirective)
+    app.add_directive("results", ResultsDirective)
     app.add_role("key", KeyRole())
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

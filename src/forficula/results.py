@@ -74,7 +74,7 @@ KINDS: tuple[Kind, ...] = (
         classes=("EnergyLandscape",),
         data="landscape.json",
         json="landscape",
-        shape="forficula.analysis.json_schemas:landscape_schema",
+        shape="forficula.statics.landscape_summary:LandscapeSummary",
         marker="landscape.json",
     ),
     Kind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
@@ -173,8 +173,7 @@ def json_schema(name: str) -> dict[str, Any]:
     if name not in shapes:
         raise InputError(f"need {one_of(shapes, name)}")
     module, _, shape = shapes[name].partition(":")
-    found = getattr(import_module(module), shape)
-    return schema_of(found, name) if isinstance(found, type) else found()
+    return schema_of(getattr(import_module(module), shape), name)
 
 
 def json_file(kind: str) -> str:

@@ -58,7 +58,7 @@ class Written(Enum):
 
 
 @dataclass(frozen=True)
-class Quantity:
+class WithUnit:
     """A value whose unit is known only from the value itself, under a name of its own in a mapping.
 
     Attributes:
@@ -126,10 +126,10 @@ def plain(value: Any, unit: str = "") -> Any:
         return number if math.isfinite(number) else None
     if isinstance(value, Mapping):
         return {
-            key_with_unit(key, each.unit) if isinstance(each, Quantity) else key: plain(each, unit)
+            key_with_unit(key, each.unit) if isinstance(each, WithUnit) else key: plain(each, unit)
             for key, each in value.items()
         }
-    if isinstance(value, Quantity):
+    if isinstance(value, WithUnit):
         return plain(value.value, value.unit)
     if is_dataclass(value):
         return _plain_fields(value)
@@ -182,7 +182,7 @@ def _schema(hint: Any, parts: dict[str, Any]) -> dict[str, Any]:
         return {}
     if origin is Annotated:
         return _schema(arguments[0], parts)
-    if hint is Quantity:
+    if hint is WithUnit:
         return _any_of([_NUMBER, {"type": "array", "items": _NUMBER}])
     if origin in (Union, types.UnionType):
         return _any_of([_schema(each, parts) for each in arguments])
@@ -213,27 +213,29 @@ def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
     """Return the schema of a data class, whose descriptions are those of its docstring."""
     properties: dict[str, Any] = {}
     required: list[str] = []
-    others: list[Any] = []
+    others: list[dict[str, Any]] = []
     for entry in _entries(shape):
         alternatives = _alternatives(entry.hint)
         known = [each for each in alternatives if each is not type(None)]
         if Written.BESIDE not in entry.how:
-            schema = _schema(entry.hint, parts)
-            schema = _any_of([schema, {"type": "null"}]) if Written.OR_NULL in entry.how else schema
+            allowed = known if Written.IF_KNOWN in entry.how else alternatives
+            null = [{"type": "null"}] if Written.OR_NULL in entry.how else []
+            schema = _any_of([*(_schema(each, parts) for each in allowed), *null])
             properties[entry.key] = {"description": entry.meaning, **schema} if entry.meaning else schema
             required += [entry.key] if Written.IF_KNOWN not in entry.how else []
         elif is_dataclass(known[0]):
             added = _object(known[0], parts)
             properties |= added["properties"]
             required += added["required"] if len(alternatives) == 1 else []
+            others += [added["additionalProperties"]] if added["additionalProperties"] else []
         else:
-            others.append(get_args(known[0])[1])
+            others.append(_schema(get_args(known[0])[1], parts))
     return {
         "type": "object",
         "description": (shape.__doc__ or "").split("\n\n")[0],
         "properties": properties,
         "required": required,
-        "additionalProperties": _any_of([_schema(each, parts) for each in others]) if others else False,
+        "additionalProperties": _any_of(others) if others else False,
     }
 
 

@@ -178,6 +178,15 @@ def test_every_key_that_a_file_has_is_known():
         ('[support]\nof = "facet 0"', "support: need a list of tables, each under [[support]], got "),
         ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of"),
         (
+            '[[drive]]\nname = "close"\nkind = "torc"',
+            'drive.0.kind: need "torque", "force", "displacement" or "rest-angle", got "torc"',
+        ),
+        (
+            '[[drive]]\nname = "close"\nkind = "torque"\nof = "creases"',
+            "drive.0.value: is missing; needed here: name, kind, of, value",
+        ),
+        ("drive = [1]", "drive.0: need a table under [[drive]], got 1"),
+        (
             '[[drive]]\nname = "none"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
             'drive.0.name: need a name that means nothing yet, got "none"',
         ),

@@ -43,7 +43,7 @@ def of(design, name="stiffness"):
 
 def test_one_table_stands_for_every_vein():
     assert of(REFERENCE) == [1000.0] * 3
-    assert REFERENCE.tendon_on(1) is REFERENCE.tendon
+    assert REFERENCE.tendons[1] is REFERENCE.tendon
 
 
 def test_entries_take_what_they_leave_out_from_the_table_that_they_are_based_on(wing):

@@ -24,7 +24,7 @@ from forficula.analysis.verdict import Verdict
 from forficula.arrays import Array
 from forficula.dynamics import EnergyBalance, Record
 from forficula.quantities import Unit
-from forficula.serial import Joules, Metres, Newtons, Quantity, Seconds, Written, plain
+from forficula.serial import Joules, Metres, Newtons, Seconds, WithUnit, Written, plain
 from forficula.structure import (
     Drive,
     Structure,
@@ -52,7 +52,7 @@ class StateSummary:
     """
 
     time: Seconds
-    others: Annotated[Mapping[str, Quantity], Written.BESIDE]
+    others: Annotated[Mapping[str, WithUnit], Written.BESIDE]
     tendon_length: Annotated[Array, Unit("m")]
     tendon_energy: Annotated[Array, Unit("J")]
     membrane_energy: Joules
@@ -72,7 +72,7 @@ class TransitionSummary:
         work_uncertainty: numerical uncertainty, J.
     """
 
-    drive: Annotated[Mapping[str, Quantity], Written.BESIDE]
+    drive: Annotated[Mapping[str, WithUnit], Written.BESIDE]
     succeeded: bool
     time: Seconds | None = None
     work: Joules | None = None
@@ -212,10 +212,10 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
     return told
 
 
-def drive_strength(structure: Structure, drive: Drive) -> dict[str, Quantity]:
+def drive_strength(structure: Structure, drive: Drive) -> dict[str, WithUnit]:
     """Return the strength of a drive under the name of what it is: a torque, force, displacement or rest angle."""
     unit = drive_unit(structure, drive)
-    return {_STRENGTHS[unit]: Quantity(drive.strength, unit)}
+    return {_STRENGTHS[unit]: WithUnit(drive.strength, unit)}
 
 
 def _named(stages: Sequence[StageOutcome]) -> dict[str, StageOutcome]:
@@ -246,7 +246,7 @@ def _transition(structure: Structure, transition: Transition, outcome: Outcome) 
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Numbers:
+class _StateNumbers:
     """A quantity of a state that has a key of its own.
 
     Attributes:
@@ -262,19 +262,19 @@ class _Numbers:
 
 def _state(structure: Structure, state: State, confirmation: Confirmation | None) -> StateSummary:
     readings, energies = _readings(structure), list(_energies(structure, state))
-    told: dict[str, Quantity] = {}
+    told: dict[str, WithUnit] = {}
     for each in readings:
-        told[each.name] = Quantity(each.numbers(state.values), each.unit)
+        told[each.name] = WithUnit(each.numbers(state.values), each.unit)
         for end in ("low", "high"):
             ends = {name: getattr(reading, end) for name, reading in state.readings.items()}
-            told[f"{each.name}_{end}"] = Quantity(each.numbers(ends), each.unit)
+            told[f"{each.name}_{end}"] = WithUnit(each.numbers(ends), each.unit)
     # a sparse record does not have the energy of membranes
     values = {"membrane.energy": np.array([state.membrane_energy]), **state.values}
-    told |= {each.name: Quantity(each.numbers(values), each.unit) for each in energies}
+    told |= {each.name: WithUnit(each.numbers(values), each.unit) for each in energies}
     for each in (*readings, *energies):
         halves = None if confirmation is None else confirmation.of_state(state.name, each.numbers)
         if halves is not None:
-            told[f"{each.name}_uncertainty"] = Quantity(halves, each.unit)
+            told[f"{each.name}_uncertainty"] = WithUnit(halves, each.unit)
     return StateSummary(
         time=state.time,
         others=told,
@@ -284,27 +284,29 @@ def _state(structure: Structure, state: State, confirmation: Confirmation | None
     )
 
 
-def _readings(structure: Structure) -> list[_Numbers]:
+def _readings(structure: Structure) -> list[_StateNumbers]:
     """Return the measured values of a state."""
     return [
-        _Numbers(name=each.name, unit="rad" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
+        _StateNumbers(name=each.name, unit="rad" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
         for each in structure.measures
     ]
 
 
-def _energies(structure: Structure, state: State) -> Iterator[_Numbers]:
+def _energies(structure: Structure, state: State) -> Iterator[_StateNumbers]:
     """Yield the energies of hinges, springs and couplings, lengths and energies of tendons, and that of membranes."""
     for kind in SPRUNG:
         if f"{kind}.energy" not in state.values:
             continue
-        yield _Numbers(name=f"{kind}_energy", unit="J", numbers=itemgetter(f"{kind}.energy"))
+        yield _StateNumbers(name=f"{kind}_energy", unit="J", numbers=itemgetter(f"{kind}.energy"))
         groups = hinge_groups(structure) if kind == "hinge" else {}
         for group, hinges in groups.items():
             if group != "hinges":
-                yield _Numbers(name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges))
-    yield _Numbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
-    yield _Numbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
-    yield _Numbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
+                yield _StateNumbers(
+                    name=f"{group.replace(' ', '_')}_energy", unit="J", numbers=partial(_summed, hinges)
+                )
+    yield _StateNumbers(name="tendon_length", unit="m", numbers=itemgetter("tendon.length"))
+    yield _StateNumbers(name="tendon_energy", unit="J", numbers=itemgetter("tendon.energy"))
+    yield _StateNumbers(name="membrane_energy", unit="J", numbers=lambda values: values["membrane.energy"][0])
 
 
 def _summed(hinges: Sequence[int], values: StateValues) -> float:

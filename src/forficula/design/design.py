@@ -116,10 +116,6 @@ class Design(Displayed, Part):
     @property
     def named_protocol(self) -> NamedProtocol:
         """Its protocol by names, in the form that designs of every kind have."""
-        named: NamedProtocol = self.once("named protocol", self._named_protocol)
-        return named
-
-    def _named_protocol(self) -> NamedProtocol:
         raise NotImplementedError
 
     @property

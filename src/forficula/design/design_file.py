@@ -29,7 +29,7 @@ from forficula.design.provenance import derived_source
 from forficula.design.rejection import File, origin, rejected
 from forficula.design.sheet_tables import with_sheet_read
 from forficula.design.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
-from forficula.design.tendon_tables import entries_over, tendon_over, tendons_over, value_from_folder
+from forficula.design.tendon_tables import entries_over, is_by_vein, tendon_over, tendons_over, value_from_folder
 from forficula.errors import InputError
 from forficula.files import as_path, read_toml, write_text
 from forficula.pattern import PATTERN_FILES
@@ -142,6 +142,8 @@ def save_design(design: Design, path: str | os.PathLike[str]) -> None:
 def design_text(design: Design) -> str:
     """Every value of a design as TOML; those that a rule chooses are marked, with the reason."""
     tables = design.settled().as_tables()
+    if isinstance(design, FanDesign) and is_by_vein(tables["tendon"]):
+        tables["tendon"] = [{"vein": int(vein)} | entry for vein, entry in tables["tendon"].items()]
     # what is built, then what is done to it
     text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
     reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
@@ -28,7 +28,7 @@ from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TO
 from forficula.design.protocol import Protocol, check_bounds
 from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection, check_on_bars
-from forficula.design.tendon_tables import entries_by_vein
+from forficula.design.tendon_tables import is_by_vein
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
@@ -82,7 +82,11 @@ class FanDesign(Design):
     reference: ClassVar[str | None] = "binder2025"
     weight_section: ClassVar[str] = "vein"
     rest_keys: ClassVar[tuple[str, ...]] = (
-        *("pattern", "membrane", "hinge", "coupling", "guard"),
+        "pattern",
+        "membrane",
+        "hinge",
+        "coupling",
+        "guard",
         *REST_KEYS,
         "protocol.driven_veins",
     )
@@ -96,7 +100,7 @@ class FanDesign(Design):
     ] = None
     tendon: Annotated[
         Annotated[TendonSection, Tag(ONE_FOR_ALL)] | Annotated[tuple[TendonSection | None, ...], Tag(BY_VEIN)],
-        Discriminator(lambda given: BY_VEIN if isinstance(given, list | tuple) else ONE_FOR_ALL),
+        Discriminator(lambda given: BY_VEIN if isinstance(given, tuple) else ONE_FOR_ALL),
         Field(description="one for every vein, or by the number of the vein, None for one without"),
     ]
     guard: GuardSection
@@ -108,11 +112,10 @@ class FanDesign(Design):
     @field_validator("tendon", mode="before")
     @classmethod
     def _by_vein(cls, given: object) -> object:
-        """A list of tables that name their veins, as a list that has them in their places."""
-        if not isinstance(given, list):
+        """Tables by the numbers of their veins, in a tuple that has them in their places."""
+        if not is_by_vein(given):
             return given
-        entries = entries_by_vein(given)
-        return [entries.get(vein) for vein in range(max(entries, default=-1) + 1)]
+        return tuple(given.get(str(vein)) for vein in range(max(map(int, given), default=-1) + 1))
 
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
@@ -170,15 +173,18 @@ class FanDesign(Design):
 
     def _tendons_on_bars(self) -> None:
         """Refuse tendons on veins that are not there, and such as do not end on their bars."""
-        last = self.fan.vein_count - 1
-        for key, tendon in self._written_tendons():
-            vein = key.removeprefix("tendon.")
-            if vein.isdecimal() and int(vein) > last:
+        last, lengths = self.fan.vein_count - 1, (self.pattern.proximal_length, self.pattern.distal_length)
+        if isinstance(self.tendon, TendonSection):
+            check_on_bars("tendon", self.tendon, *lengths)
+            return
+        for vein, tendon in enumerate(self.tendon):
+            if tendon is not None and vein > last:
                 raise InputError(
-                    f"{key}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
+                    f"tendon.{vein}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
                     f" {self.pattern.units}"
                 )
-            check_on_bars(key, tendon, self.pattern.proximal_length, self.pattern.distal_length)
+            if tendon is not None:
+                check_on_bars(f"tendon.{vein}", tendon, *lengths)
 
     def _driven_veins_there(self) -> None:
         """Refuse motors on veins that are not there, and two on one."""
@@ -189,20 +195,12 @@ class FanDesign(Design):
                 f" {self.pattern.units}, got {list(driven)}"
             )
 
-    def _written_tendons(self) -> Iterator[tuple[str, TendonSection]]:
-        """The sections of the tendons, each with its key."""
-        if isinstance(self.tendon, TendonSection):
-            yield "tendon", self.tendon
-            return
-        for vein, tendon in enumerate(self.tendon):
-            if tendon is not None:
-                yield f"tendon.{vein}", tendon
-
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
 
-    def _named_protocol(self) -> NamedProtocol:
+    @property
+    def named_protocol(self) -> NamedProtocol:
         """Torques about the axes of the driven veins, and about all ring folds."""
         protocol, veins = self.protocol, self.driven_veins
         every = len(veins) == self.fan.vein_count
@@ -254,12 +252,10 @@ class FanDesign(Design):
             )
 
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
-        """The design as TOML tables; tendons of a list name their veins."""
+        """The design as tables; tendons that are not one for all by the numbers of their veins."""
         tables = super().as_tables(write)
         if isinstance(self.tendon, tuple):
-            tables["tendon"] = [
-                {"vein": vein} | entry for vein, entry in enumerate(tables["tendon"]) if entry is not None
-            ]
+            tables["tendon"] = {str(vein): entry for vein, entry in enumerate(tables["tendon"]) if entry is not None}
         return tables
 
     def hash_values(self) -> dict[str, Any]:
@@ -270,12 +266,6 @@ class FanDesign(Design):
             alike = by_vein[0] is not None and all(each == by_vein[0] for each in by_vein)
             values["tendon"] = by_vein[0] if alike else by_vein
         return values
-
-    def tendon_on(self, vein: int) -> TendonSection | None:
-        """The tendon of a vein, by its number; None where it has none."""
-        if isinstance(self.tendon, TendonSection):
-            return self.tendon
-        return self.tendon[vein] if vein < len(self.tendon) else None
 
     @property
     def idle(self) -> tuple[str, ...]:
@@ -293,7 +283,10 @@ class FanDesign(Design):
     @property
     def tendons(self) -> tuple[TendonSection | None, ...]:
         """The tendon of every vein, (vein,); None where it has none."""
-        return tuple(self.tendon_on(vein) for vein in range(self.fan.vein_count))
+        count = self.fan.vein_count
+        if isinstance(self.tendon, TendonSection):
+            return (self.tendon,) * count
+        return (*self.tendon, *[None] * (count - len(self.tendon)))
 
     @property
     def fan(self) -> EarwigFan:

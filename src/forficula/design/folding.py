@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, TypeVar
 
 from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
@@ -50,11 +51,11 @@ _ProtocolOf = TypeVar("_ProtocolOf", bound=Protocol)
 
 
 def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Drive]) -> NamedProtocol:
-    """Name what a protocol that folds and opens does: its goals, states and transitions.
+    """Return a protocol that folds and opens distal hinges as data.
 
     Args:
         protocol: its stages have been checked by `check_course`.
-        drives: "fold" and "unfold".
+        drives: the drives "fold" and "unfold".
     """
     # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
     still_folded = _distal("<", -protocol.folded_angle / 2)
@@ -96,18 +97,19 @@ def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Dri
     )
 
 
+@lru_cache(maxsize=256)  # designs that are run one after another have few different ones
 def _distal(relation: str, angle: float) -> str:
-    """A bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
+    """Return a bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
     return f"distal_angle {relation} {format_quantity(angle, ANGLE)}"
 
 
 def _first_driven(protocol: Protocol, drive: str) -> int | None:
-    """Number of the first stage with a drive."""
+    """Return the number of the first stage with a drive."""
     return next((number for number, stage in enumerate(protocol.stages) if drive in stage_drives(stage)), None)
 
 
 def _stage_states(protocol: Protocol) -> tuple[str, ...]:
-    """What the stages say; where none does, the first ends flat, and folding and opening with their releases."""
+    """Return the states that stages name; without names the first ends flat, folding and opening at their releases."""
     stages = protocol.stages
     if any(stage.state for stage in stages):
         return tuple(stage.state or "" for stage in stages)

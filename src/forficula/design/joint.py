@@ -81,7 +81,8 @@ class JointDesign(Design):
         """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
         return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
 
-    def _named_protocol(self) -> NamedProtocol:
+    @property
+    def named_protocol(self) -> NamedProtocol:
         """Torques on the hinge."""
         protocol = self.protocol
         unfolding = Action(motor="distal", hinges=("ring",), no_load_speed=protocol.no_load_speed or math.inf)
@@ -122,7 +123,3 @@ class JointDesign(Design):
     def tendons(self) -> tuple[TendonSection, ...]:
         """The tendon of every hinge, which is one."""
         return (self.tendon,)
-
-    def tendon_on(self, vein: int) -> TendonSection | None:
-        """The tendon across a hinge, by its number."""
-        return self.tendon if vein == 0 else None

@@ -104,7 +104,6 @@ class JointTendon(TendonSection):
     about: ClassVar[str] = "The elastic tendon across the hinge"
 
     heading: ClassVar[str] = "Tendon"
-    numbered_by: ClassVar[str] = ""
 
     proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the hinge", above=0)
     distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the hinge", above=0)

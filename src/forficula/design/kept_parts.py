@@ -26,9 +26,6 @@ def _kept(value: object, before: object, after: Any) -> Any:
         return value if _same(before, after) else with_kept_parts(value, after)
     if not (isinstance(value, tuple) and value and isinstance(before, list) and isinstance(after, list)):
         return after
-    if any(isinstance(entry, Part) and entry.numbered_by for entry in value):
-        # such lists say in their tables which entries they leave out, and end with the last that they have
-        return value if value[-1] is not None and _same(before, after) else after
     if not all(isinstance(entry, Part) for entry in value) or not len(value) == len(before) == len(after):
         return after
     return [_kept(entry, before[number], after[number]) for number, entry in enumerate(value)]

@@ -10,18 +10,18 @@ from typing import Literal
 
 @dataclass(frozen=True, kw_only=True)
 class Action:
-    """What a drive does to hinges or at places.
+    """Effect of a drive on hinges or points, in proportion to the strength of the drive.
 
     Attributes:
-        motor: name of the motor that does this and nothing else.
+        motor: name of the motor that has exactly this effect.
         kind: "torque" on hinges, "rest-angle" of creases, "force" at places or "displacement" of places.
-        share: times which the strength of the drive acts on each hinge, in the hinge's own sense.
-        hinges: names or roles of hinges.
-        edges: numbers of the edges of the pattern that are creases.
-        places: on a sheet, as text.
-        to_targets: whether rest angles go on to the targets of their creases, all at once.
-        direction: of a force or a displacement, of any length.
-        no_load_speed: of a torque, speed of a hinge at which nothing is left of it, rad/s.
+        share: factor of the strength on each hinge, in the hinge's own sense.
+        hinges: names or roles of the hinges of a torque.
+        edges: edge numbers of the creases of a torque or a rest angle.
+        places: places on the sheet, as text, of a force or a displacement.
+        to_targets: whether the rest angle of every crease changes to the target of the crease.
+        direction: direction of a force or a displacement, of any length.
+        no_load_speed: speed of a hinge at which a torque has fallen to 0, rad/s.
     """
 
     motor: str
@@ -37,18 +37,18 @@ class Action:
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """What a protocol switches on by name: torques, forces, ways or turns of rest angles.
+    """Torques, forces, displacements or changes of rest angles that stages switch on together by one name.
 
     Attributes:
-        name: as stages call it.
-        actions: what it does, in proportion to its strength.
-        shares: times which `strength` every motor of a structure is set to, in their order; () before it is built.
-        rise: time over which they rise evenly from 0, s; 0: at once.
-        key: of the design's value that makes it stronger, such as "protocol.fold_torque".
-        strength: that value, in SI; of creases that go on to their targets, the way of the furthest.
-        tries: what a search for the least value tries where it is not told, as text.
-        where: what it acts on, as sentences say it, such as "on every proximal joint".
-        part: what each of its torques is on, as tables say it, such as "distal hinge"; empty where `where` is enough.
+        name: name in the stages.
+        actions: effects of the drive.
+        shares: factors of `strength` for every motor of a structure, in their order; empty before it is built.
+        rise: time over which the drive grows evenly from 0, s; 0: at once.
+        key: key of the design that sets the strength, such as "protocol.fold_torque".
+        strength: value of that key in SI; with `to_targets` the largest change of a rest angle.
+        tries: values that a search for the least strength tries by default, as text.
+        where: phrase for what the drive acts on, such as "on every proximal joint".
+        part: phrase of tables for what each torque is on, such as "distal hinge"; empty where `where` is enough.
     """
 
     name: str
@@ -63,7 +63,7 @@ class Drive:
 
     @property
     def strengths(self) -> tuple[float, ...]:
-        """What every motor of the structure is set to, in their order, in its SI unit."""
+        """Setting of every motor of the structure, in their order, in the motor's SI unit."""
         return tuple(share * self.strength for share in self.shares)
 
 
@@ -147,16 +147,16 @@ class Transition:
 
 @dataclass(frozen=True, kw_only=True)
 class NamedProtocol:
-    """What is done to a structure, and the names of where it rests.
+    """Protocol of a design as data without a structure.
 
     Attributes:
-        drives: by name.
-        goals: bounds as text, by the names that stages give them; "target" for the bounds around `targets`.
-        states: by name.
-        stage_states: names of the states that the stages end in, "" where one ends in none, (stage,).
-        transitions: in the order in which the stages take them.
-        targets: fold angles that creases are to reach, rad, valley positive, by the numbers of their edges.
-        arrival: within which every crease must be of its target, rad.
+        drives: all drives.
+        goals: bounds as text by the names that stages use; "target" stands for bounds around `targets`.
+        states: all named states.
+        stage_states: name of the state at the end of every stage, "" where the end has no name, (stage,).
+        transitions: transitions in the order of their stages.
+        targets: fold angles that creases are to reach, rad, positive for a valley, by edge number.
+        arrival: largest deviation of a crease from its target, rad, with which the goal "target" is reached.
     """
 
     drives: tuple[Drive, ...]

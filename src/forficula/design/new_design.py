@@ -13,11 +13,11 @@ from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
 from forficula.design.design_file import load_design
+from forficula.design.fan import FanDesign
 from forficula.design.keys import entry_of, section_fields
 from forficula.design.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
 from forficula.design.part import Part, field_quantity
-from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import near_name
@@ -89,7 +89,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
             law = getattr(part, key)
             value = law.name if isinstance(law, LawSection) else values[key]
             yield f"{_line(key, value):<40}  # {entry.description}"
-        if isinstance(part, TendonSection) and part.numbered_by:
+        if section == "tendon" and isinstance(design, FanDesign):
             yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
         for key, entry in type(part).model_fields.items():
             if key == "stages":

@@ -120,8 +120,6 @@ class Part(BaseModel):
     about: ClassVar[str] = ""
     # over tables of it; without one its key is
     heading: ClassVar[str] = ""
-    # key by which entries of a list say their number in a file; without one they come one after another
-    numbered_by: ClassVar[str] = ""
     # keys that came later, which count where they are not their defaults: designs keep the hashes that they had
     later: ClassVar[tuple[str, ...]] = ()
     # keys of what no size of a structure changes: how a material relaxes, and what acts everywhere

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from forficula.design.tendon_tables import is_by_vein
 from forficula.errors import InputError
 from forficula.names import listed
 from forficula.quantities import as_written
@@ -46,7 +47,9 @@ def _differing(base: object, given: object, key: str = "") -> list[str]:
         base, given = _by_name(base) or base, _by_name(given) or given
         if isinstance(base, dict) and isinstance(given, dict) and list(base) != list(given):
             return [key]
-    if not (isinstance(base, dict) and isinstance(given, dict)):
+    # tendons that differ from vein to vein count as one value
+    whole = key == "tendon" and (is_by_vein(base) or is_by_vein(given))
+    if whole or not (isinstance(base, dict) and isinstance(given, dict)):
         return [] if base == given else [key]
     names = [name for name in {**base, **given} if key or name not in WORDS]
     parts = (_differing(base.get(name), given.get(name), f"{key}.{name}" if key else name) for name in names)

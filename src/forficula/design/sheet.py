@@ -11,11 +11,10 @@ from forficula.design.chosen import Choice, choices, with_choices
 from forficula.design.design import Design
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_checks import check_sheet
-from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol
+from forficula.design.sheet_course import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
 from forficula.design.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
 from forficula.design.sheet_places import facet_of
 from forficula.design.sheet_protocol import sheet_protocol
-from forficula.design.sheet_tendon import SheetTendon
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
 # of the imperfection of a sheet, where another start is tried
@@ -28,8 +27,12 @@ class SheetDesign(Design):
     varied_key: ClassVar[str] = "crease.stiffness"
     weight_section: ClassVar[str] = "facet"
     rest_keys: ClassVar[tuple[str, ...]] = (
-        *("pattern", "crease", "support", "measure"),
-        *("protocol.stages", "protocol.gravity"),
+        "pattern",
+        "crease",
+        "support",
+        "measure",
+        "protocol.stages",
+        "protocol.gravity",
     )
 
     source: Annotated[str, Field(description="where its values come from")] = ""
@@ -81,7 +84,9 @@ class SheetDesign(Design):
         larger = {"size": _OTHER_START * self.imperfection.size}
         return self.model_copy(update={"imperfection": self.imperfection.model_copy(update=larger)})
 
-    def _named_protocol(self) -> NamedProtocol:
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """What the drives of the sheet act on, and the states and transitions that its stages lead to."""
         return sheet_protocol(self)
 
     def settled(self) -> Self:

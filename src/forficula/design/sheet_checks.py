@@ -30,8 +30,7 @@ from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
 if TYPE_CHECKING:
     from forficula.design.sheet import SheetDesign
-    from forficula.design.sheet_course import SheetMeasure
-    from forficula.design.sheet_tendon import SheetTendon
+    from forficula.design.sheet_course import SheetMeasure, SheetTendon
 
 Found = TypeVar("Found")
 

@@ -1,4 +1,4 @@
-"""Sections of a sheet's design that say what is done: its drives, its measures and its protocol."""
+"""Sections of a sheet's design that say what acts on it: its tendons, drives, measures and protocol."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from forficula.design.part import (
 )
 from forficula.design.protocol import Protocol
 from forficula.design.sheet_names import checked_name
+from forficula.design.tendon import ElasticTendon
 from forficula.errors import InputError
 from forficula.quantities import Unit
 
@@ -57,6 +58,18 @@ else:
         "where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, ground where facets bend"
     )
     _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
+
+
+class SheetTendon(ElasticTendon, Joined):
+    """What pulls two places together and never pushes: a spring, or a law of a material."""
+
+    about: ClassVar[str] = "What pulls two places together and never pushes: a spring, or a law of a material"
+
+    needed: ClassVar[tuple[str, ...]] = ("stiffness",)
+
+    name: Annotated[str, Field(description="what tables and figures call it")]
+
+    _checked = field_validator("name")(checked_name)
 
 
 _KIND = Field(

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def sheet_protocol(design: SheetDesign) -> NamedProtocol:
-    """Name what is done to a sheet."""
+    """Return the protocol of a sheet as data."""
     stages, angles = design.protocol.stages, design.sheet.edges_fold_angle
     goals = [stage.until for stage in stages if _is_bound(stage)]
     return NamedProtocol(
@@ -38,6 +38,7 @@ def _is_bound(stage: Stage) -> bool:
 
 
 def _drive(design: SheetDesign, drive: SheetDrive) -> Drive:
+    """Return a drive of the design with its one action."""
     places = places_of(drive)
     action = Action(
         motor=str(drive.of) if isinstance(drive, TorqueDrive) else drive.name,
@@ -59,14 +60,14 @@ def _drive(design: SheetDesign, drive: SheetDrive) -> Drive:
 
 
 def _where(drive: SheetDrive) -> str:
-    """What a drive acts on, as sentences say it."""
+    """Return the phrase for what a drive acts on."""
     if not isinstance(drive.of, str):
         return f"on {listed(drive.of)}"
     return f"on {drive.of}" if re.match(r"(crease|vertex) \d", drive.of) else f"on the {drive.of}"
 
 
 def _transitions(design: SheetDesign) -> tuple[Transition, ...]:
-    """A transition for every stage that drives the sheet to bounds on what is watched, and so to a state."""
+    """Return a transition for every driven stage that ends at bounds and leads to a state."""
     transitions: list[Transition] = []
     distances = [measure.name for measure in design.measure if measure.of is None]
     stages = design.protocol.stages
@@ -94,7 +95,7 @@ def _transitions(design: SheetDesign) -> tuple[Transition, ...]:
 
 
 def _states(stages: Sequence[Stage]) -> tuple[RestState, ...]:
-    """The states that stages end in, each within the goal of the last driven stage, or anywhere before there is one."""
+    """Return the states at the ends of stages: the goal of each is that of the last driven stage, or none before it."""
     states: list[RestState] = []
     goal, last = "time", ""
     for stage in stages:
@@ -113,7 +114,7 @@ def _states(stages: Sequence[Stage]) -> tuple[RestState, ...]:
 
 
 def _state_after(stages: Sequence[Stage], number: int) -> str | None:
-    """The state that a driven stage leads to: its own, or that of the release which follows."""
+    """Return the state that a driven stage leads to: its own, or that of the release after it."""
     stage = stages[number]
     if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):
         return stage.state
@@ -121,7 +122,7 @@ def _state_after(stages: Sequence[Stage], number: int) -> str | None:
 
 
 def _wording(state: str, done: str) -> Wording:
-    """How sentences speak of the way to a state."""
+    """Return the words for the transition to a state."""
     return Wording(
         done=done,
         verb=f"get {state}",

@@ -103,7 +103,6 @@ class TendonSection(ElasticTendon):
     about: ClassVar[str] = "The elastic patch across each distal hinge"
 
     heading: ClassVar[str] = "Tendons"
-    numbered_by: ClassVar[str] = "vein"
     later: ClassVar[tuple[str, ...]] = (
         *ElasticTendon.later,
         *("density", "proximal_offset", "distal_offset", "proximal_aside", "distal_aside"),

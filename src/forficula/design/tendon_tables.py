@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from pydantic import ValidationError
 
 from forficula.design.fan_sections import MOST_UNITS
 from forficula.design.law import law_tables, tendon_material
 from forficula.design.part import field_quantity
-from forficula.design.sheet_tendon import SheetTendon
+from forficula.design.sheet_course import SheetTendon
 from forficula.design.tables import RejectedError, entry_index, laid_over, written_key
 from forficula.design.tendon import ElasticTendon, TendonSection, small_extension
 from forficula.errors import InputError
@@ -24,13 +24,13 @@ NO_LAW = "none"
 _LAST_VEIN = 2 * MOST_UNITS
 
 
-def entries_by_vein(entries: list[Any]) -> dict[int, dict[str, Any]]:
-    """The tables of a list of tendons by the number of their vein, which they no longer name.
+def by_vein(entries: list[Any]) -> dict[str, dict[str, Any]]:
+    """The tables of a list of tendons by the number of their vein, as text, which they no longer name.
 
     Raises:
         InputError: an entry that is no table, or names no vein, or one that another one names.
     """
-    found: dict[int, dict[str, Any]] = {}
+    found: dict[str, dict[str, Any]] = {}
     for number, entry in enumerate(entries):
         if not isinstance(entry, dict):
             raise InputError(f"tendon: need tables, each under [[tendon]], got {as_written(entry)}")
@@ -40,10 +40,15 @@ def entries_by_vein(entries: list[Any]) -> dict[int, dict[str, Any]]:
         vein = entry["vein"]
         if isinstance(vein, bool) or not isinstance(vein, int) or not 0 <= vein <= _LAST_VEIN:
             raise InputError(f"tendon.vein: need the number of a vein, from 0 on, got {as_written(vein)}")
-        if vein in found:
+        if str(vein) in found:
             raise InputError(f"tendon.vein: need one [[tendon]] for each vein, got {vein} twice")
-        found[vein] = {key: value for key, value in entry.items() if key != "vein"}
-    return found
+        found[str(vein)] = {key: value for key, value in entry.items() if key != "vein"}
+    return dict(sorted(found.items(), key=lambda item: int(item[0])))
+
+
+def is_by_vein(tendons: object) -> TypeGuard[dict[str, dict[str, Any]]]:
+    """Whether tables of tendons are those of `by_vein`, each of one vein, and not one table for all veins."""
+    return isinstance(tendons, dict) and all(key.isdecimal() for key in tendons)
 
 
 def value_from_folder(key: str, value: object, folder: Path) -> object:
@@ -71,43 +76,44 @@ def tendons_over(below: object, own: object, *, veins: int, si: bool) -> object:
     """Lay tendons over those below: a table over all of them, a list in place of them, a number over that of a vein.
 
     Args:
-        below: the value of the key `tendon` so far: a table for all veins, a list of tables that name their veins, or
-            None.
-        own: what is laid over it, likewise; in a table a number may pick a vein. Entries of a list take what they leave
-            out from the table of their vein.
+        below: the value of the key `tendon` so far: a table for all veins, tables by vein, or None.
+        own: what is laid over it: a table in which a number may pick a vein, or a list of tables that name their
+            veins. Entries of a list take what they leave out from the table of their vein.
         veins: of the fan.
         si: whether numbers are SI floats instead of text.
 
+    Returns:
+        A table for all veins, or tables by vein.
+
     Raises:
-        RejectedError: a vein that is not there or has no tendon, or what `entries_by_vein` refuses.
+        RejectedError: a vein that is not there or has no tendon, or what `by_vein` refuses.
     """
     if isinstance(own, list):
-        before = _by_vein(below) if isinstance(below, list) else {}
-        return _as_list(
-            {
-                vein: tendon_over(before.get(vein, {}) if isinstance(below, list) else below, entry, f"{vein}", si=si)
-                for vein, entry in _by_vein(own).items()
-            }
-        )
+        try:
+            given = by_vein(own)
+        except InputError as error:
+            raise RejectedError(["tendon"], str(error)) from None
+        before = below if is_by_vein(below) else dict.fromkeys(given, below)
+        return {vein: tendon_over(before.get(vein), entry, vein, si=si) for vein, entry in given.items()}
     if not isinstance(own, dict):
         return own
     shared = {key: value for key, value in own.items() if not key.isdecimal()}
     numbered = {key: value for key, value in own.items() if key.isdecimal()}
-    if isinstance(below, list):
-        entries = {vein: tendon_over(entry, shared, f"{vein}", si=si) for vein, entry in _by_vein(below).items()}
+    if is_by_vein(below):
+        tendons = {vein: tendon_over(entry, shared, vein, si=si) for vein, entry in below.items()}
     else:
         table = tendon_over(below, shared, "", si=si)
         if not numbered:
-            return table
-        entries = dict.fromkeys(range(veins), table)
-    for number, value in numbered.items():
-        if number not in (str(vein) for vein in entries):
-            raise RejectedError(["tendon", number], _no_tendon(number, list(entries), veins))
+            return table or None
+        tendons = {str(vein): table for vein in range(veins)}
+    for vein, value in numbered.items():
+        if vein not in tendons:
+            raise RejectedError(["tendon", vein], _no_tendon(vein, tendons, veins))
         if not isinstance(value, dict):
-            message = f"tendon.{number}: need a table under [tendon.{number}], got {as_written(value)}"
-            raise RejectedError(["tendon", number], message)
-        entries[int(number)] = tendon_over(entries[int(number)], value, number, si=si)
-    return _as_list(entries)
+            message = f"tendon.{vein}: need a table under [tendon.{vein}], got {as_written(value)}"
+            raise RejectedError(["tendon", vein], message)
+        tendons[vein] = tendon_over(tendons[vein], value, vein, si=si)
+    return tendons
 
 
 def entries_over(below: object, own: object, *, si: bool) -> object:
@@ -214,20 +220,9 @@ def _without_law(table: dict[str, Any], *, si: bool, model: type[ElasticTendon])
     return rest
 
 
-def _by_vein(entries: list[Any]) -> dict[int, dict[str, Any]]:
-    try:
-        return entries_by_vein(entries)
-    except InputError as error:
-        raise RejectedError(["tendon"], str(error)) from None
-
-
-def _as_list(entries: Mapping[int, dict[str, Any]]) -> list[dict[str, Any]]:
-    return [{"vein": vein} | entries[vein] for vein in sorted(entries)]
-
-
-def _no_tendon(number: str, there: list[int], veins: int) -> str:
+def _no_tendon(number: str, there: Iterable[str], veins: int) -> str:
     """Why a number picks no tendon."""
-    shown = ", ".join(map(str, there)) or "none"
+    shown = ", ".join(there) or "none"
     if number in (str(vein) for vein in range(veins)):
         return f"tendon.{number}: vein {number} has no tendon, those with one are {shown}; give it a [[tendon]] first"
     return f"tendon.{number}: need the number of a vein with a tendon, {shown}, got {as_written(number)}"

@@ -143,7 +143,7 @@ def _numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
     """The numbers > 0 in nested tables, by dotted key, but those of the pattern and of lists, and the timestep."""
     numbers: dict[str, float] = {}
     for key, value in tables.items():
-        if isinstance(value, Mapping):
+        if isinstance(value, Mapping) and not key.isdecimal():
             numbers |= _numbers(value, f"{within}{key}.")
         elif isinstance(value, float) and value > 0 and not within.startswith("pattern."):
             numbers[f"{within}{key}"] = value

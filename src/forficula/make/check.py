@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from forficula.serial import Quantity, Written
+from forficula.serial import WithUnit, Written
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,9 +32,9 @@ class Check:
     text: str
 
     @property
-    def quantities(self) -> Annotated[Mapping[str, Quantity], Written.BESIDE]:
+    def quantities(self) -> Annotated[Mapping[str, WithUnit], Written.BESIDE]:
         """Value and limit with their unit."""
-        return {"value": Quantity(self.value, self.unit), "limit": Quantity(self.limit, self.unit)}
+        return {"value": WithUnit(self.value, self.unit), "limit": WithUnit(self.limit, self.unit)}
 
 
 def least_check(name: str, part: str, *, found: float, least: float, text: str, mend: str = "") -> Check:

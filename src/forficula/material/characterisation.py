@@ -23,7 +23,7 @@ from forficula.material.tensile.modulus import ModulusClass, moduli_by_strain
 from forficula.material.tensile.strain_history import StrainHistory
 from forficula.material.tensile.tensile_test import TensileTest
 from forficula.quantities import Unit, parse_quantity
-from forficula.serial import Key, Quantity, Written
+from forficula.serial import Key, WithUnit, Written
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
 AMPLITUDE_SCATTER = "standard deviation of the specimens' amplitudes"
@@ -128,11 +128,11 @@ class Characterisation(Displayed):
         return (*self.by_cycle, *self.pooled)
 
     @property
-    def simulated_stiffnesses(self) -> Annotated[Mapping[str, Quantity], Written.ALWAYS]:
+    def simulated_stiffnesses(self) -> Annotated[Mapping[str, WithUnit], Written.ALWAYS]:
         """Stiffnesses of Binder et al. 2025 and the moduli that tendons of the specimens' size need for them."""
         return {
-            "stiffness": Quantity(SIMULATED_STIFFNESSES, "N/m"),
-            "modulus_at_the_specimens_size": Quantity(self.simulated_moduli, "Pa"),
+            "stiffness": WithUnit(SIMULATED_STIFFNESSES, "N/m"),
+            "modulus_at_the_specimens_size": WithUnit(self.simulated_moduli, "Pa"),
         }
 
     @property

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.serial import Joules, NewtonMetres
 from forficula.statics.potential import Ensemble, potential
 from forficula.statics.quasi_static import SlowPath
 from forficula.structure import Drive
@@ -25,9 +26,9 @@ class InertialHelp:
             J; another path can be lower.
     """
 
-    torque: float
-    released: float
-    barrier: float
+    torque: NewtonMetres
+    released: Joules
+    barrier: Joules
 
 
 def inertial_help(structures: Ensemble, path: SlowPath, drive: Drive) -> InertialHelp | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
 
 import numpy as np
 
@@ -16,7 +17,8 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.quantities import show_value
+from forficula.quantities import Unit, show_value
+from forficula.serial import Joules, Written
 from forficula.statics.fold_path import FoldPath, StableState, rigid_fold
 from forficula.statics.hinge_landscape import CrossedHinge, HingeLandscape
 from forficula.statics.inertial_help import InertialHelp
@@ -46,13 +48,13 @@ class Rest:
     """
 
     name: str
-    angles: Array
-    energy: float
-    stored: Mapping[str, float]
+    angles: Annotated[Array, Unit("rad")]
+    energy: Joules
+    stored: Mapping[str, Joules]
     stable: bool
-    within: bool
-    same_as: str = ""
-    shape: Shape | None = None
+    within: Annotated[bool, Written.NEVER]
+    same_as: Annotated[str, Written.OR_NULL] = ""
+    shape: Annotated[Shape | None, Written.NEVER] = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -6,10 +6,13 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
 from forficula.arrays import Array, Flags
+from forficula.quantities import Unit
+from forficula.serial import Joules, Key
 from forficula.statics.hinge import folding_sense, ideal_hinges, tendon_hinge, tendon_hinges
 from forficula.statics.lines import largest_pull
 from forficula.statics.potential import Ensemble, potential, rest, sheet_torque, slight_energy
@@ -46,13 +49,13 @@ class PartialFold:
     folded: tuple[int, ...]
     stable: bool
     stays_folded: tuple[int, ...]
-    angles: Array
-    tendon_energy: float
-    sheet_energy: float
-    independent_energy: float | None = None
+    angles: Annotated[Array, Key("distal_angle"), Unit("rad")]
+    tendon_energy: Joules
+    sheet_energy: Annotated[Joules, Key("membrane_energy")]
+    independent_energy: Joules | None = None
 
     @property
-    def energy(self) -> float:
+    def energy(self) -> Joules:
         """Of everything, J."""
         return self.tendon_energy + self.sheet_energy
 

@@ -9,6 +9,7 @@ drives it.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import scipy
 
@@ -48,27 +49,19 @@ def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
     Raises:
         InputError: the start is not > 0; from the top itself nothing moves.
     """
-    speed = final_speed(hinge, start)
-    if speed is None:
+    if final_speed(hinge, start) is None:
         return None
-    start = _let_go(hinge, start)
+    start, end, slack = _let_go(hinge, start), hinge.top_to_fold, hinge.slack_distance
 
     def slowness(y: float) -> float:
         turned = 2 * start * math.sinh(y / 2) ** 2
         return start * math.sinh(y) / math.sqrt(2 * float(released_energy(hinge, start, turned)) / hinge.inertia)
 
-    def taut(before: float, after: float) -> float:
-        ends = (math.acosh(max(each / start, 1.0)) for each in (before, after))
-        return float(scipy.integrate.quad(slowness, *ends, epsabs=0, epsrel=_ACCURACY, limit=200)[0])
-
-    end, slack = hinge.top_to_fold, hinge.slack_distance
-    if slack is None or slack > end:
-        return taut(start, end)
-    taut_again = 2 * math.pi - slack
-    if end <= taut_again:
-        return taut(start, slack) + (end - slack) / speed
-    coasting = math.sqrt(2 * float(released_energy(hinge, start, slack - start)) / hinge.inertia)
-    return taut(start, slack) + (taut_again - slack) / coasting + taut(taut_again, end)
+    # between these the tendon is slack, and the hinge coasts
+    kinks = [] if slack is None else [each for each in (slack, 2 * math.pi - slack) if each < end]
+    ends = [0.0, *(math.acosh(max(each / start, 1.0)) for each in (*kinks, end))]
+    parts = (scipy.integrate.quad(slowness, *part, epsabs=0, epsrel=_ACCURACY, limit=200) for part in pairwise(ends))
+    return float(sum(part[0] for part in parts))
 
 
 def final_speed(hinge: TendonHinge, start: float = FOLD_START) -> float | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
+from forficula.serial import Metres, Newtons, NewtonsPerMetre
 from forficula.statics.fold_path import rigid_fold
 from forficula.statics.pose import span
 from forficula.statics.potential import Ensemble, potential
@@ -31,12 +32,12 @@ class TipStiffness:
         unlocked_against: against folding, N/m; the same, as the energy is smooth there.
     """
 
-    deflection: float
-    holding_force: float
-    flat_along: float
-    flat_against: float | None
-    unlocked_along: float
-    unlocked_against: float
+    deflection: Metres
+    holding_force: Newtons
+    flat_along: NewtonsPerMetre
+    flat_against: NewtonsPerMetre | None
+    unlocked_along: NewtonsPerMetre
+    unlocked_against: NewtonsPerMetre
 
 
 def tip_stiffness(structures: Ensemble, flat: Array) -> TipStiffness:

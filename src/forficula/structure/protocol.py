@@ -27,7 +27,15 @@ _SERVO, _SERVO_DAMPING = 4.0, 0.5
 
 
 def with_protocol(structure: Structure, design: Design) -> Structure:
-    """A structure with the drives, goals, states and transitions of a design that differs in its protocol at most."""
+    """Return a structure with the drives, goals, states and transitions of a design.
+
+    Args:
+        structure: built of the design, or of one that differs from it in the protocol only.
+        design: with the protocol.
+
+    Raises:
+        InputError: drives that the structure cannot have together, or a force on a vertex that a support holds.
+    """
     named = design.named_protocol
     motors, drives = _driven(structure, design, named)
     structure = replace(
@@ -47,7 +55,7 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
 
 
 def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple[tuple[Motor, ...], tuple[Drive, ...]]:
-    """Motors and drives: hinges that the same torques act on share a motor, all other actions have their own."""
+    """Return motors and drives: hinges with the same torques share a motor, every other action has its own."""
     motors, moved = _torques(structure, named.drives)
     strengths = [drive.strength for drive in named.drives]
     for number, drive in enumerate(named.drives):
@@ -69,19 +77,21 @@ def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple
 
 
 def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
-    """The motors of torques, and the share of each by the number of the drive that it follows."""
+    """Return the motors of torques and, for every motor, the shares of drives by their numbers."""
     acting = [
         (number, action, _hinges(structure, action))
         for number, drive in enumerate(drives)
         for action in drive.actions
         if action.kind == "torque"
     ]
+    following: dict[int, tuple[int, ...]] = {}
+    for place, (_, _, hinges) in enumerate(acting):
+        for hinge in hinges:
+            following[hinge] = (*following.get(hinge, ()), place)
     shared: dict[tuple[int, ...], list[int]] = {}
-    for hinge in range(len(structure.hinges)):
-        following = tuple(place for place, (_, _, hinges) in enumerate(acting) if hinge in hinges)
-        if following:
-            shared.setdefault(following, []).append(hinge)
-    # motors of creases in the order of these, those of named hinges in that of the actions
+    for hinge in sorted(following):
+        shared.setdefault(following[hinge], []).append(hinge)
+    # motors of creases are in the order of the creases, motors of named hinges in the order of the actions
     order = sorted(shared, key=lambda places: places[0] if acting[places[0]][1].hinges else 0)
     motors: list[Motor] = []
     for places in order:
@@ -99,16 +109,17 @@ def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor]
 
 
 def _hinges(structure: Structure, action: Action) -> list[int]:
-    """Numbers of the hinges that an action is on, rising."""
+    """Return the numbers of the hinges of an action, rising."""
+    edges, names = set(action.edges), set(action.hinges)
     return [
         number
         for number, hinge in enumerate(structure.hinges)
-        if hinge.edge in action.edges or hinge.role in action.hinges or hinge.name in action.hinges
+        if hinge.edge in edges or hinge.role in names or hinge.name in names
     ]
 
 
 def _no_load_speed(actions: Mapping[int, Action]) -> float:
-    """That of actions on the same hinges, by the numbers of their drives."""
+    """Return the no-load speed of actions on the same hinges, given by the numbers of their drives."""
     speeds = {action.no_load_speed: number for number, action in actions.items()}
     if len(speeds) > 1:
         one, other = sorted(speeds.values())
@@ -119,7 +130,7 @@ def _no_load_speed(actions: Mapping[int, Action]) -> float:
 
 
 def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[float, ...]:
-    """The share of each hinge in the length of its crease; none where every hinge is whole."""
+    """Return the share of each hinge in the length of its crease; empty where every crease is one hinge."""
     numbers = hinges_by_edge(structure.hinges)
     if all(len(numbers.get(structure.hinges[hinge].edge, ())) < 2 for hinge in hinges):
         return ()
@@ -130,7 +141,7 @@ def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[floa
 
 
 def _to_targets(structure: Structure, action: Action, targets: Mapping[int, float]) -> tuple[Motor, float]:
-    """The motor of springs whose rest angles go on to their targets, and the way of the one that goes furthest, rad."""
+    """Return the motor of springs whose rest angles change to their targets, and the largest of the changes, rad."""
     angles, hinges = _target_angles(structure, targets), _hinges(structure, action)
     ways = {hinge: angles[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in angles}
     motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(ways))
@@ -141,9 +152,10 @@ def _to_targets(structure: Structure, action: Action, targets: Mapping[int, floa
 
 
 def _at_places(structure: Structure, design: Design, number: int, action: Action) -> Motor:
-    """The motor of a force or a displacement, by the number of its drive; nodes have the numbers of their points."""
+    """Return the motor of a force or a displacement of the drive of a number."""
     direction = np.array(action.direction, dtype=np.float64)
     if isinstance(design, SheetDesign) and not structure.plates:
+        # nodes have the numbers of their points
         nodes = sheet_nodes(design)
         points = tuple(node_of(design.sheet, nodes, text) for text in action.places)
         for point, text in zip(points, action.places, strict=True):
@@ -172,19 +184,19 @@ def _stiffest(structure: Structure, points: Sequence[int]) -> float:
 
 
 def pushed_name(drive: str, number: int) -> str:
-    """What the point of a plate is called at which a force acts, by the names of the drive and the number of place."""
+    """Return the name of the point of a plate at which a drive pushes, by the number of its place."""
     return f"drive_{drive}_{number}"
 
 
 def _target_angles(structure: Structure, targets: Mapping[int, float]) -> dict[int, float]:
-    """Where creases are to fold to, in their own senses, rad, by the numbers of their hinges."""
+    """Return the targets of creases in their own senses, rad, by the numbers of their hinges."""
     numbers = hinges_by_edge(structure.hinges)
     found = {hinge: angle for edge, angle in targets.items() for hinge in numbers[edge]}
     return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items()}
 
 
 def _target(structure: Structure, named: NamedProtocol) -> Goal:
-    """The goal that every crease is where it is to fold to."""
+    """Return the goal that every crease is near its target."""
     count = coordinate_count(structure)
     least, most = np.full(count, -np.inf), np.full(count, np.inf)
     for hinge, angle in _target_angles(structure, named.targets).items():
@@ -193,7 +205,7 @@ def _target(structure: Structure, named: NamedProtocol) -> Goal:
 
 
 def _together(structure: Structure, design: Design) -> list[Drive]:
-    """The drives of stages that have several, each as one, where they lead to a state."""
+    """Return one drive for the drives of every stage that has several and leads to a state."""
     known, stages = [drive.name for drive in structure.drives], design.protocol.stages
     return [
         _in_proportion(structure, stage_drives(stages[transition.stage]))
@@ -203,9 +215,9 @@ def _together(structure: Structure, design: Design) -> list[Drive]:
 
 
 def _in_proportion(structure: Structure, names: Sequence[str]) -> Drive:
-    """Drives as one, which grow in proportion: that of the first with the others' shares.
+    """Return one drive for several that grow in proportion.
 
-    One of no strength is no measure of the others: the first that has some is.
+    Its strength and its key are those of the first drive whose strength is not 0.
     """
     drives = [drive_of(structure, name) for name in names]
     lead = next((drive for drive in drives if drive.strength), drives[0])

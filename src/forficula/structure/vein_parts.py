@@ -53,7 +53,7 @@ def bare_veins(
     hinges: list[Hinge] = []
     tendons: list[Tendon] = []
     for index, vein in enumerate(veins):
-        choice, first = design.tendon_on(index), len(points)
+        choice, first = design.tendons[index], len(points)
         bodies += _bodies(index, vein)
         points += _points(index, vein, choice)
         bars += _bars(design, index, vein, (first, len(points) - 1), overlapping)
@@ -101,7 +101,7 @@ def vein_masses(design: VeinDesign, veins: Sequence[Vein]) -> tuple[PointMass, .
     """
     masses: list[PointMass] = []
     for index, vein in enumerate(veins):
-        tendon, hinge = design.tendon_on(index), design.vein.added_mass / 2
+        tendon, hinge = design.tendons[index], design.vein.added_mass / 2
         if hinge:
             for fold in range(len(vein.axes)):
                 ends = ((fold, vein.end(fold)), (fold + 1, np.zeros(3)))

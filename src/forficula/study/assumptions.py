@@ -18,7 +18,7 @@ from forficula.dynamics import Record, versions, with_timestep
 from forficula.dynamics.simulate import Progress
 from forficula.errors import InputError
 from forficula.names import counted
-from forficula.serial import Joules, Key, Quantity, Seconds, Written
+from forficula.serial import Joules, Key, Seconds, WithUnit, Written
 from forficula.structure import Structure
 from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
 from forficula.study.runs import half_step, run_each, with_checks
@@ -116,10 +116,10 @@ class Assumptions(Displayed):
         return self.design.identity
 
     @property
-    def quantities(self) -> Annotated[Mapping[str, Quantity], Key("uncertainty")]:
+    def quantities(self) -> Annotated[Mapping[str, WithUnit], Key("uncertainty")]:
         """The uncertainties with their units."""
         units = {"time": "s", "work": "J"}
-        return {name: Quantity(half, units[name.rpartition(".")[2]]) for name, half in self.uncertainty.items()}
+        return {name: WithUnit(half, units[name.rpartition(".")[2]]) for name, half in self.uncertainty.items()}
 
     @property
     def design_file(self) -> Annotated[str, Written.ALWAYS]:

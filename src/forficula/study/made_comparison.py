@@ -15,7 +15,7 @@ from forficula.make.made_values import MadeValues, made_values
 from forficula.make.part import PartSet
 from forficula.make.unkept import Unkept, unkept
 from forficula.names import listed
-from forficula.serial import Key, Quantity, Written
+from forficula.serial import Key, WithUnit, Written
 from forficula.statics import HingeLandscape, hinge_landscape, tendon_hinges
 from forficula.structure import crossing_tendons, structure_of
 from forficula.study.runs import run_each
@@ -36,23 +36,23 @@ class HingePair:
     made: Annotated[HingeLandscape, Written.NEVER]
 
     @property
-    def as_designed(self) -> Annotated[Mapping[str, Quantity], Key("designed")]:
+    def as_designed(self) -> Annotated[Mapping[str, WithUnit], Key("designed")]:
         """Barrier, holding torque and inertia as designed."""
         return _hinge_numbers(self.designed)
 
     @property
-    def as_made(self) -> Annotated[Mapping[str, Quantity], Key("made")]:
+    def as_made(self) -> Annotated[Mapping[str, WithUnit], Key("made")]:
         """Barrier, holding torque and inertia as made."""
         return _hinge_numbers(self.made)
 
 
-def _hinge_numbers(hinge: HingeLandscape) -> dict[str, Quantity]:
+def _hinge_numbers(hinge: HingeLandscape) -> dict[str, WithUnit]:
     angle = None if hinge.barrier_angle is None else hinge.sense * hinge.barrier_angle
     return {
-        "barrier": Quantity(hinge.barrier, "J"),
-        "barrier_angle": Quantity(angle, "rad"),
-        "holding_torque": Quantity(hinge.holding_torque, "N m"),
-        "inertia": Quantity(hinge.hinge.inertia, "kg m^2"),
+        "barrier": WithUnit(hinge.barrier, "J"),
+        "barrier_angle": WithUnit(angle, "rad"),
+        "holding_torque": WithUnit(hinge.holding_torque, "N m"),
+        "inertia": WithUnit(hinge.hinge.inertia, "kg m^2"),
     }
 
 

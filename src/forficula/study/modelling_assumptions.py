@@ -88,13 +88,13 @@ def variant_of(assumption: Assumption, design: Design) -> Variant | str:
 
 
 def _values(tables: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """Every value of a design by dotted key; entries of a list by number, those of a fan's tendons by vein."""
+    """Every value of a design by dotted key; entries of a list by number."""
     for name, value in tables.items():
         if isinstance(value, Mapping):
             yield from _values(value, f"{prefix}{name}.")
         elif isinstance(value, list) and all(isinstance(each, Mapping) for each in value):
             for number, entry in enumerate(value):
-                yield from _values(entry, f"{prefix}{name}.{entry.get('vein', number)}.")
+                yield from _values(entry, f"{prefix}{name}.{number}.")
         else:
             yield f"{prefix}{name}", value
 

@@ -7,6 +7,7 @@ from matplotlib.lines import Line2D
 
 from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import landscape_drawings
+from forficula.show.landscape.barriers_figure import draw_barriers
 from forficula.show.landscape.landscape_figure import draw_fold_path
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.show.landscape.rests_figure import draw_rests
@@ -221,3 +222,9 @@ def test_what_is_not_there_is_not_drawn(surveyed):
 
 def test_a_small_wing_is_drawn_in_small_units(surveyed):
     assert draw_tendon(surveyed("small")).axes[0].get_ylabel() == "tendon energy (µJ)"
+
+
+def test_the_figure_of_barriers_draws_what_either_solver_finds(surveyed):
+    landscape = surveyed("reference")
+    words = draw_barriers(landscape).get_label()
+    assert f"Barriers: flat to folded {1e3 * landscape.fold_barrier:.3g} mJ and back" in words

@@ -74,7 +74,9 @@ def optimise_goal(
 ) -> Optimum:
     """Look for the designs that meet a goal best, or go on where that was stopped.
 
-    What comes out depends on the goal alone: not on how often it was stopped, on threads, or on who shares the work.
+    The result depends on the goal alone: not on how often the search was stopped, on threads, or on who shares the work.
+    Another processor may propose designs that differ in their last digits; a search that goes on there tries the designs
+    that the journal holds first.
 
     Args:
         goal: what is asked.
@@ -116,11 +118,11 @@ def optimise_goal(
 
 
 def _searched(goal: Goal, assess: Assessor, done: Callable[[Sequence[Candidate]], None]) -> list[Candidate]:
-    """All candidates of a search, batch after batch; what was tried so far is told after each.
+    """Return all candidates of a search, batch after batch; `done` gets those tried so far after each batch.
 
-    The points that are asked go into the journal, under a hash of everything that decides them. A search that is taken
-    up again, on whatever machine, or shared tries the same points, even where the last bit of what the optimiser
-    computes differs.
+    The points that the optimiser asks for go into the journal, under a hash of everything that they depend on. A search
+    that is resumed on another machine or shared between machines tries the same points, although the optimiser may
+    compute other last bits there.
     """
     candidates: list[Candidate] = []
     start = (axes_of(goal), len(goal.objectives), goal.batch, goal.seed, _starts(goal))

@@ -19,7 +19,7 @@ from forficula.material.law.law_form import LawForm, all_forms
 from forficula.material.law.material_law import MaterialLaw
 from forficula.material.tensile.strain_history import StrainHistory
 from forficula.quantities import Unit
-from forficula.serial import Key, Quantity, Written
+from forficula.serial import Key, WithUnit, Written
 
 _SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
 # a refusal: the values that it names, and why; and the numbers of one, by which refusals of the same kind differ
@@ -123,10 +123,10 @@ class LawFit:
         return [{"specimen": each.name, "amplitude": each.amplitude} for each in self.residuals]
 
     @property
-    def force_zero(self) -> Annotated[list[Mapping[str, str | Quantity]], Written.ALWAYS]:
+    def force_zero(self) -> Annotated[list[Mapping[str, str | WithUnit]], Written.ALWAYS]:
         """What the load cell shows of every specimen without force, and the drift of that."""
         return [
-            {"specimen": each.name, "offset": Quantity(each.offset, "Pa"), "drift": Quantity(each.drift, "Pa/s")}
+            {"specimen": each.name, "offset": WithUnit(each.offset, "Pa"), "drift": WithUnit(each.drift, "Pa/s")}
             for each in self.residuals
         ]
 

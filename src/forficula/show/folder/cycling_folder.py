@@ -17,7 +17,7 @@ from forficula.design.design import DesignIdentity
 from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
-from forficula.serial import Quantity, Written, json_text
+from forficula.serial import WithUnit, Written, json_text
 from forficula.show.folder.cell import first_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.page.cycling_section import cycling_section
@@ -98,7 +98,7 @@ class CyclingSummary:
     remarks: Sequence[str]
     seen_cycles: tuple[int, int] | None
     first_failure: int | None
-    drives: Annotated[Mapping[str, Quantity], Written.BESIDE]
+    drives: Annotated[Mapping[str, WithUnit], Written.BESIDE]
     cycles: Sequence[Mapping[str, Any]]
     versions: Mapping[str, str]
 

@@ -16,6 +16,7 @@ from forficula.dynamics import Record, versions
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.reproduction import shown_tendon
+from forficula.serial import json_text
 from forficula.show.folder.cell import printed_with_figure
 from forficula.show.folder.presentation import Presentation
 from forficula.show.landscape.barriers_figure import draw_barriers
@@ -58,9 +59,7 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
         "versions": versions(),
         "figures": list(landscape_kinds(landscape)),
     }
-    # what does not exist is null; not every reader of JSON knows NaN
-    text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False)
-    write_text(folder / "landscape.json", text + "\n")
+    write_text(folder / "landscape.json", json_text(content))
     texts = save_figures(landscape_drawings(landscape, record, tendon), folder)
     write_text(folder / "report.html", landscape_page(landscape, folder, texts, record, tendon))
 

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from forficula.quantities import reading_unit
+from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import (
     hinge_measure,
     mark_barrier,
@@ -120,7 +120,7 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
     band = (path.pleat_angle >= state.pleat_angle) & (path.pleat_angle <= state.far_pleat_angle)
     ends = np.degrees(path.pleat_angle[band]), factor * path.energy[band]
     mark_state(axes, state.kind, place, factor * state.energy, *ends)
-    words = f"{state.name}, {reading(state.energy)}"
+    words = f"{state.name}, {show_value(state.energy, 'J', 3)}"
     last_words = words.replace(", ", ",\n") if in_column(axes) else words
     height = factor * state.energy
     offsets: dict[str, Any] = {"textcoords": "offset points", "va": "center", "fontsize": 7}
@@ -136,12 +136,6 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
         axes.annotate(last_words, corner, xytext=(0, above), ha="right", **offsets)
     else:
         axes.annotate(last_words, corner, xytext=(-10, 6), ha="right", **offsets)
-
-
-def reading(energy: float) -> str:
-    """Write an energy (J) in the unit in which it reads well."""
-    unit, factor = reading_unit("J", abs(energy))
-    return f"{factor * energy:.3g} {unit}"
 
 
 def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
@@ -265,11 +259,11 @@ def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
 def _tell(landscape: EnergyLandscape) -> str:
     """The structure along its fold in words."""
     states = [
-        f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {reading(state.energy)}"
+        f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {show_value(state.energy, 'J', 3)}"
         for state in fold_states(landscape)
     ]
     saddles = [
-        f"{reading(state.energy)} at {show_angle(state.coordinate)}"
+        f"{show_value(state.energy, 'J', 3)} at {show_angle(state.coordinate)}"
         for state in fold_path_of(landscape).states
         if not state.stable
     ]

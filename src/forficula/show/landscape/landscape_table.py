@@ -20,7 +20,7 @@ from forficula.analysis.simulated_snap import (
     simulated_snap,
 )
 from forficula.dynamics import Record
-from forficula.quantities import reading_unit
+from forficula.quantities import show_value
 from forficula.show.landscape.landscape_marks import (
     course_words,
     held_words,
@@ -112,8 +112,8 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
                 "": name,
                 "kind": _KINDS[place.kind],
                 "at": _range(hinge.sense * place.angle, hinge.sense * place.far_angle),
-                "energy": _energy(place.energy),
-                "held by": _torque(place.holding_torque) if place.kind == "stop" else "",
+                "energy": show_value(place.energy, "J"),
+                "held by": show_value(place.holding_torque, "N m") if place.kind == "stop" else "",
             }
     for state in landscape.states:
         if isinstance(state, NetState):
@@ -123,8 +123,8 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
                 "": f"{whole}, {state.name}",
                 "kind": _KINDS[state.kind],
                 "at": f"pleats {_range(state.pleat_angle, state.far_pleat_angle)}",
-                "energy": _energy(state.energy),
-                "held by": f"{_torque(state.holding_torque)} a {bar}" if state.kind == "stop" else "",
+                "energy": show_value(state.energy, "J"),
+                "held by": f"{show_value(state.holding_torque, 'N m')} a {bar}" if state.kind == "stop" else "",
             }
     if landscape.fold_path is not None or landscape.net is not None:
         return
@@ -134,7 +134,7 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
             "": f"{whole}, {rest.name or 'at the start'}",
             "kind": "not stable" if not rest.stable else f"as {rest.same_as}" if rest.same_as else "rests",
             "at": ", ".join(f"{title_of(each)} {show_angles(each, rest.angles)}" for each in measures),
-            "energy": _energy(rest.energy),
+            "energy": show_value(rest.energy, "J"),
         }
 
 
@@ -199,7 +199,7 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
             (f"{whole}, {fold.end} to {fold.start}, all hinges together", landscape.unfold_barrier),
         ]
     for name, value in rows:
-        yield {"": name, "energy": _NONE if value is None else _energy(value)}
+        yield {"": name, "energy": _NONE if value is None else show_value(value, "J")}
     for each in landscape.passes if landscape.net is not None else ():
         one, other = (landscape.states[end].name for end in each.ends)
         there, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
@@ -231,7 +231,7 @@ def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
 
 
 def _least(torque: float | None, rounding: float) -> str:
-    return _NONE if torque is None else _torque(torque if torque > rounding else 0.0)
+    return _NONE if torque is None else show_value(torque if torque > rounding else 0.0, "N m")
 
 
 def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
@@ -251,21 +251,17 @@ def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
 def _withstands(landscape: EnergyLandscape) -> Iterator[Row]:
     """Loads by row, and by state up to where it withstands them."""
     states = [state for state in net_states(landscape) if state.withstands]
-    for load in dict.fromkeys(each.load for state in states for each in state.withstands):
-        held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+    held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
+    for load in dict.fromkeys(load for _, load in held):
         yield {"": load, **{state.name: held.get((state.name, load), "") for state in states}}
 
 
 def _tips(tips: TipStiffness | None) -> Iterator[Row]:
     if tips is None:
         return
-    unit, factor = reading_unit("m", tips.deflection)
+    flat = f"flat (along: to {show_value(tips.deflection, 'm', 3)})"
     for name, along, against in (
-        (
-            f"flat (along: to {factor * tips.deflection:.3g} {unit})",
-            _stiffness(tips.flat_along),
-            _stiffness(tips.flat_against),
-        ),
+        (flat, _stiffness(tips.flat_along), _stiffness(tips.flat_against)),
         ("unlocked, hinges straight", _stiffness(tips.unlocked_along), _stiffness(tips.unlocked_against)),
         ("flat, does not give up to", f"{tips.holding_force:.3g} N", ""),
     ):
@@ -332,7 +328,7 @@ def _rest_remarks(landscape: EnergyLandscape, record: Record | None) -> Iterator
     """How near to one another the two routes came to rest."""
     apart = {} if record is None else rest_distances(landscape, record)
     if apart:
-        told = ", ".join(f"{name} {_readable(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
+        told = ", ".join(f"{name} {show_value(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
         yield f"at rest, distances between vertices in the run differ from those in statics by at most: {told}"
 
 
@@ -366,16 +362,8 @@ def _range(start: float, end: float) -> str:
     return show_angle(start) if start == end else f"{show_angle(start)} to {show_angle(end)}"
 
 
-def _energy(value: float) -> str:
-    return _readable(value, "J")
-
-
-def _torque(value: float) -> str:
-    return _readable(value, "N m")
-
-
 def _time(value: float | None) -> str:
-    return _NONE if value is None else _readable(value, "s")
+    return _NONE if value is None else show_value(value, "s")
 
 
 def _rate(value: float | None) -> str:
@@ -388,8 +376,3 @@ def _speed(value: float | None) -> str:
 
 def _stiffness(value: float | None) -> str:
     return "rigid" if value is None else f"{value:.4g} N/m".replace("-", "−")
-
-
-def _readable(value: float, si: str) -> str:
-    unit, factor = reading_unit(si, abs(value))
-    return f"{factor * value:.4g} {unit}"

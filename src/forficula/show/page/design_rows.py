@@ -151,17 +151,8 @@ def _flat(design: Design) -> dict[str, str]:
     sections = {key: value for key, value in tables.items() if isinstance(value, dict) or _is_list_of_tables(value)}
     leaves: dict[str, str] = {}
     for key, value in sections.items():
-        part = _section(key, design)
-        leaves |= _leaves(value if part is None else _numbered(value, part.numbered_by), key)
+        leaves |= _leaves(value, key)
     return leaves
-
-
-def _numbered(value: Any, number_key: str) -> Any:
-    """A list of tables that name their numbers as tables by these; anything else as it is."""
-    if not number_key or not _is_list_of_tables(value):
-        return value
-    entries = {each.get(number_key, number): each for number, each in enumerate(value)}
-    return {number: {name: it for name, it in each.items() if name != number_key} for number, each in entries.items()}
 
 
 def _leaves(value: Any, key: str) -> Iterator[tuple[str, str]]:
