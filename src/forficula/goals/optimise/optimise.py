@@ -74,9 +74,9 @@ def optimise_goal(
 ) -> Optimum:
     """Look for the designs that meet a goal best, or go on where that was stopped.
 
-    The result depends on the goal alone: not on how often the search was stopped, on threads, or on who shares the work.
-    Another processor may propose designs that differ in their last digits; a search that goes on there tries the designs
-    that the journal holds first.
+    The result depends on the goal alone: not on how often the search was stopped, on threads, or on who shares the
+    work. Another processor may propose designs that differ in their last digits. A search that is resumed there first
+    tries the designs that the journal holds.
 
     Args:
         goal: what is asked.
