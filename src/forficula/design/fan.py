@@ -35,8 +35,6 @@ from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
 from forficula.quantities import Unit, format_quantity, show_quantity
 
 _MOST_VEINS = 1001
-# the two forms of a design's tendons, as they stand in the places of errors
-ONE_FOR_ALL, BY_VEIN = "<one for all>", "<by vein>"
 
 
 class FanProtocol(Protocol):
@@ -99,8 +97,8 @@ class FanDesign(Design):
         CouplingSection | None, Field(description="between neighbouring veins at the base; without it, none")
     ] = None
     tendon: Annotated[
-        Annotated[TendonSection, Tag(ONE_FOR_ALL)] | Annotated[tuple[TendonSection | None, ...], Tag(BY_VEIN)],
-        Discriminator(lambda given: BY_VEIN if isinstance(given, tuple) else ONE_FOR_ALL),
+        Annotated[TendonSection, Tag("<one for all>")] | Annotated[tuple[TendonSection | None, ...], Tag("<by vein>")],
+        Discriminator(lambda given: "<by vein>" if isinstance(given, tuple) else "<one for all>"),
         Field(description="one for every vein, or by the number of the vein, None for one without"),
     ]
     guard: GuardSection

@@ -21,7 +21,7 @@ def test_explanations_of_sections_do_not_depend_on_docstrings():
     parts = list(_subclasses(Part))
     assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "Facet"} <= {part.__name__ for part in parts}
     for part in parts:
-        if part.__doc__ and part.__module__.startswith("forficula.") and not issubclass(part, Design):
+        if part.__doc__ and part.__module__.startswith("forficula.design") and not issubclass(part, Design):
             assert part.about == (part.__doc__ or "").splitlines()[0].removesuffix("."), part
 
 
