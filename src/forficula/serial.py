@@ -1,6 +1,6 @@
 """JSON of results, and its schema: both follow from the annotated fields of data classes.
 
-A field has its unit once, as in `time: Annotated[float, Unit("s")]`. In JSON the unit stands at the end of the key,
+A field has its unit once, as in `time: Annotated[float, Unit("s")]`. In JSON the unit is the end of the key,
 `time_s`, and angles are in degrees. A number that does not exist is null.
 """
 
@@ -53,7 +53,7 @@ class Written(Enum):
     FIRST = "first"  # a property that is written before the fields
     NEVER = "never"
     IF_KNOWN = "if known"  # without its key where it is None
-    BESIDE = "beside"  # the entries of a mapping or a data class stand beside the keys of the whole, which come first
+    BESIDE = "beside"  # the entries of a mapping or a data class become keys of the whole, whose own keys have priority
     OR_NULL = "or null"  # an empty text is null
 
 
@@ -115,7 +115,7 @@ def plain(value: Any, unit: str = "") -> Any:
 
     Args:
         value: that is written.
-        unit: of its numbers, of which angles are turned into degrees.
+        unit: of its numbers; angles are converted to degrees.
     """
     if isinstance(value, Enum):
         return value.value
@@ -148,15 +148,15 @@ def json_text(value: Any) -> str:
 def _plain_fields(value: Any) -> dict[str, Any]:
     entries = _entries(value.__class__)
     keys = {entry.key for entry in entries if Written.BESIDE not in entry.how}
-    told: dict[str, Any] = {}
+    written: dict[str, Any] = {}
     for entry in entries:
         content = getattr(value, entry.name)
         if Written.BESIDE in entry.how:
             others = {} if content is None else plain(content, entry.unit)
-            told |= {key: each for key, each in others.items() if key not in keys}
+            written |= {key: each for key, each in others.items() if key not in keys}
         elif content is not None or Written.IF_KNOWN not in entry.how:
-            told[entry.key] = plain(None if Written.OR_NULL in entry.how and content == "" else content, entry.unit)
-    return told
+            written[entry.key] = plain(None if Written.OR_NULL in entry.how and content == "" else content, entry.unit)
+    return written
 
 
 def schema_of(shape: Any, name: str) -> dict[str, Any]:

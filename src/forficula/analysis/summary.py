@@ -111,7 +111,7 @@ class StorageSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class Summary:
-    """The outcome of a run. States and transitions stand under their own names, too.
+    """The outcome of a run. The summary also has a key for each state and each transition, which is its name.
 
     Attributes:
         design: name of the design.
@@ -208,8 +208,8 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
         key=key,
         versions=versions,
     )
-    told: dict[str, Any] = plain(content)
-    return told
+    written: dict[str, Any] = plain(content)
+    return written
 
 
 def drive_strength(structure: Structure, drive: Drive) -> dict[str, WithUnit]:
@@ -219,7 +219,7 @@ def drive_strength(structure: Structure, drive: Drive) -> dict[str, WithUnit]:
 
 
 def _named(stages: Sequence[StageOutcome]) -> dict[str, StageOutcome]:
-    """Return stages by their names, of which those that were there before get a number."""
+    """Return stages by their names. A name that occurs again gets a number."""
     named: dict[str, StageOutcome] = {}
     for stage in stages:
         again = sum(name == stage.name or name.startswith(f"{stage.name} (") for name in named)
@@ -262,22 +262,22 @@ class _StateNumbers:
 
 def _state(structure: Structure, state: State, confirmation: Confirmation | None) -> StateSummary:
     readings, energies = _readings(structure), list(_energies(structure, state))
-    told: dict[str, WithUnit] = {}
+    others: dict[str, WithUnit] = {}
     for each in readings:
-        told[each.name] = WithUnit(each.numbers(state.values), each.unit)
+        others[each.name] = WithUnit(each.numbers(state.values), each.unit)
         for end in ("low", "high"):
             ends = {name: getattr(reading, end) for name, reading in state.readings.items()}
-            told[f"{each.name}_{end}"] = WithUnit(each.numbers(ends), each.unit)
+            others[f"{each.name}_{end}"] = WithUnit(each.numbers(ends), each.unit)
     # a sparse record does not have the energy of membranes
     values = {"membrane.energy": np.array([state.membrane_energy]), **state.values}
-    told |= {each.name: WithUnit(each.numbers(values), each.unit) for each in energies}
+    others |= {each.name: WithUnit(each.numbers(values), each.unit) for each in energies}
     for each in (*readings, *energies):
         halves = None if confirmation is None else confirmation.of_state(state.name, each.numbers)
         if halves is not None:
-            told[f"{each.name}_uncertainty"] = WithUnit(halves, each.unit)
+            others[f"{each.name}_uncertainty"] = WithUnit(halves, each.unit)
     return StateSummary(
         time=state.time,
-        others=told,
+        others=others,
         tendon_length=state.tendon_length,
         tendon_energy=state.tendon_energy,
         membrane_energy=state.membrane_energy,

@@ -74,7 +74,7 @@ class DriftSummary:
     Attributes:
         specimens: how many have two cycles or more.
         change: from one cycle to the next.
-        drifts: by what drifts; None where it cannot be told.
+        drifts: by the quantity that drifts; None where the tests do not determine it.
     """
 
     specimens: int

@@ -158,8 +158,8 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         net=None if landscape.net is None else _net(landscape, landscape.net),
         design_hash=landscape.design.hash,
     )
-    told: dict[str, Any] = plain(content)
-    return told
+    written: dict[str, Any] = plain(content)
+    return written
 
 
 def _hinge(hinge: HingeLandscape) -> CurveSummary:

@@ -54,7 +54,7 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class ConvergenceSummary:
-    """A convergence study as `convergence.json` has it; beside its keys the law of every time over the timestep."""
+    """A convergence study as `convergence.json` has it, with the law of every time over the timestep."""
 
     design: Annotated[DesignIdentity, Written.BESIDE]
     key: str

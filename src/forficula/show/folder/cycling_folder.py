@@ -91,7 +91,7 @@ def cycling_csv(cycling: Cycling) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class CyclingSummary:
-    """A structure over cycles, as `cycles.json` has it; beside its keys the strengths of the drives."""
+    """A structure over cycles, as `cycles.json` has it, with the strengths of the drives."""
 
     design: Annotated[DesignIdentity, Written.BESIDE]
     verdict: str

@@ -107,7 +107,7 @@ class PairSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class BetweenSummary:
-    """The samples between those that ran, of which a model tells the facts."""
+    """Samples between those that ran, whose facts a model predicts."""
 
     emulated: bool
     share: float
