@@ -31,8 +31,7 @@ import xarray
 
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
-from forficula.goals.identify.finding import Finding
-from forficula.goals.identify.identify import Sample
+from forficula.goals.identify.identify import Finding, Sample
 from forficula.goals.identify.marginal import marginals
 from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import prior_shares, values_at

@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.goals.tolerance.indices import total_effects
-from forficula.goals.tolerance.plan import PLANS
-from forficula.goals.tolerance.points import exchanged, two_samples
+from forficula.goals.tolerance.plan import PLANS, exchanged, two_samples
 from forficula.goals.tolerance.screening import screening
 
 Values = NDArray[np.float64]

@@ -6,7 +6,7 @@ import pytest
 
 import forficula as ff
 from forficula.analysis import run_warnings
-from forficula.analysis.arrival import missed_targets
+from forficula.analysis.run_warnings import missed_targets
 from forficula.pattern import vertex_pattern
 from tests.sheets import sheet_design
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.analysis.thinning import thin_record
 from forficula.dynamics import load_record, save_record
+from forficula.study.kept_runs import thin_record
 from tests.places import places
 
 

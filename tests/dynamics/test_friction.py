@@ -7,8 +7,8 @@ import pytest
 from forficula.analysis import Verdict, measure
 from forficula.design import load_design
 from forficula.dynamics import Record, energy_balance
-from forficula.dynamics.friction import friction_torques
 from forficula.dynamics.model import compile_model
+from forficula.dynamics.stop_forces import friction_torques
 from forficula.errors import InputError
 from forficula.show.run.stalled import needed_torque
 from forficula.statics import energy_landscape

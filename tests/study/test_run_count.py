@@ -1,4 +1,4 @@
-from forficula.study.run_count import RunCount
+from forficula.study.run_study import RunCount
 
 
 def row(key, opened=False):

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
+from rich.console import Console
+from rich.table import Table
 
 from forficula.commands.new import USUAL_KIND, Kind
+from forficula.design.key_table import KeyFact
 from forficula.errors import InputError
 from forficula.options import (
     WHOLE_NUMBER,
@@ -56,7 +59,6 @@ def keys(
     from forficula.design.key_table import key_facts
     from forficula.design.kinds import KINDS
     from forficula.names import one_of
-    from forficula.show.key_table import print_keys
 
     if kind not in KINDS:
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
@@ -283,3 +285,23 @@ def _attachments(design: Design) -> Array | None:
     structure = structure_of(design)
     ends = [point for tendon in structure.tendons for point in tendon.points]
     return built_points(structure)[ends] if ends else None
+
+
+_WIDTH = 130
+
+
+def print_keys(facts: Sequence[KeyFact]) -> None:
+    """Print keys table by table, each with what it may hold, what counts without it, and what it means."""
+    console = Console(width=_WIDTH, highlight=False, markup=False)
+    sections: dict[str, list[KeyFact]] = {}
+    for fact in facts:
+        sections.setdefault(fact.key.rpartition(".")[0], []).append(fact)
+    for number, (section, inside) in enumerate(sections.items()):
+        table = Table(box=None, padding=(0, 2, 0, 0), show_header=number == 0)
+        for heading, width in (("key", 26), ("may be", 26), ("if left out", 12), ("meaning", None)):
+            table.add_column(heading, width=width, overflow="fold")
+        for fact in inside:
+            table.add_row(fact.key.rpartition(".")[2], fact.allowed, fact.default, fact.meaning)
+        if section:
+            console.print(*[""] * (number > 0), f"[{section}]", sep="\n", style="bold")
+        console.print(table)

@@ -225,7 +225,7 @@ def _tell_plan(question: Question, plan: Plan, most: int, seconds: float) -> Non
 
 def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     """Write a tolerance and its page, and print it."""
-    from forficula.goals.tolerance.kept_samples import samples_to_keep
+    from forficula.goals.tolerance.samples import samples_to_keep
     from forficula.show import study_progress
     from forficula.show.folder.tolerance_folder import write_tolerance, write_tolerance_report
     from forficula.show.goals.tolerance_text import print_tolerance
@@ -284,7 +284,7 @@ def identify(
 def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask: str | None) -> Dataset:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
-    from forficula.show.goals.identify_progress import identify_progress
+    from forficula.show.goals.optimise_progress import identify_progress
 
     with _cluster(dask) as cluster, identify_progress() as (samples, runs):
         return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)

@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
+import scipy
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
 from forficula.design.design import Design, check_duration
@@ -26,12 +27,11 @@ from forficula.design.medium import check_medium
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
-from forficula.design.start import largest_start, start_stretch
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.design.tendon_tables import is_by_vein
 from forficula.errors import InputError
 from forficula.names import listed
-from forficula.pattern import EarwigFan, ring_vertices, vein_gaps
+from forficula.pattern import EarwigFan, ring_directions, ring_vertices, tips, vein_gaps
 from forficula.quantities import Unit, format_quantity, show_quantity
 
 _MOST_VEINS = 1001
@@ -315,3 +315,35 @@ def _room_at_ring(fan: EarwigFan) -> tuple[float, float]:
     """From vein to vein at the ring fold, m: between their axes, and along the ring."""
     first, second = ring_vertices(fan)[:2]
     return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)
+
+
+@lru_cache(maxsize=64)  # asked of every design that is made of one, most of which start alike
+def start_stretch(fan: EarwigFan, overbend: float) -> float:
+    """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
+
+    Neighbouring veins bend to opposite sides of the sheet, evenly at their ring folds.
+
+    Args:
+        fan: the crease pattern.
+        overbend: of every distal hinge, rad.
+
+    Returns:
+        The largest share of all pairs.
+    """
+    flat = bent = tips(fan)
+    # odd veins are valleys, as `earwig_pattern` has them
+    senses = (-1.0) ** (np.arange(len(flat)) + 1)
+    for fold in reversed(range(fan.ring_folds)):
+        turned = scipy.spatial.transform.Rotation.from_rotvec(
+            overbend / fan.ring_folds * senses[:, None] * ring_directions(fan)
+        )
+        ring = ring_vertices(fan, fold=fold)
+        bent = ring + turned.apply(bent - ring)
+    distances = (np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (bent, flat))
+    return float(np.max(next(distances) / next(distances)))
+
+
+def largest_start(fan: EarwigFan, stretch: float, bend: float) -> float:
+    """How far one may bend towards a bend, rad, at which tips are further apart than so many times as when flat."""
+    share = scipy.optimize.brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
+    return float(share * bend)

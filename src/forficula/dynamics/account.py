@@ -9,12 +9,10 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.dynamics.crease_work import crease_works, displacement_force, engine_work, motor_travel
 from forficula.dynamics.energy import LETTING_GO, branch_losses, letting_go_work
-from forficula.dynamics.explicit_work import explicit_works
-from forficula.dynamics.friction import friction_torques
 from forficula.dynamics.model import Model, joint_ranges
 from forficula.dynamics.stepper import energy_of
 from forficula.dynamics.steps import State, Steps
-from forficula.dynamics.stop_forces import stop_forces
+from forficula.dynamics.stop_forces import friction_torques, stop_forces
 from forficula.structure import Motor
 
 # steps for which a stop's force goes on changing fast: four of its time constants
@@ -320,3 +318,29 @@ def motor_power_name(motor: int) -> str:
 def motor_force_name(motor: int) -> str:
     """What the force of a motor that displaces points, by number, is called in an account."""
     return f"motor{motor}_force"
+
+
+def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:
+    """Works of dampers and of what stops or closes a structure in each step, (row, step), in the models' units.
+
+    A damper of hinges takes the integral of its squared speed: by Simpson's rule, with the speed in the middle that the
+    cubic has which goes through both positions with both speeds, of fourth order. Of other forces powers are known at
+    both ends of a step, and the trapezoidal rule is of second order.
+
+    Args:
+        steps: of structures that `Model.explicit` is true of.
+        travel: of the joints in each step, (row, step, dof).
+        damping: of the joints, (row, dof).
+        timestep: (row,).
+    """
+    before = np.concatenate([steps.velocity_before[:, None], steps.velocity[:, :-1]], axis=1)
+    after, step, damping = steps.velocity, timestep[:, None, None], damping[:, None]
+    middle = 1.5 * travel / step - (before + after) / 4
+    assert steps.late is not None
+    at_start, at_end = steps.derived, steps.late
+    works = {"hinge_damping_work": -step / 6 * damping * (before**2 + 4 * middle**2 + after**2)}
+    for name, field in (("elastic_damping_work", "qfrc_damper"), ("stop_work", "qfrc_constraint")):
+        own = damping if field == "qfrc_damper" else 0.0
+        powers = (at_start[field] + own * before) * before + (at_end[field] + own * after) * after
+        works[name] = step / 2 * powers
+    return {name: np.sum(work, axis=2) for name, work in works.items()}

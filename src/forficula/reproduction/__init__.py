@@ -1,7 +1,5 @@
-from forficula.reproduction.claim import Claim
-from forficula.reproduction.comparison import Comparison, check_reproduction, compare
-from forficula.reproduction.named_reproduction import named_reproduction
-from forficula.reproduction.reproduction import Reproduction
+from forficula.reproduction.comparison import Comparison, check_reproduction, compare, named_reproduction
+from forficula.reproduction.reproduction import Claim, Reproduction
 from forficula.reproduction.shown_vein import shown_hinge, shown_tendon
 
 __all__ = [

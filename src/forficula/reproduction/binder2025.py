@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from forficula.analysis import Ending, Verdict, ending_word
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.reproduction.claim import Claim
-from forficula.reproduction.reproduction import Reproduction
+from forficula.reproduction.reproduction import Claim, Reproduction
 from forficula.reproduction.tendon_search import AS_MANY, FACTORS, Mask, TendonSearch, read_search
 from forficula.study import Study
 

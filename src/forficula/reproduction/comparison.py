@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from forficula.reproduction.claim import Claim
-from forficula.reproduction.named_reproduction import named_reproduction
-from forficula.reproduction.reproduction import Reproduction
+from forficula.errors import InputError
+from forficula.quantities import as_written
+from forficula.reproduction.binder2025 import BINDER2025
+from forficula.reproduction.reproduction import Claim, Reproduction
 from forficula.study import Study
 
 if TYPE_CHECKING:
@@ -78,3 +79,19 @@ def comparison_markdown(comparison: Comparison) -> str:
         cells = (row.claim, value, row.ours, words[row.agrees], row.why)
         lines.append(f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |")
     return "\n".join(lines) + "\n"
+
+
+_NAMED = {paper.name: paper for paper in (BINDER2025,)}
+
+
+def named_reproduction(name: str | None) -> Reproduction | None:
+    """Find the paper that a study or a design names under `reproduces`; None where it names none.
+
+    Raises:
+        InputError: there is no such paper.
+    """
+    if name is None:
+        return None
+    if name not in _NAMED:
+        raise InputError(f"reproduces: need one of {', '.join(sorted(_NAMED))}, got {as_written(name)}")
+    return _NAMED[name]

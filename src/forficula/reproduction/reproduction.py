@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from forficula.reproduction.claim import Claim
 from forficula.study import Study
 
 if TYPE_CHECKING:
@@ -38,3 +37,24 @@ class Reproduction:
     fold_count: int | None
     check: Callable[[Study], None]
     claims: Callable[[Dataset], list[Claim]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim:
+    """One claim of a paper beside what a study finds.
+
+    Attributes:
+        claim: what is compared.
+        paper: what the paper reports.
+        ours: what the study's table says.
+        agrees: None where the table does not have what it takes to tell.
+        why: a sentence on the difference, empty where there is none or it is not known.
+        mark: where the paper's value comes from: "paper", or "derived" from what it says.
+    """
+
+    claim: str
+    paper: str
+    ours: str
+    agrees: bool | None
+    why: str
+    mark: str

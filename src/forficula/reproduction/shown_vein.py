@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from forficula.analysis.simulated_snap import inner_tendon
 from forficula.design import Design
-from forficula.reproduction.named_reproduction import named_reproduction
+from forficula.reproduction.comparison import named_reproduction
 from forficula.statics import folding_hinges
 from forficula.structure import crossing_tendons, structure_of
 

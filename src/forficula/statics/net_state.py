@@ -11,7 +11,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.collapse import Collapse, collapse
-from forficula.statics.net.energy import stored_by_part
+from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.minimum import Rest
@@ -20,7 +20,6 @@ from forficula.statics.net.net import Net, Shape, Springs
 from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, places
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
-from forficula.statics.net.strength import strength
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
 
 _MODES = 4  # told of every state, beside motions of the whole
@@ -239,3 +238,40 @@ def _groups(structure: Structure) -> list[tuple[str, Motor]]:
     watched = [each for each in structure.measures if each.kind == "angle"]
     chosen = [each for each in watched if each.name != "creases"] or watched
     return [(each.name, Motor(name=each.name, hinges=each.hinges)) for each in chosen if each.hinges]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Strength:
+    """Strains, forces and moments, in the order of the net's parts.
+
+    Attributes:
+        strains: of the bars, (spring,); 0 for those without a resting length.
+        forces: of the bars, tension positive, N, (spring,).
+        moments: of the creases, slopes of their energies by their angles, N m, (crease,).
+        pulls: of the tendons, N, (tendon,).
+        extensions: of the tendons beyond their resting lengths, over these, (tendon,).
+        stresses: of the membranes, principal second Piola-Kirchhoff stresses, the larger first, Pa, (triangle, 2).
+    """
+
+    strains: Array
+    forces: Array
+    moments: Array
+    pulls: Array
+    extensions: Array
+    stresses: Array
+
+
+def strength(net: Net, shape: Shape) -> Strength:
+    """What every part bears."""
+    bars, tendons, _, _ = sides_of(net, shape.positions)
+    rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=1)
+    law, span = net.tendons.law, np.linalg.norm(tendons, axis=1)
+    longer = np.maximum(span - law.rest_length, 0.0)
+    return Strength(
+        strains=np.divide(length - rest, rest, out=np.zeros_like(rest), where=rest > 0),
+        forces=net.springs.stiffness * (length - rest),
+        moments=net.creases.law.moment(shape.angles),
+        pulls=law.force(span),
+        extensions=np.divide(longer, law.rest_length, out=np.zeros_like(span), where=np.asarray(law.rest_length) > 0),
+        stresses=membrane_stresses(net, shape),
+    )

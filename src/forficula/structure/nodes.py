@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -10,18 +11,17 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 from forficula.arrays import Array
-from forficula.design import SheetDesign, tendon_law
+from forficula.design import Imperfection, SheetDesign, tendon_law
 from forficula.design.crease_values import creases_by_edge
 from forficula.design.sheet_creases import crease_sense
 from forficula.design.sheet_places import GROUND_PLACE
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
-from forficula.pattern.geometry import triangle_areas
+from forficula.pattern.geometry import triangle_areas, triangle_normals
 from forficula.pattern.shared_edges import shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.facets import BEND
 from forficula.structure.flaps import flap_angles
-from forficula.structure.imperfection import imperfect
 from forficula.structure.medium import facet_panels, immersed
 from forficula.structure.parts import (
     GROUND,
@@ -254,3 +254,20 @@ def _tendons(
 def _areas(triangles: CreasePattern) -> Array:
     """Areas of triangles, (triangle,)."""
     return triangle_areas(triangles.vertices_coords[np.array(triangles.faces_vertices)])
+
+
+def imperfect(triangles: CreasePattern, imperfection: Imperfection) -> CreasePattern:
+    """Shift every vertex square to the sheet by a random way, normally distributed.
+
+    Args:
+        triangles: a sheet of triangles.
+        imperfection: standard deviation of the shifts, in the pattern's units, and the seed of the random numbers.
+    """
+    if not imperfection.size:
+        return triangles
+    coords, corners = triangles.vertices_coords, np.array(triangles.faces_vertices)
+    normals = np.zeros_like(coords)
+    np.add.at(normals, corners, triangle_normals(coords[corners])[:, None])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
+    ways = imperfection.size * np.random.default_rng(imperfection.seed).normal(size=(len(coords), 1))
+    return dataclasses.replace(triangles, vertices_coords=coords + ways * normals)

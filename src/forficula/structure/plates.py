@@ -16,12 +16,12 @@ from forficula.design.sheet_places import SheetPlace, place_on
 from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.pattern.fold_angles import built_fold_angles
+from forficula.pattern.shared_edges import SharedEdge, shared_edges
 from forficula.structure.appearance import Appearance
 from forficula.structure.crossing import tendon_crossing
-from forficula.structure.facet_plates import corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.facet_plates import AddPoint, corner_name, facet_plates, largest_mass, plate_tendons
 from forficula.structure.medium import facet_panels, immersed
-from forficula.structure.opening_creases import opening_creases, opening_parts
-from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Stops
+from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Spring, Stops
 from forficula.structure.protocol import pushed_name, with_protocol
 from forficula.structure.sheet_hinge import sheet_hinge
 from forficula.structure.sheet_measures import sheet_measures
@@ -164,3 +164,77 @@ def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLi
         hinge = sheet_hinge(design, crease, pattern, link.edge, length=length, folded=folded)
         hinges.append(replace(hinge, body=body, axis=along / length, built=folded, start=crease.start or folded))
     return tuple(hinges)
+
+
+# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
+_WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
+OPENING = "opening"  # role of these springs
+
+
+def opening_creases(design: SheetDesign) -> frozenset[int]:
+    """Numbers of the edges at which rigid facets come apart."""
+    return frozenset(edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None)
+
+
+def opening_parts(
+    design: SheetDesign, pattern: CreasePattern, points: Sequence[Point], add: AddPoint, built: Array
+) -> tuple[tuple[Spring, ...], tuple[Hinge, ...]]:
+    """The springs and the folds of creases that open.
+
+    Args:
+        design: of the sheet.
+        pattern: alike.
+        points: of the corners of its plates, and others.
+        add: gives a place a point.
+        built: by how much every edge is folded as built, rad, (edge,).
+
+    Returns:
+        Three springs a crease, each of no length; and the hinges.
+    """
+    creases, opening = creases_by_edge(design), opening_creases(design)
+    named = {point.name: number for number, point in enumerate(points)}
+    springs: list[Spring] = []
+    hinges: list[Hinge] = []
+    for shared in shared_edges(pattern):
+        edge = shared.edge
+        if edge not in opening:
+            continue
+        crease = creases[edge]
+        ends = pattern.vertices_coords[[shared.tail, shared.head]]
+        length = float(np.linalg.norm(ends[1] - ends[0]))
+        middle = [
+            add(f"crease{edge}_on_facet{facet}", "crease", SheetPlace(facet=facet, position=ends.mean(axis=0)))
+            for facet in (shared.left, shared.right)
+        ]
+        pairs = [
+            tuple(named[corner_name(facet, vertex)] for facet in (shared.left, shared.right))
+            for vertex in (shared.tail, shared.head)
+        ]
+        for place, (pair, weight) in enumerate(zip((pairs[0], middle, pairs[1]), _WEIGHTS, strict=True)):
+            springs.append(
+                Spring(
+                    name=f"crease{edge}_opening{place}",
+                    role=OPENING,
+                    points=(pair[0], pair[1]),
+                    stiffness=weight * length * (crease.extension or 0.0),
+                    rest_length=0.0,
+                    damping=weight * length * (crease.extension_damping or 0.0),
+                )
+            )
+        folded = crease_sense(pattern, edge) * float(built[edge]) + 0.0
+        hinge = sheet_hinge(design, crease, pattern, edge, length=length, folded=folded)
+        hinges.append(replace(hinge, flaps=_flaps(pattern, shared, named)))
+    return tuple(springs), tuple(hinges)
+
+
+def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:
+    """Tail, head and the furthest corner of the facet on the left, and of that on the right."""
+    tail, head = pattern.vertices_coords[[shared.tail, shared.head]]
+    flaps = []
+    for facet in (shared.left, shared.right):
+        corners = pattern.faces_vertices[facet]
+        heights = np.linalg.norm(np.cross(pattern.vertices_coords[list(corners)] - tail, head - tail), axis=1)
+        vertices = (shared.tail, shared.head, corners[int(np.argmax(heights))])
+        flaps += [named[corner_name(facet, vertex)] for vertex in vertices]
+    one, two, three, four, five, six = flaps
+    return one, two, three, four, five, six

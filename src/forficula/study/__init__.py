@@ -1,6 +1,5 @@
-from forficula.study.cluster import dask_cluster
+from forficula.study.cluster import dask_cluster, slurm_script
 from forficula.study.run_study import collect, estimate, run_study
-from forficula.study.slurm import slurm_script
 from forficula.study.study import Study
 from forficula.study.study_file import load_study, named_studies
 from forficula.study.table import table_csv, table_json

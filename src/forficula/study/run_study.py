@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,6 @@ from forficula.errors import InputError
 from forficula.names import check_whole
 from forficula.study.evaluate import evaluate, row_key
 from forficula.study.journal import Row, open_journal, read_rows
-from forficula.study.run_count import RunCount
 from forficula.study.search import most_runs, point_design, search_designs
 from forficula.study.study import Study
 from forficula.study.table import build_table
@@ -194,3 +193,53 @@ def _missing_by_point(
 def _joined(points: Iterable[Mapping[str, Design]]) -> dict[str, Design]:
     """The runs of all points, one that several share once."""
     return {key: design for point in points for key, design in point.items()}
+
+
+class RunCount:
+    """Runs done and needed, as far as results tell.
+
+    What a search turns out to do without counts as done, so that what is needed never shrinks; it grows where results
+    ask for more.
+
+    Attributes:
+        needed: runs, those done among them.
+    """
+
+    def __init__(self, done: int, later: int = 0, last_state: str = "") -> None:
+        """Start with runs that are done, and points that come later, of which each counts as a run for now.
+
+        Args:
+            done: runs that are.
+            later: points that come later.
+            last_state: that a search ends with; of a run that reaches it, none with a larger value is tried.
+        """
+        self._last_state = last_state
+        self.needed = done + later
+        self._later, self._spare = later, 0
+        self._open: set[str] = set()
+        self._points: dict[str, Sequence[str]] = {}
+
+    @property
+    def done(self) -> int:
+        """Runs done, or not needed any more."""
+        return self.needed - len(self._open) - self._later
+
+    def reach(self, points: int, done: int) -> None:
+        """Take note of points that came later until now, and of their runs that are done already."""
+        self._later -= points
+        self._spare = max(points - done, 0)
+        self.needed += max(done - points, 0)
+
+    def plan(self, points: Collection[Sequence[str]]) -> None:
+        """Take note of the keys of missing runs, by point and in the order in which they are tried."""
+        self._points = {key: keys for keys in points for key in keys}
+        self.needed += max(len(self._points.keys() - self._open) - self._spare, 0)
+        self._spare = 0
+        self._open = set(self._points)
+
+    def count(self, row: Row) -> None:
+        """Take note of a run that is done; after the one that reaches the last state, no larger value is tried."""
+        self._open.discard(row["key"])
+        if self._last_state and row.get(self._last_state):
+            keys = self._points[row["key"]]
+            self._open.difference_update(keys[keys.index(row["key"]) :])

@@ -18,12 +18,12 @@ from tornado.httpserver import HTTPServer
 from tornado.httputil import HTTPServerRequest
 from tornado.web import RequestHandler
 
+from forficula.design import load_design, named_designs
 from forficula.errors import InputError
-from forficula.workbench.access import Access, redirect_page, refused_page, write_redirect
-from forficula.workbench.asked import Asked, Opened
+from forficula.show.page.page import page_html
+from forficula.workbench.access import Access, redirect_page, refusal, refused_page, write_redirect
+from forficula.workbench.asked import Asked, Opened, design_source
 from forficula.workbench.desk import Desk
-from forficula.workbench.guard import refusal
-from forficula.workbench.page import workbench_page
 from forficula.workbench.traffic import LARGEST_REFUSED, BoundedApplication
 from forficula.workbench.worker import StoppedError, Task, Worker
 
@@ -314,3 +314,16 @@ class _Report(_Guarded):
         self.set_header("Content-Security-Policy", "frame-ancestors 'self'")
         self.set_header("Content-Type", "text/html; charset=utf-8")
         self.finish(report.read_bytes())
+
+
+def workbench_page(opened: Opened) -> str:
+    """The page of a workbench, which asks its server for all that it shows of a design."""
+    name = design_source(Asked(), opened)
+    data = {
+        "kind": "workbench",
+        "opened": name,
+        "settings": dict(opened.settings),
+        "designs": [{"name": each, "shows": load_design(each).shows or ""} for each in named_designs()],
+    }
+    body = '<header><h1></h1></header>\n<main id="workbench"></main>\n'
+    return page_html(f"{Path(name).stem}: workbench", body, data, served=True)

@@ -15,8 +15,14 @@ from pathlib import Path
 from time import monotonic
 from typing import Any, Literal
 
+from forficula.analysis import measure
 from forficula.errors import InputError
-from forficula.workbench.asked import Asked, Opened, reading_for_page
+from forficula.reproduction import shown_tendon
+from forficula.show.folder.landscape_folder import write_landscape
+from forficula.show.folder.run_folder import write_run
+from forficula.statics import energy_landscape
+from forficula.study.runs import run
+from forficula.workbench.asked import Asked, Opened, asked_design, reading_for_page
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]
 _BETWEEN = 0.1  # s, from one word of how far it is to the next
@@ -147,7 +153,6 @@ def _done(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable
 
 def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callable[[str], None]) -> Any:
     """What comes of a task; None where that lies in the folder."""
-    from forficula.workbench.results import leave_landscape, leave_run
     from forficula.workbench.told import design_told, model_told, pattern_told
 
     match task:
@@ -162,3 +167,37 @@ def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callab
         case "run":
             leave_run(asked, opened, folder, tell)
     return None
+
+
+# is told what is being done
+Tell = Callable[[str], None]
+
+
+def leave_landscape(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
+    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does, and write what it leaves.
+
+    Raises:
+        InputError: the design cannot be read or built.
+    """
+    design = asked_design(asked, opened)
+    tell("building the structure")
+    landscape = energy_landscape(design, progress=lambda step: tell(f"surveying: {step}"))
+    tell("drawing")
+    write_landscape(landscape, folder, None, shown_tendon(design))
+
+
+def leave_run(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
+    """Take a design through its protocol, as `forficula run` does, and write what that leaves.
+
+    Raises:
+        InputError: the design cannot be read or built.
+    """
+    design = asked_design(asked, opened)
+    tell("building the structure")
+    record = run(
+        design,
+        lambda stage, time, longest: tell(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated"),
+        confirm=True,
+    )
+    tell("drawing")
+    write_run(record, measure(record), folder, engine=False)

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from forficula.goals.identify.directed import directed_shares, misses, open_targets
 from forficula.goals.identify.exclusion import (
     Evidence,
     Together,
@@ -15,6 +14,7 @@ from forficula.goals.identify.exclusion import (
     smallest_unmet,
     triples_of,
 )
+from forficula.goals.identify.identify import directed_shares, misses, open_targets
 from forficula.goals.share_interval import largest_share
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from forficula.design import load_design
 from forficula.goals.identify import observations_of
-from forficula.goals.identify.finding import Finding, find
+from forficula.goals.identify.identify import Finding, find
 from forficula.goals.identify.row_quantity import row_quantities
 from forficula.goals.identify.sample_runs import SampleRuns
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, follows, next_point

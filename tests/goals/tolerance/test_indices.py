@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from forficula.goals.tolerance.indices import line_indices, sobol_indices, total_effects
-from forficula.goals.tolerance.points import exchanged, two_samples
+from forficula.goals.tolerance.plan import exchanged, two_samples
 
 A, B = 7.0, 0.1
 

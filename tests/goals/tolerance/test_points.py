@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from forficula.goals.tolerance.points import exchanged, two_samples
+from forficula.goals.tolerance.plan import exchanged, two_samples
 
 
 def test_more_rows_begin_with_those_of_fewer():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy import special, stats
 
-from forficula.goals.tolerance.points import two_samples
+from forficula.goals.tolerance.plan import two_samples
 from forficula.goals.tolerance.probability import interval_both_ways, probability, surely_less
 
 REPETITIONS = 200

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from forficula.goals.tolerance.indices import total_effects
-from forficula.goals.tolerance.points import exchanged, two_samples
+from forficula.goals.tolerance.plan import exchanged, two_samples
 from forficula.goals.tolerance.screening import deciding_factors, screening
 from tests.goals.tolerance.test_indices import ishigami
 

@@ -5,8 +5,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.show.page.efforts import crease_ends, efforts_data, efforts_of
-from forficula.show.page.shape_mesh import shape_mesh
-from forficula.show.structure.fixed_rods import fixed_rods
+from forficula.show.page.shape_mesh import fixed_rods, shape_mesh
 from forficula.structure import built_points, structure_of
 from forficula.structure.flaps import flap_angles
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from forficula.statics.net.fold_angle import fold_angle_derivatives, fold_angles
+from forficula.statics.net.energy import fold_angle_derivatives, fold_angles
 
 
 def sides(angle, left=(0.3, 1.0), right=(0.6, 0.8)):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,12 +11,11 @@ import numpy as np
 
 from forficula.arrays import Array, Flags
 from forficula.errors import InputError
-from forficula.goals.identify.directed import Target, directed_shares, open_targets
-from forficula.goals.identify.fact import Fact
-from forficula.goals.identify.finding import Finding, find
+from forficula.goals.identify.fact import Fact, Term
 from forficula.goals.identify.observations import Observations
+from forficula.goals.identify.observe import Observed, observe
 from forficula.goals.identify.prior import prior_shares, values_at
-from forficula.goals.identify.sample_runs import ConditionRun, SampleRuns, Wanted
+from forficula.goals.identify.sample_runs import ConditionRun, Rows, SampleRuns, Wanted
 from forficula.study.journal import Row
 
 # Rows of runs, in their order.
@@ -170,3 +171,167 @@ def _find_all(facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Ass
             break
         rows |= dict(zip(wanted, assess(list(wanted.values())), strict=True))
     return {number: tuple(found[number, fact] for fact in range(len(facts))) for number in runs}
+
+
+# of a bound: what differs by less differs by rounding
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """What a sample says of a fact.
+
+    Attributes:
+        value: of what is observed, SI.
+        miss: the value less its bound, SI, signed.
+        distance: by how much the fact is missed, SI, at least 0; where runs that do not tell leave it open between two
+            numbers, the larger one, and where they leave it open altogether, as if these had no number.
+        met: whether it is within the fact's tolerance, whatever runs that do not tell would have come to.
+        tells: whether it is met, or missed, for certain.
+        untold: how many runs do not tell.
+    """
+
+    value: float
+    miss: float
+    distance: float
+    met: bool
+    tells: bool
+    untold: int
+
+
+def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
+    """Say how far a sample is from a fact, or which of its designs must run before that is known."""
+    observed = [observe(term, fact.places, runs, rows) for term in fact.terms]
+    wanted = {key: run for each in observed if isinstance(each, dict) for key, run in each.items()}
+    if wanted:
+        return wanted
+    seen = [each for each in observed if isinstance(each, Observed)]
+    first, bound = seen[0], seen[1] if len(seen) > 1 else _fixed(fact)
+    near, far = _distances(fact, first, bound)
+    within = fact.tolerance + _ROUNDING * max(1.0, abs(first.value))
+    return Finding(
+        value=first.value,
+        miss=first.value - bound.value,
+        distance=far if math.isfinite(far) else _distance(fact, first.value, bound.value),
+        met=far <= within,
+        tells=far <= within or near > within,
+        untold=sum(each.untold for each in seen),
+    )
+
+
+def _fixed(fact: Fact) -> Observed:
+    """A bound that is a number, as if it were observed."""
+    assert not isinstance(fact.bound, Term)
+    return Observed(value=fact.bound, low=fact.bound, high=fact.bound, untold=0)
+
+
+def _distances(fact: Fact, seen: Observed, bound: Observed) -> tuple[float, float]:
+    """The least and the largest distance, whatever runs that do not tell would have come to."""
+    far = max(_distance(fact, one, other) for one in (seen.low, seen.high) for other in (bound.low, bound.high))
+    match fact.order:
+        case "at least":
+            near = bound.low - seen.high
+        case "at most":
+            near = seen.low - bound.high
+        case _:
+            near = max(bound.low - seen.high, seen.low - bound.high)
+    return max(0.0, near), far
+
+
+def _distance(fact: Fact, value: float, bound: float) -> float:
+    if value == bound:
+        return 0.0
+    match fact.order:
+        case "at least":
+            return max(0.0, bound - value)
+        case "at most":
+            return max(0.0, value - bound)
+        case _:
+            return abs(value - bound)
+
+
+Target = tuple[int, ...]
+
+# of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
+_STARTS, _NEAREST = 3, 10
+# by how much of a difference at least and at most, and how many of a sample's shares change at once
+_STEPS, _CHANGED = (0.1, 0.9), 0.6
+# added to every step, so that what the nearest have in common can still change
+_NOISE = 0.02
+
+
+def open_targets(met: Flags) -> list[Target]:
+    """What no sample has met so far: all facts together, every fact, and every pair of facts that are met apart.
+
+    Where every fact and every pair that is met apart is met, every three of which any two are.
+
+    Args:
+        met: whether each sample met each fact, (samples, facts).
+
+    Returns:
+        Numbers of the facts, those of the most facts first.
+    """
+    count = met.shape[1]
+    single = [(fact,) for fact in range(count) if not met[:, fact].any()]
+    pairs = [
+        (one, other)
+        for one, other in itertools.combinations(range(count), 2)
+        if met[:, one].any() and met[:, other].any() and not (met[:, one] & met[:, other]).any()
+    ]
+    triples = [
+        three
+        for three in itertools.combinations(range(count), 3)
+        if not (single or pairs)
+        and all(met[:, two].all(axis=1).any() for two in itertools.combinations(three, 2))
+        and not met[:, three].all(axis=1).any()
+    ]
+    everything = [] if met.all(axis=1).any() else [tuple(range(count))]
+    return list(dict.fromkeys([*everything, *single, *pairs, *triples]))
+
+
+def misses(excess: Array, target: Target) -> Array:
+    """How far each sample is from meeting the facts of a target together, (samples,), 0 where it does.
+
+    Args:
+        excess: by how much each sample misses each fact beyond its tolerance, in units of the fact's scale,
+            (samples, facts); not a number of a sample that could not run.
+        target: numbers of facts.
+
+    Returns:
+        The sum over the facts of x / (1 + x), so that one that is missed by far does not hide the others; infinite
+        where a sample could not run.
+    """
+    each = excess[:, target]
+    return np.where(np.isnan(each).any(axis=1), np.inf, (each / (1 + each)).sum(axis=1))
+
+
+def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], count: int, seed: Sequence[int]) -> Array:
+    """Place samples, each by differential evolution among those nearest to one of the targets in turn.
+
+    Args:
+        shares: of the samples so far, in the unit cube, (samples, unknowns).
+        excess: as of `misses`.
+        targets: in turn, from the first on.
+        count: how many to place.
+        seed: of the random numbers.
+
+    Returns:
+        Points of the unit cube, (count, unknowns).
+    """
+    generator = np.random.default_rng(list(seed))
+    placed = []
+    for number in range(count):
+        order = np.argsort(misses(excess, targets[number % len(targets)]), kind="stable")
+        start = shares[order[generator.integers(min(_STARTS, len(order)))]]
+        one, other = shares[generator.permutation(order[:_NEAREST])[[0, -1]]]
+        step = generator.uniform(*_STEPS) * (one - other) + _NOISE * generator.standard_normal(shares.shape[1])
+        changed = np.asarray(generator.random(shares.shape[1]) < _CHANGED)
+        changed[generator.integers(shares.shape[1])] = True
+        placed.append(_reflected(start + np.where(changed, step, 0.0)))
+    return np.array(placed)
+
+
+def _reflected(point: Array) -> Array:
+    """A point of the cube: what is beyond a side comes back from it."""
+    folded = np.abs(np.mod(point + 1.0, 2.0) - 1.0)
+    return np.clip(folded, 0.0, np.nextafter(1.0, 0.0))

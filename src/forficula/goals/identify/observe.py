@@ -12,10 +12,9 @@ import numpy as np
 from forficula.analysis import Verdict
 from forficula.arrays import Array, Flags
 from forficula.goals.identify.fact import PLACES, LeastValue, Term
-from forficula.goals.identify.ladder import Ladder
 from forficula.goals.identify.row_quantity import combined, is_state
 from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
-from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, States, follows, next_point
+from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, Ladder, States, follows, next_point
 from forficula.study.journal import Row
 
 Condition = Mapping[str, object]

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray
 
+from forficula.displayed import Displayed
 from forficula.goals.identify.exclusion import (
     Evidence,
     agreeing,
@@ -56,7 +58,6 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         are `emulated` (0 where fewer than `emulator_samples` ran), `between_share` (of the priors that meets all
         facts), `between_apart` (by how many standard errors the worst fact is missed at best) and `between_possible`.
     """
-    from forficula.goals.identify.identification_table import IdentificationTable
 
     facts, ran = observations.facts, [not sample.why for sample in samples]
     scales = fact_scales(facts, [sample for sample in samples if not sample.directed])
@@ -252,3 +253,9 @@ def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evi
         "unmet_near": [each.near for each in triples] or [0.0],
         "unmet_share_high": [each.most for each in triples] or [0.0],
     }
+
+
+class IdentificationTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
+    """An `xarray.Dataset` that a notebook shows with what it says."""
+
+    __slots__ = ()

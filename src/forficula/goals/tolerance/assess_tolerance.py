@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
+import json
 import time
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from forficula.design import Design
 from forficula.errors import InputError
+from forficula.files import write_text
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.deviation import off_values
 from forficula.goals.tolerance.indices import Indices, Values, line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.narrowing import narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Ask, Reach, reaches
-from forficula.goals.tolerance.plan import PLANS, Plan, plan_within
-from forficula.goals.tolerance.points import Points, exchanged, two_samples
+from forficula.goals.tolerance.plan import PLANS, Plan, Points, exchanged, plan_within, two_samples
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, assess_samples, built_design, joined, margin_names
-from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.screening import Screening, screening
 from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, VerdictMap
+from forficula.lock import held
 from forficula.names import check_whole
 from forficula.quantities import as_written
 from forficula.study.evaluate import evaluate
@@ -348,3 +350,48 @@ def _map_ends(question: Question, factor: int) -> tuple[float, float]:
     """How far the map goes down and up, in widths: no farther than the key allows."""
     far, (down, up) = _MAP_REACH[question.deviations[factor].distribution], question.reach(factor)
     return max(-far, down), min(far, up)
+
+
+_FILE = "plan.json"
+
+
+def kept_plan(folder: Path, question: Question, minutes: float, seed: int) -> Plan | None:
+    """The plan that a folder has for a question, or None where it has none, or one for another question."""
+    try:
+        found = json.loads((folder / _FILE).read_text("utf-8"))
+    except (OSError, ValueError):
+        return None
+    if not isinstance(found, dict) or found.get("asked") != _asked(question, minutes, seed):
+        return None
+    return next((plan for plan in PLANS if _plain(plan) == found.get("plan")), None)
+
+
+def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan: Plan) -> Plan:
+    """Write a plan where the folder has none for the question yet, and hand on the one that it has then.
+
+    Of several processes that share the runs the first one settles it.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    with held(folder / f".{_FILE}.lock"):
+        if (kept := kept_plan(folder, question, minutes, seed)) is not None:
+            return kept
+        asked = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}
+        write_text(folder / _FILE, json.dumps(asked, indent=1) + "\n")
+    return plan
+
+
+def _asked(question: Question, minutes: float, seed: int) -> Mapping[str, Any]:
+    """What was asked, as JSON has it."""
+    return {
+        "design_hash": question.design.hash,
+        "tolerances": {each.key: [each.distribution, each.size, each.relative] for each in question.deviations},
+        "limits": [str(limit) for limit in question.limits],
+        "minutes": minutes,
+        "seed": seed,
+    }
+
+
+def _plain(plan: Plan) -> Mapping[str, Any]:
+    return {**asdict(plan), "steps": list(plan.steps)}

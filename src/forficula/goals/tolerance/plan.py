@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.goals.latin_points import latin_points
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,3 +73,40 @@ def plan_within(factors: int, seconds_a_run: float, seconds: float) -> Plan:
     """
     fitting = (plan for plan in PLANS if plan.most_runs(factors) * seconds_a_run <= seconds)
     return next(fitting, PLANS[-1])
+
+
+Points = NDArray[np.float64]
+
+
+def two_samples(factors: int, count: int, seed: int) -> tuple[Points, Points]:
+    """Two samples of the unit cube that are independent of one another, row by row.
+
+    They are the halves of one Latin hypercube of twice as many columns. The first rows are the same, however many there
+    are.
+
+    Args:
+        factors: columns of each.
+        count: rows, a power of two, which keeps them balanced.
+        seed: of the draw.
+
+    Returns:
+        Both, (count, factors), above 0 and below 1.
+    """
+    drawn = latin_points(2 * factors, count, seed)
+    return drawn[:, :factors], drawn[:, factors:]
+
+
+def exchanged(first: Points, second: Points, columns: Sequence[int]) -> Points:
+    """The first sample with some columns of the second.
+
+    Args:
+        first: (count, factors).
+        second: as the first.
+        columns: of one factor, or of a group.
+
+    Returns:
+        (count, factors).
+    """
+    mixed = first.copy()
+    mixed[:, list(columns)] = second[:, list(columns)]
+    return mixed

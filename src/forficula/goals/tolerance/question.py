@@ -10,7 +10,7 @@ from forficula.design import Design, key_quantity, key_value
 from forficula.goals.deviation import Deviation, allowed_ends
 from forficula.goals.limit import Limit
 from forficula.goals.outcome_quantity import SOURCES, Source
-from forficula.goals.tolerance.points import Points
+from forficula.goals.tolerance.plan import Points
 from forficula.quantities import show_quantity
 
 # what every margin together is called

@@ -17,7 +17,7 @@ from forficula.show.page.page import page_html
 from forficula.show.page.points_table import has_rows, points_table
 from forficula.show.page.study_data import study_data
 from forficula.show.page.study_live import study_live
-from forficula.show.study.choice_rows import choice_rows
+from forficula.show.study.choices_figure import choice_rows
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor

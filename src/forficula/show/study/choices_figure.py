@@ -16,7 +16,7 @@ from matplotlib.transforms import blended_transform_factory
 
 from forficula.quantities import reading_unit
 from forficula.reproduction import named_reproduction
-from forficula.show.study.factor_text import display_values, factor_label, number_text
+from forficula.show.study.factor_text import display_values, factor_label, number_text, value_text
 from forficula.show.study.maps import energy_noun, missing_reasons
 from forficula.show.study.outcome_looks import look_of, map_style
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
@@ -216,3 +216,28 @@ def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
             came = table["status"].values[row.place] if singles else first[row.place]
             told.append(f"{name} {row.text}: {came}")
     return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(told)}."
+
+
+def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
+    """Count the structures of the grid that do the first transition, and all of them, at each choice, factor by factor.
+
+    Args:
+        table: of a study.
+
+    Returns:
+        Headings, and a row a choice; no rows where nothing is repeated at choices.
+    """
+    if CHOICE not in table.dims or table["status"].ndim == 1:
+        return [], []
+    first, every, unknown = count_first(table), count_all(table), count_unknown(table)
+    rows = []
+    for group in choice_groups(table):
+        for place in group.places:
+            own = "" if place else f", as in {table.attrs['design']}"
+            counts = [str(each[place]) for each in (first, every) if each is not None]
+            if unsure := sum(int(numbers[place]) for numbers in unknown.values()):
+                counts[0] += f" to {first[place] + unsure}"
+            rows.append([value_text(table[group.factor], place) + own, *counts])
+    count = table["status"].size // table.sizes[CHOICE]
+    verbs = asked_verbs(table)
+    return ["choice", f"{verbs[0]}, of {count}", *([f"{verbs[-1]} again"] if every is not None else [])], rows

@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.table import Table
 
 from forficula.quantities import show_quantity
-from forficula.show.study.choice_rows import choice_rows
+from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
 from forficula.study.outcome_kinds import (
     asked_transitions,

@@ -16,8 +16,8 @@ from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Tri
 from forficula.statics.net.rigidity import Rigidity, rigidity, rigidity_matrix
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
-from forficula.statics.net.strength import Strength, strength
 from forficula.statics.net.supports import loose_motions, supported
+from forficula.statics.net_state import Strength, strength
 
 __all__ = [
     "Collapse",
