@@ -16,7 +16,7 @@ from forficula.analysis import Outcome, Verdict, measure
 from forficula.analysis.margin import chained, transition_margins
 from forficula.design import Design, load_design, with_values
 from forficula.errors import InputError
-from forficula.study.runs import run_each
+from forficula.study.running.runs import run_each
 
 Values = dict[str, object]
 

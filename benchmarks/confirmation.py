@@ -20,8 +20,8 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.deviation import default_deviations, off_values
 from forficula.goals.share_interval import share_interval
-from forficula.study.evaluate import needs_confirmation
-from forficula.study.runs import check_of, half_step, run, run_each
+from forficula.study.running.evaluate import needs_confirmation
+from forficula.study.running.runs import check_of, half_step, run, run_each
 
 
 def builds(name: str, count: int, seed: int) -> list[Design]:

@@ -37,8 +37,8 @@ from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import prior_shares, values_at
 from forficula.goals.identify.result import build_result
 from forficula.goals.identify.run_identify import identify
-from forficula.study.evaluate import evaluate
 from forficula.study.factors import Factor
+from forficula.study.running.evaluate import evaluate
 
 SAMPLES, PLACED, TOLERANCE = 48, 12, 0.04
 _STIFFNESS, _DAMPING = "tendon.left.stiffness", "crease.damping"

@@ -24,7 +24,7 @@ import forficula as ff
 from forficula.design import Design, Stage, stage_drives, with_values
 from forficula.dynamics import Model, compile_model, simulate, versions
 from forficula.structure import drive_of, goal_of, hinges_of
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 from forficula.study.search import first_design, second_design
 from forficula.study.search_steps import Search
 from forficula.study.study import Study

@@ -20,7 +20,7 @@ from forficula.analysis import measure
 from forficula.design import Design, load_design, with_values
 from forficula.dynamics import with_timestep
 from forficula.errors import InputError
-from forficula.study.runs import run_each
+from forficula.study.running.runs import run_each
 
 
 def random_designs(seed: int, count: int, *, wide: bool = False, **values: object) -> Iterator[Design]:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import forficula as ff
 from forficula.analysis import Verdict
-from forficula.study.assumptions import AssumptionRun, Assumptions, Effect, TransitionName
+from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect, TransitionName
 
 # two panels, the first of them held; nothing but damping resists the torque
 FLAP = {

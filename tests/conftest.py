@@ -22,7 +22,7 @@ from forficula.design import Design, with_values
 from forficula.dynamics import Model, Record, simulate
 from forficula.lock import held
 from forficula.statics import EnergyLandscape, energy_landscape
-from forficula.structure.veins import structure_of_veins
+from forficula.structure.fans.veins import structure_of_veins
 from tests.landscapes import design_of
 from tests.structures import compiled, straight_vein
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from forficula.design import load_design, with_values
-from forficula.design.sheet_tables import sheet_values
+from forficula.design.sheets.sheet_tables import sheet_values
 
 BARS = {
     "facet.kind": "bars",

@@ -6,9 +6,9 @@ import numpy as np
 
 from forficula.design import FanDesign
 from forficula.dynamics import Model, Record, compile_structure, design_in_model_units
-from forficula.dynamics.units import ModelUnits, model_units
+from forficula.dynamics.engine.units import ModelUnits, model_units
 from forficula.structure import GROUND, Structure
-from forficula.structure.vein import Vein
+from forficula.structure.fans.vein import Vein
 
 _SI = ModelUnits(length=1.0, mass=1.0, time=1.0)
 

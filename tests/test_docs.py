@@ -12,9 +12,9 @@ import pytest
 
 import forficula as ff
 from forficula.cli import app
-from forficula.design.key_table import key_facts
-from forficula.design.kinds import KINDS
-from forficula.study.study_file import StudyFile
+from forficula.design.files.key_table import key_facts
+from forficula.design.files.kinds import KINDS
+from forficula.study.files.study_file import StudyFile
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = sorted(path for path in DOCS.rglob("*.md") if "_build" not in path.parts and "gallery" not in path.parts)

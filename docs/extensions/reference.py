@@ -19,15 +19,15 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import OptionSpec
 
 from forficula.cli import app as cli
-from forficula.design.key_table import KeyFact, key_facts
-from forficula.design.kinds import KINDS
+from forficula.design.files.key_table import KeyFact, key_facts
+from forficula.design.files.kinds import KINDS
 from forficula.design.part import Part
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
 from forficula.results import KINDS as RESULTS
 from forficula.results import json_schema
-from forficula.study.study_file import StudyFile
+from forficula.study.files.study_file import StudyFile
 
 _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"

@@ -29,8 +29,8 @@ from .dynamics import load_record as load_record
 from .dynamics import save_record as save_record
 from .dynamics import timestep_warnings as timestep_warnings
 from .errors import InputError as InputError
-from .make.check import Check as Check
-from .make.check_parts import check_parts as check_parts
+from .make.checks.check import Check as Check
+from .make.checks.check_parts import check_parts as check_parts
 from .make.make_parts import make_parts as make_parts
 from .make.part import Part as Part
 from .make.part import PartSet as PartSet
@@ -70,9 +70,9 @@ from .study import estimate as estimate
 from .study import load_study as load_study
 from .study import named_studies as named_studies
 from .study import run_study as run_study
-from .study.assumptions import AssumptionRun as AssumptionRun
-from .study.assumptions import Assumptions as Assumptions
-from .study.convergence import Convergence as Convergence
+from .study.assumptions.assumptions import AssumptionRun as AssumptionRun
+from .study.assumptions.assumptions import Assumptions as Assumptions
+from .study.convergence.convergence import Convergence as Convergence
 from .study.cycling import Cycling as Cycling
 from .study.cycling import run_cycles as run_cycles
 

@@ -8,7 +8,7 @@ import pytest
 from forficula.analysis import Verdict, measure
 from forficula.analysis.margin import chained, transition_margins
 from forficula.design import load_design, with_values
-from forficula.study.runs import run_each
+from forficula.study.running.runs import run_each
 from tests.analysis.test_outcome import ENDS, planted
 from tests.analysis.test_verdict import moving
 

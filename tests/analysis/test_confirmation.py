@@ -16,8 +16,8 @@ from forficula.design import with_values
 from forficula.dynamics import Check, load_record, save_record
 from forficula.quantities import show_uncertain, uncertain_number
 from forficula.results import json_schema
-from forficula.study.evaluate import evaluate
-from forficula.study.runs import run
+from forficula.study.running.evaluate import evaluate
+from forficula.study.running.runs import run
 
 JOINT = ff.load_design("binder2025-joint")
 
@@ -196,7 +196,7 @@ def test_a_study_does_not_repeat_what_fails_by_far():
 
 
 def test_a_run_of_the_command_line_that_is_undecided_ends_with_status_3(monkeypatch, tmp_path, capsys, confirmed):
-    monkeypatch.setattr("forficula.study.runs.run", lambda *_, **__: lost(confirmed))
+    monkeypatch.setattr("forficula.study.running.runs.run", lambda *_, **__: lost(confirmed))
     with pytest.raises(SystemExit) as stopped:
         main(["run", "binder2025-joint", "--out", str(tmp_path / "x"), "--no-engine"])
     assert stopped.value.code == 3

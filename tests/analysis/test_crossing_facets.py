@@ -12,7 +12,7 @@ from forficula.design import design_pattern, load_design
 from forficula.dynamics import Record
 from forficula.pattern import folded_coordinates
 from forficula.structure import GROUND, Body, Plate, Point, Structure, built_points, structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 
 def strip(letters, *angles):

@@ -12,7 +12,7 @@ from forficula.dynamics import versions
 from forficula.errors import InputError
 from forficula.results import KINDS, json_schema
 from forficula.statics import landscape_summary
-from forficula.study.table import table_json
+from forficula.study.tables.table import table_json
 from tests.golden.cases import kept
 
 SHORT = {

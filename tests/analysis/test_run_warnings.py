@@ -13,7 +13,7 @@ from forficula.analysis.strength import Peak, membrane_peaks
 from forficula.design import load_design, with_values
 from forficula.dynamics import Record, energy_balance, load_record, save_record
 from forficula.structure import structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.analysis.test_outcome import ENDS, planted
 
 LENGTH = 0.06

@@ -7,7 +7,7 @@ import pytest
 
 import forficula as ff
 from forficula.dynamics import load_record, save_record
-from forficula.study.kept_runs import thin_record
+from forficula.study.running.kept_runs import thin_record
 from tests.places import places
 
 

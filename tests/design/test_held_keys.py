@@ -5,8 +5,8 @@ import re
 import pytest
 
 from forficula.design import load_design, named_designs
-from forficula.design.held_keys import held_keys
-from forficula.design.key_table import key_facts
+from forficula.design.files.held_keys import held_keys
+from forficula.design.files.key_table import key_facts
 from forficula.options import read_settings
 
 

@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 from forficula.design import Design, differing_keys, load_design, with_values
-from forficula.design.design_file import design_from_text
+from forficula.design.files.design_file import design_from_text
 from forficula.errors import InputError
 
 CHANGES = [

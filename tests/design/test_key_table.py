@@ -4,8 +4,8 @@ import pytest
 
 import forficula as ff
 from forficula.design import key_quantity, with_values
-from forficula.design.key_table import key_facts
-from forficula.design.kinds import KINDS
+from forficula.design.files.key_table import key_facts
+from forficula.design.files.kinds import KINDS
 from forficula.quantities import parse_quantity
 
 

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from forficula.design import load_design
-from forficula.design.held_keys import held_keys
+from forficula.design.files.held_keys import held_keys
 from forficula.errors import InputError
 
 ALLOWED = re.compile("need |write it such as |neither .* nor ")

@@ -22,9 +22,9 @@ from forficula.design import (
     write_new_design,
 )
 from forficula.design.families.pleats import PleatsDesign
-from forficula.design.keys import known_keys
-from forficula.design.sheet_creases import creases_of
-from forficula.design.sheet_places import place_on
+from forficula.design.files.keys import known_keys
+from forficula.design.sheets.sheet_creases import creases_of
+from forficula.design.sheets.sheet_places import place_on
 from forficula.design.stops import StopSection
 from forficula.errors import InputError
 from forficula.pattern import earwig_pattern, pleat_pattern, write_fold

@@ -3,7 +3,7 @@
 import pytest
 
 from forficula.design import design_from_text, design_text, load_design, with_values, write_new_design
-from forficula.design.kinds import KINDS
+from forficula.design.files.kinds import KINDS
 from forficula.errors import InputError
 from forficula.pattern import write_fold
 from forficula.structure import structure_of

@@ -19,7 +19,7 @@ from forficula.design import (
     with_values,
     write_new_design,
 )
-from forficula.design.keys import known_keys
+from forficula.design.files.keys import known_keys
 from forficula.errors import InputError
 from forficula.material.law.law_file import load_law
 

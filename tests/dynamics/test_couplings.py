@@ -16,8 +16,8 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.show.run.outcome_rows import state_rows
 from forficula.structure import Coupling, hinges_of
-from forficula.structure.veins import structure_of_veins
-from forficula.study.runs import run_each, topology
+from forficula.structure.fans.veins import structure_of_veins
+from forficula.study.running.runs import run_each, topology
 from tests.structures import compiled, motor_work, straight_vein
 
 STIFFNESS, TIE, START = 0.05, 0.2, math.radians(5)  # N m/rad

@@ -4,7 +4,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.dynamics import EnergyBalance, energy_balance
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 CLOSED = {
     "work": 5.0,

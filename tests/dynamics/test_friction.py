@@ -7,13 +7,13 @@ import pytest
 from forficula.analysis import Verdict, measure
 from forficula.design import load_design
 from forficula.dynamics import Record, energy_balance
-from forficula.dynamics.model import compile_model
-from forficula.dynamics.stop_forces import friction_torques
+from forficula.dynamics.energies.stop_forces import friction_torques
+from forficula.dynamics.engine.model import compile_model
 from forficula.errors import InputError
 from forficula.show.run.stalled import needed_torque
 from forficula.statics import energy_landscape
 from forficula.structure.mass import inertia_about
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 TORQUE, PUSHED = 0.02, 0.02  # N m; s
 

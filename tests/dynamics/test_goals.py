@@ -9,7 +9,7 @@ import forficula as ff
 from forficula.analysis import Verdict, measure, summary
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_model, simulate
-from forficula.dynamics.stage_plan import stage_torques
+from forficula.dynamics.stepping.stage_plan import stage_torques
 from forficula.structure import Measure, RestState, built_points, structure_of
 from tests.places import places
 from tests.structures import compiled

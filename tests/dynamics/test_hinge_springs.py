@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq
 
 from forficula.dynamics import energy_balance, simulate
-from forficula.structure.veins import structure_of_veins
+from forficula.structure.fans.veins import structure_of_veins
 from tests.structures import compiled, straight_vein
 
 STIFFNESS, REST = 0.05, math.radians(40)  # N m/rad; folding

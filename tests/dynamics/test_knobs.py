@@ -3,7 +3,7 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, knobs_of, stable_timestep, why_not_portable, with_timestep
-from forficula.dynamics.portable_model import model_numbers
+from forficula.dynamics.engine.portable_model import model_numbers
 
 NAMES = ("binder2025", "letter-fold")
 

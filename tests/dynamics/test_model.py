@@ -7,7 +7,7 @@ import pytest
 from forficula.design import load_design, scale_design
 from forficula.dynamics import compile_model, with_timestep
 from forficula.structure import hinges_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.places import places
 
 

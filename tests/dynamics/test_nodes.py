@@ -9,8 +9,8 @@ import pytest
 
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
-from forficula.dynamics.crease_rows import crease_rows
-from forficula.dynamics.creases import engine_rows
+from forficula.dynamics.energies.creases import engine_rows
+from forficula.dynamics.engine.crease_rows import crease_rows
 from forficula.structure import built_points, crease_flaps, flap_angles, structure_of
 
 MIURA, LETTER = load_design("miura-sheet"), load_design("letter-fold")
@@ -202,7 +202,7 @@ def test_a_moving_miura_vertex_obeys_the_relation_of_half_angles():
 
 def test_sheets_side_by_side_move_as_each_alone_to_the_bit(monkeypatch):
     # two workers have two each, and when the last one is done, one has three
-    monkeypatch.setattr("forficula.dynamics.stepper._TOGETHER", 3)
+    monkeypatch.setattr("forficula.dynamics.stepping.stepper._TOGETHER", 3)
     limits = {0.02: 0.012, 0.021: 0.012, 0.018: 0.012, 0.019: 0.005}
     designs = [
         miura(**{"crease.stiffness": stiffness, "protocol.stages": [stage("fold", limit=limit)]})

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from forficula.dynamics import compile_model, simulate
-from forficula.dynamics.crease_rows import crease_rows
-from forficula.dynamics.creases import engine_rows
-from forficula.dynamics.plate_angles import plate_angles
-from forficula.dynamics.plate_creases import plate_rows
+from forficula.dynamics.energies.creases import engine_rows
+from forficula.dynamics.engine.crease_rows import crease_rows
+from forficula.dynamics.engine.plate_angles import plate_angles
+from forficula.dynamics.engine.plate_creases import plate_rows
 from forficula.structure import flap_angles
 from tests.plate_sheets import miura, plates, pleats, vertex
 

@@ -9,9 +9,9 @@ import pytest
 import forficula as ff
 from forficula.design import Stage, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
-from forficula.dynamics.stage_plan import stage_torques
-from forficula.dynamics.stages import StageTracker
-from forficula.dynamics.steps import Steps
+from forficula.dynamics.stepping.stage_plan import stage_torques
+from forficula.dynamics.stepping.stages import StageTracker
+from forficula.dynamics.stepping.steps import Steps
 from forficula.structure import hinges_of
 from tests.dynamics.protocols import on_protocol
 

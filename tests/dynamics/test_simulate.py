@@ -34,7 +34,7 @@ SHORT = with_values(ff.load_design("binder2025"), STAGES | {"tendon.rest_length"
 WING = compile_model(SHORT)
 # energies that a sparse record has at its start and at its end only
 AT_ENDS = ("membrane_energy", "kinetic_energy", "gravitational_energy")
-MODULE = importlib.import_module("forficula.dynamics.simulate")
+MODULE = importlib.import_module("forficula.dynamics.stepping.simulate")
 
 
 def sharing(fold, unfold, stages=5):

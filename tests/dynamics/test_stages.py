@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from forficula.dynamics.stages import _sound_steps
+from forficula.dynamics.stepping.stages import _sound_steps
 
 
 def test_numbers_that_blow_up_end_a_wings_steps_without_a_warning():

@@ -13,11 +13,11 @@ import forficula as ff
 from forficula.analysis.summary import summary
 from forficula.design import with_values
 from forficula.dynamics import compile_model, load_record, save_record, simulate, versions
-from forficula.dynamics.stages import StageTracker
+from forficula.dynamics.stepping.stages import StageTracker
 from forficula.structure import hinges_of
 from tests.dynamics.protocols import on_protocol
 
-MODULE = importlib.import_module("forficula.dynamics.simulate")
+MODULE = importlib.import_module("forficula.dynamics.stepping.simulate")
 LAW = {
     "linear_modulus": 4.8e6,
     "quadratic_modulus": -1e6,

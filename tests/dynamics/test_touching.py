@@ -10,7 +10,7 @@ import pytest
 import forficula as ff
 from forficula.analysis.crossing_panels import panel_crossing
 from forficula.dynamics import compile_model, compile_structure
-from forficula.dynamics.units import ModelUnits
+from forficula.dynamics.engine.units import ModelUnits
 from forficula.structure import (
     GROUND,
     Bar,

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from forficula.design import load_design, scale_design, with_values
 from forficula.dynamics import compile_model
-from forficula.dynamics.units import design_in_model_units, model_units
+from forficula.dynamics.engine.units import design_in_model_units, model_units
 from forficula.errors import InputError
 from forficula.structure import structure_of
 

@@ -16,7 +16,7 @@ from forficula.analysis.storage import storage_texts, storages
 from forficula.analysis.summary import summary
 from forficula.design import with_values
 from forficula.dynamics import energy_balance, load_record, save_record, simulate
-from forficula.dynamics import waiting as module
+from forficula.dynamics.stepping import waiting as module
 from forficula.errors import InputError
 
 REST, AREA, ARM, GRAVITY = 0.06, 12.5e-6, 0.055, 981.0

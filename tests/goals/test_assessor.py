@@ -10,7 +10,7 @@ from forficula.errors import InputError
 from forficula.goals import assessor as assessor_module
 from forficula.goals.assessor import open_assessor, value_of
 from forficula.goals.outcome_quantity import quantity_of
-from forficula.study.search_file import read_search
+from forficula.study.files.search_file import read_search
 
 JOINT, LETTER = load_design("binder2025-joint"), load_design("letter-fold")
 STIFFER = [JOINT.with_values({"tendon.area": f"{area} mm^2"}) for area in (4, 5, 6)]

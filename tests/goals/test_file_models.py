@@ -5,12 +5,12 @@ import re
 import pytest
 
 from forficula.design.file_fields import by_key
-from forficula.design.keys import known_keys
-from forficula.design.rejection import read_part
+from forficula.design.files.keys import known_keys
+from forficula.design.files.rejection import read_part
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
-from forficula.study.study_file import StudyFile
+from forficula.study.files.study_file import StudyFile
 
 MODELS = (StudyFile, GoalFile, ObservationsFile)
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from forficula.design.key_table import key_facts
+from forficula.design.files.key_table import key_facts
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile, goal_of, load_goal, named_goals
 from forficula.goals.identify import load_observations

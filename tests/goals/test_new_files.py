@@ -2,7 +2,7 @@
 
 import pytest
 
-from forficula.design.kinds import KINDS
+from forficula.design.files.kinds import KINDS
 from forficula.errors import InputError
 from forficula.goals import load_goal
 from forficula.goals.goal_file import GOAL

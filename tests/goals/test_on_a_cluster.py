@@ -35,7 +35,7 @@ def address():
         ) as cluster,
     ):
         # on no machine are runs as short as these all done here
-        patch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
+        patch.setattr("forficula.study.running.cluster._LEAST_SECONDS", 0.05)
         yield cluster.scheduler_address
 
 

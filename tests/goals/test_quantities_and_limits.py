@@ -15,7 +15,7 @@ from forficula.goals.outcome_quantity import quantities_of, quantity_of
 from forficula.goals.parameter import read_parameter
 from forficula.goals.static_values import static_values
 from forficula.statics import energy_landscape
-from forficula.study.evaluate import evaluate
+from forficula.study.running.evaluate import evaluate
 
 WING, JOINT, CLASP = (load_design(name) for name in ("binder2025", "binder2025-joint", "force-clasp"))
 

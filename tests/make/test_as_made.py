@@ -8,10 +8,10 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.as_made import as_made, changes, write_as_made
-from forficula.make.check_parts import coupling_checks
+from forficula.make.checks.check_parts import coupling_checks
 from forficula.make.files.bill import bill_of
-from forficula.make.free_range import free_range
-from forficula.make.joint import turned
+from forficula.make.hinge.free_range import free_range
+from forficula.make.hinge.joint import turned
 from forficula.make.made_values import made_values
 from forficula.make.make_parts import make_parts
 from forficula.make.unkept import unkept

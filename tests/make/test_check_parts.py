@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from forficula.make.check_parts import tendon_checks
+from forficula.make.checks.check_parts import tendon_checks
 
 
 def with_tendon(parts, bodies):

@@ -17,13 +17,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import forficula as ff
-from forficula.make.check import Check
-from forficula.make.check_parts import mesh_checks
+from forficula.make.checks.check import Check
+from forficula.make.checks.check_parts import mesh_checks
 from forficula.make.files.bill import bill_json, bill_of
 from forficula.make.files.lying import file_names, lying_mesh, open_edges, printed_pieces
 from forficula.make.files.printing import print_files
 from forficula.make.files.three_mf import BED, GAP, places_on_bed
-from forficula.make.mesh import Mesh
+from forficula.make.solid.mesh import Mesh
 from forficula.serial import plain
 from forficula.show.folder.parts_folder import write_parts
 from forficula.show.style import figure_files
@@ -221,7 +221,7 @@ def test_a_surface_that_is_open_is_found(joint, monkeypatch):
     assert open_edges(Mesh(points=mesh.points, triangles=mesh.triangles[:-1])) == 3
     alone = replace(joint, parts=(strap,), joints=())
     assert [(check.name, check.ok) for check in mesh_checks(alone)] == [("closed surface", True)]
-    monkeypatch.setattr("forficula.make.check_parts.lying_mesh", lambda _: flipped)
+    monkeypatch.setattr("forficula.make.checks.check_parts.lying_mesh", lambda _: flipped)
     assert [check.ok for check in mesh_checks(alone)] == [False]
 
 

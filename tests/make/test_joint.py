@@ -8,14 +8,14 @@ import pytest
 
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.make.joint import turned
-from forficula.make.joint_layout import joint_layouts
+from forficula.make.checks.printing_checks import printing_checks
+from forficula.make.checks.range_checks import lug_checks, pin_checks, range_checks, stop_angles, strap_checks
+from forficula.make.checks.strength_checks import strength_checks
+from forficula.make.hinge.joint import turned
+from forficula.make.hinge.joint_layout import joint_layouts
+from forficula.make.hinge.strap_shape import strap_line
 from forficula.make.make_parts import make_parts
-from forficula.make.mesh import placed
-from forficula.make.printing_checks import printing_checks
-from forficula.make.range_checks import lug_checks, pin_checks, range_checks, stop_angles, strap_checks
-from forficula.make.strap_shape import strap_line
-from forficula.make.strength_checks import strength_checks
+from forficula.make.solid.mesh import placed
 from forficula.structure import structure_of
 
 

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from forficula.make.mass_properties import mesh_properties, parts_properties
-from forficula.make.mesh import mesh_of, solid_of
-from forficula.make.solids import Rod, box
+from forficula.make.solid.mass_properties import mesh_properties, parts_properties
+from forficula.make.solid.mesh import mesh_of, solid_of
+from forficula.make.solid.solids import Rod, box
 from forficula.pattern.rotation import rotation_about
 
 DENSITY = 1270.0

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 
 from forficula.design import load_design
 from forficula.errors import InputError
-from forficula.make.cut_lines import layer_texts
 from forficula.make.files.bill import bill_of
-from forficula.make.joint_layout import joint_layouts
+from forficula.make.flat.cut_lines import layer_texts
+from forficula.make.flat.regions import area_of, loop_area, region_of, sides_of
+from forficula.make.flat.sheet import cut_sheet
+from forficula.make.hinge.joint_layout import joint_layouts
+from forficula.make.hinge.strap_shape import bows_beside, strap_places
 from forficula.make.make_parts import make_parts
-from forficula.make.regions import area_of, loop_area, region_of, sides_of
-from forficula.make.sheet import cut_sheet
-from forficula.make.strap_shape import bows_beside, strap_places
 from forficula.pattern import CreasePattern, vertex_pattern, write_fold, yoshimura_tube
 from forficula.pattern.geometry import distance_to_sides
 from forficula.structure import built_points, structure_of

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.make.sheet import cut_sheet
-from forficula.make.sheet_dxf import write_sheet_dxf
-from forficula.make.sheet_svg import write_sheet_svg
+from forficula.make.flat.sheet import cut_sheet
+from forficula.make.flat.sheet_dxf import write_sheet_dxf
+from forficula.make.flat.sheet_svg import write_sheet_svg
 from forficula.pattern import read_drawing
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from forficula.make.elastica import elastica
-from forficula.make.mesh import mesh_of, solid_of
-from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, band, box, moved
+from forficula.make.hinge.elastica import elastica
+from forficula.make.solid.mesh import mesh_of, solid_of
+from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, band, box, moved
 from forficula.pattern.rotation import rotation_about
 
 AT = np.array([0.01, -0.02, 0.03])

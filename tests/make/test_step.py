@@ -9,9 +9,9 @@ import pytest
 
 import forficula as ff
 from forficula.make.files.step import check_step, shape_gap, shape_of, shape_volume, write_step
-from forficula.make.joint import turned
-from forficula.make.mesh import placed
-from forficula.make.solids import moved
+from forficula.make.hinge.joint import turned
+from forficula.make.solid.mesh import placed
+from forficula.make.solid.solids import moved
 
 MISSING = 'Open Cascade is not there: pip install "forficula[step]", or make test-step'
 # set by make test-step: without Open Cascade these tests fail then

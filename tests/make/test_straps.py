@@ -4,8 +4,8 @@ import pytest
 
 from forficula.design import load_design
 from forficula.errors import InputError
+from forficula.make.hinge.straps import strap_of
 from forficula.make.stock import stock_of
-from forficula.make.straps import strap_of
 from forficula.material import Fact, load_law
 from forficula.structure import structure_of
 

@@ -8,10 +8,10 @@ import pytest
 
 from forficula.design import load_design
 from forficula.make.as_made import as_made
+from forficula.make.checks.strength_checks import Column, column_of, euler_load, strength_checks
+from forficula.make.hinge.stop_load import stop_load
 from forficula.make.make_parts import make_parts
-from forficula.make.sections import bar_section, peg_modulus
-from forficula.make.stop_load import stop_load
-from forficula.make.strength_checks import Column, column_of, euler_load, strength_checks
+from forficula.make.solid.sections import bar_section, peg_modulus
 from forficula.statics import tendon_hinges
 from forficula.structure import structure_of
 from tests.make.conftest import MADE

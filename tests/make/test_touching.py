@@ -8,12 +8,12 @@ import pytest
 
 from forficula.design import load_design
 from forficula.dynamics import Record, StageEnd
-from forficula.make.free_range import half
+from forficula.make.checks.motion_checks import built_checks, motion_checks, root_angles, root_moments
+from forficula.make.flat.touching import touches
+from forficula.make.hinge.free_range import half
 from forficula.make.make_parts import make_parts
-from forficula.make.mesh import placed
-from forficula.make.motion_checks import built_checks, motion_checks, root_angles, root_moments
-from forficula.make.poses import poses_of, telling_rows
-from forficula.make.touching import touches
+from forficula.make.solid.mesh import placed
+from forficula.make.solid.poses import poses_of, telling_rows
 from forficula.pattern.rotation import rotation_about
 from forficula.structure import built_points
 

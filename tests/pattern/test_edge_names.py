@@ -1,6 +1,6 @@
 import pytest
 
-from forficula.pattern.edge_names import letter_of_name
+from forficula.pattern.files.edge_names import letter_of_name
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.pattern import read_fold
-from forficula.pattern.fold_file import turned_alike
-from forficula.pattern.pattern_facts import pattern_facts
+from forficula.pattern.facts.pattern_facts import pattern_facts
+from forficula.pattern.files.fold_file import turned_alike
 
 FACES = [list(face) for face in load_design("miura-sheet").sheet.faces_vertices]
 

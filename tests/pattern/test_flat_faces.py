@@ -7,7 +7,7 @@ import pytest
 
 from forficula.errors import InputError
 from forficula.pattern import read_fold
-from forficula.pattern.flat_faces import check_face_sides
+from forficula.pattern.drawings.flat_faces import check_face_sides
 from tests.pattern.fold_files import SQUARE, outcome
 
 CENTRE = [*SQUARE["vertices_coords"], [5, 5]]

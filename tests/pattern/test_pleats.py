@@ -18,7 +18,7 @@ from forficula.pattern import (
     pleat_pattern,
     vertex_checks,
 )
-from forficula.pattern.earwig import EarwigFan
+from forficula.pattern.families.earwig import EarwigFan
 
 
 def star(directions_deg, letters):

@@ -83,7 +83,7 @@ def test_counting_pivots_gives_what_singular_values_give(monkeypatch, fold, bend
     pattern = sheet(6, 5, fold)
     dense = rigidity(pattern, bending=bending)
     # the package calls the function by the name of its module
-    monkeypatch.setattr(import_module("forficula.pattern.rigidity"), "_MOST_DENSE", 0)
+    monkeypatch.setattr(import_module("forficula.pattern.facts.rigidity"), "_MOST_DENSE", 0)
     assert rigidity(pattern, bending=bending) == dense
     assert dense.clear
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from forficula.pattern.segments import boxes_that_meet, crossings, points_on_segments
+from forficula.pattern.drawings.segments import boxes_that_meet, crossings, points_on_segments
 
 corner = st.tuples(st.integers(-50, 50), st.integers(-50, 50))
 lines = st.lists(st.tuples(corner, corner).filter(lambda ends: ends[0] != ends[1]), min_size=2, max_size=12)

@@ -3,11 +3,11 @@
 import pytest
 
 from forficula.design import design_from_text, design_text, load_design, with_values
-from forficula.design.provenance import PAPERS
+from forficula.design.files.provenance import PAPERS
 from forficula.errors import InputError
 from forficula.reproduction import named_reproduction, shown_hinge, shown_tendon
-from forficula.study.convergence import converge
-from forficula.study.refinement import TIMESTEP
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.refinement import TIMESTEP
 
 
 def test_a_design_that_names_the_paper_shows_what_its_figures_show(reference):

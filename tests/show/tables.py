@@ -4,8 +4,8 @@ from functools import cache
 
 from forficula.design import load_design
 from forficula.structure import structure_of
-from forficula.study.outcome_kinds import transitions_text
-from forficula.study.search_file import read_search
+from forficula.study.files.search_file import read_search
+from forficula.study.tables.outcome_kinds import transitions_text
 
 
 @cache

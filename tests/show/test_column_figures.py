@@ -17,11 +17,11 @@ from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_style, fit_legend
 from forficula.structure import structure_of
-from forficula.study.convergence import converge
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.refinement import TIMESTEP
 from forficula.study.cycling import Cycling, driven_transitions
-from forficula.study.refinement import TIMESTEP
-from forficula.study.runs import run
-from forficula.study.static_map import map_study, static_map
+from forficula.study.running.runs import run
+from forficula.study.tables.static_map import map_study, static_map
 from tests.assumptions import ASSUMED
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle

@@ -19,7 +19,7 @@ from forficula.show.structure.labels import aligned, counted, parts_of
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.show.legible import check_words, colours
 from tests.show.plates import PARTS, WIDTH
 

@@ -10,7 +10,7 @@ from forficula.show import print_outcome, print_strength
 from forficula.show.film.film_clock import film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame
 from forficula.show.folder.run_folder import run_drawings
-from forficula.show.page.outcome_tables import strength_table
+from forficula.show.page.parts.outcome_tables import strength_table
 from forficula.show.page.playback import clip_data, legend_data, make_clip, mark_readings
 from forficula.show.run.outcome_rows import balance_rows, state_rows
 from forficula.show.structure.labels import condensed, reading_labels, role_groups

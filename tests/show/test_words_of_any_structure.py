@@ -11,15 +11,15 @@ import forficula as ff
 from forficula.errors import InputError
 from forficula.show.folder.static_map_folder import print_static_map
 from forficula.show.landscape.landscape_figure import draw_fold_path
-from forficula.show.page.design_rows import design_rows
-from forficula.show.page.design_tables import design_tables
+from forficula.show.page.parts.design_rows import design_rows
+from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.progress import run_progress
 from forficula.show.study.map_page import maps_text
-from forficula.statics.potential import ensemble_of
+from forficula.statics.tree.potential import ensemble_of
 from forficula.structure import structure_of
-from forficula.study.convergence import converge
-from forficula.study.outcome_kinds import whole_of
-from forficula.study.refinement import MESH, YOUNGS_MODULUS
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.refinement import MESH, YOUNGS_MODULUS
+from forficula.study.tables.outcome_kinds import whole_of
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,7 @@
 import math
 
 from forficula.statics import hinge_landscape
-from forficula.statics.hinge import released_energy
+from forficula.statics.tree.hinge import released_energy
 
 
 def top_barrier(hinge):

@@ -20,7 +20,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize, minimize_scalar
 
-from forficula.statics.equilibrium import barrier_between, descend, states_along
+from forficula.statics.tree.equilibrium import barrier_between, descend, states_along
 
 FREE = (-math.inf, math.inf)
 FORCE = 1e-9  # slope that counts as none

@@ -10,7 +10,7 @@ import pytest
 import forficula as ff
 from forficula.show.landscape.levels_figure import draw_levels
 from forficula.statics import landscape_summary
-from forficula.statics.partial_folds import fold_levels
+from forficula.statics.tree.partial_folds import fold_levels
 from forficula.structure import structure_of
 
 LOOSE = {"crease.stiffness": "0 N m/rad/m"}

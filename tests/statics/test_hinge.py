@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.material import ElasticLaw
 from forficula.pattern import earwig_pattern, folded_coordinates, hub_points, ring_vertices, tips
 from forficula.statics import TendonHinge, ideal_hinges, slack_angle, tendon_hinges
-from forficula.statics.hinge import released_energy
+from forficula.statics.tree.hinge import released_energy
 from forficula.structure import structure_of
 from tests.statics.hinge_numbers import holding_torque, peak_opening_torque, top_barrier
 

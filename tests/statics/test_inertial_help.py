@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.statics import quasi_static
-from forficula.statics.inertial_help import inertial_help
-from forficula.statics.potential import ensemble_of, potential
-from forficula.statics.quasi_static import SlowPath, least_slow_torque, start_state
+from forficula.statics.tree import quasi_static
+from forficula.statics.tree.inertial_help import inertial_help
+from forficula.statics.tree.potential import ensemble_of, potential
+from forficula.statics.tree.quasi_static import SlowPath, least_slow_torque, start_state
 from forficula.structure import Drive, drive_of, hinges_of
 
 WINGS = ensemble_of([load_design("binder2025")])
@@ -27,7 +27,7 @@ def path(angles, torques, snap):
 def test_a_snap_helps_where_it_releases_more_than_the_rest_of_the_path_climbs(monkeypatch):
     """An energy of 1, 3, 0, 1.5, 0 J at the five steps: the snap from 3 to 0 J releases more than 1.5 J."""
     levels = np.array([1.0, 3.0, 0.0, 1.5, 0.0])
-    monkeypatch.setattr("forficula.statics.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
+    monkeypatch.setattr("forficula.statics.tree.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
     helped = inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 5, 5, 9, 9], (1, 2)), PUSH)
     assert helped is not None
     assert (helped.torque, helped.released, helped.barrier) == pytest.approx((0.05, 3.0, 1.5))
@@ -37,7 +37,7 @@ def test_a_snap_helps_where_it_releases_more_than_the_rest_of_the_path_climbs(mo
 
 def test_a_snap_at_nearly_the_least_torque_is_no_help(monkeypatch):
     levels = np.array([1.0, 3.0, 0.0, 1.5, 0.0])
-    monkeypatch.setattr("forficula.statics.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
+    monkeypatch.setattr("forficula.statics.tree.inertial_help.potential", lambda _, on, __: (levels[-len(on) :],))
     assert inertial_help(WINGS, path([0, -10, -20, -30, -40], [0, 8.8, 8.8, 9, 9], (1, 2)), PUSH) is None
 
 

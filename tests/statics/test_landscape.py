@@ -11,7 +11,7 @@ import pytest
 import forficula as ff
 from forficula.errors import InputError
 from forficula.statics import landscape_summary
-from forficula.statics.partial_folds import fold_levels
+from forficula.statics.tree.partial_folds import fold_levels
 from forficula.structure import structure_of
 
 SLACK_WITHOUT_HUB = {"pattern.hub_radius": "0 cm", "tendon.rest_length": "12 cm"}

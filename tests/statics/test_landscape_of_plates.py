@@ -16,8 +16,8 @@ import forficula as ff
 from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.statics import landscape_summary, stable_states
-from forficula.statics.potential import ensemble, potential
-from forficula.statics.quasi_static import least_slow_torque, start_state
+from forficula.statics.tree.potential import ensemble, potential
+from forficula.statics.tree.quasi_static import least_slow_torque, start_state
 from forficula.structure import structure_of
 
 

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from forficula.design import load_design, with_values
 from forficula.pattern import earwig_pattern, fan_fold_angles, folded_coordinates
-from forficula.statics.pose import carried_points, moves_of, places_of, pose, span, tree_of
+from forficula.statics.tree.pose import carried_points, moves_of, places_of, pose, span, tree_of
 from forficula.structure import GROUND, built_points, hinges_of, structure_of
 from tests.statics.trees import tree
 

@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design, with_values
-from forficula.statics import potential as potential_module
-from forficula.statics import quasi_static, tendon_hinges
-from forficula.statics import sheet as sheet_module
-from forficula.statics.potential import ensemble_of
-from forficula.statics.quasi_static import start_state, state_beyond
+from forficula.statics import tendon_hinges
+from forficula.statics.tree import potential as potential_module
+from forficula.statics.tree import quasi_static
+from forficula.statics.tree import sheet as sheet_module
+from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.quasi_static import start_state, state_beyond
 from forficula.structure import Drive, hinges_of, structure_of
 from tests.statics.hinge_numbers import peak_opening_torque
 

@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from forficula.design import load_design, with_values
-from forficula.statics.pose import places_of, pose, tree_of
-from forficula.statics.sheet import sheet_energy
-from forficula.statics.sheet import sheet_of as laid_out
+from forficula.statics.tree.pose import places_of, pose, tree_of
+from forficula.statics.tree.sheet import sheet_energy
+from forficula.statics.tree.sheet import sheet_of as laid_out
 from forficula.structure import hinges_of, structure_of
 from tests.statics.trees import tree
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.statics.inertial_help import InertialHelp
-from forficula.statics.quasi_static import SlowTransition
+from forficula.statics.tree.inertial_help import InertialHelp
+from forficula.statics.tree.quasi_static import SlowTransition
 from forficula.statics.tree_landscape import slow_remarks
 from forficula.structure import structure_of
 

@@ -10,7 +10,7 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
 from forficula.structure import mass_of, structure_of
-from forficula.structure.fan_masses import triangle_masses
+from forficula.structure.fans.fan_masses import triangle_masses
 from forficula.structure.tree import built_frames, built_points
 
 REFERENCE = load_design("binder2025")

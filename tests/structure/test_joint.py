@@ -7,8 +7,8 @@ import pytest
 
 from forficula.design import load_design
 from forficula.structure import built_points, structure_of
-from forficula.structure.joint import joint_vein
-from forficula.structure.veins import structure_of_veins
+from forficula.structure.fans.joint import joint_vein
+from forficula.structure.fans.veins import structure_of_veins
 from tests.structures import supports
 
 JOINT = "binder2025-joint"

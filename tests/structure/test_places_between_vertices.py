@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.structure import built_points, measure_of, structure_of
-from forficula.structure.facets import facet_triangles
-from forficula.structure.sheet_measures import hinges_by_edge
+from forficula.structure.sheets.facets import facet_triangles
+from forficula.structure.sheets.sheet_measures import hinges_by_edge
 
 MIURA = load_design("miura-sheet")
 WAIT = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}

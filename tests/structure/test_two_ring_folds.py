@@ -20,8 +20,8 @@ import forficula as ff
 from forficula.analysis.crossing_panels import crossing_depths, panel_meshes
 from forficula.pattern import EarwigFan, hub_points, ring_directions, ring_vertices
 from forficula.structure import Structure, structure_of
+from forficula.structure.fans.vein import Vein
 from forficula.structure.tree import built_frames
-from forficula.structure.vein import Vein
 
 REFERENCE = ff.load_design("binder2025", {"pattern.ring_folds": 2})
 

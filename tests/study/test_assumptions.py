@@ -12,8 +12,8 @@ from forficula.analysis import Verdict
 from forficula.design import design_from_text, design_text
 from forficula.errors import InputError
 from forficula.results import json_schema
-from forficula.study.assumptions import AssumptionRun, Effect, effect_of, run_assumptions
-from forficula.study.assumptions_file import (
+from forficula.study.assumptions.assumptions import AssumptionRun, Effect, effect_of, run_assumptions
+from forficula.study.assumptions.assumptions_file import (
     ASSUMPTIONS_FILE,
     known_assumptions,
     known_text,
@@ -21,8 +21,8 @@ from forficula.study.assumptions_file import (
     measured_assumptions,
     save_assumptions,
 )
+from forficula.study.assumptions.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
 from forficula.study.cycling import least_slow_torques
-from forficula.study.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
 from tests.assumptions import FLAP, flap
 
 EVERYWHERE = {"half hinge damping", "twice hinge damping", "gravity", "slow rise", "timestep"}

@@ -13,8 +13,8 @@ from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.show import print_study, write_study
 from forficula.study import collect, estimate, load_study, run_study, table_csv
-from forficula.study.choice_groups import choice_groups, count_all, count_first
-from forficula.study.kept_runs import runs_to_keep
+from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first
+from forficula.study.running.kept_runs import runs_to_keep
 from forficula.study.search import point_design
 
 ALONE = 'vary = "one-at-a-time"'

@@ -14,8 +14,8 @@ import forficula as ff
 from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import dask_cluster
-from forficula.study.cluster import _Pace
-from forficula.study.journal import read_rows
+from forficula.study.running.cluster import _Pace
+from forficula.study.running.journal import read_rows
 
 FACTORS = '"tendon.stiffness" = "10..40 N/cm step 10"\n"tendon.rest_length" = "1..8 cm step 1"'
 
@@ -33,7 +33,7 @@ def local_cluster(**options):
 def cluster(monkeypatch):
     """Its workers are in this process, where they are there at once."""
     # on no machine are runs as short as these all done here
-    monkeypatch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
+    monkeypatch.setattr("forficula.study.running.cluster._LEAST_SECONDS", 0.05)
     with local_cluster(processes=False, protocol="tcp://") as cluster:
         yield cluster
 
@@ -89,8 +89,8 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
     cluster, died = mortal_cluster, set()
     monkeypatch.setattr(cluster.scheduler, "allowed_failures", blamed_on_others)
     # several chunks of runs as short as these
-    monkeypatch.setattr("forficula.study.cluster._LEAST_SECONDS", 0.05)
-    monkeypatch.setattr("forficula.study.cluster._CHUNK_SECONDS", 0.25)
+    monkeypatch.setattr("forficula.study.running.cluster._LEAST_SECONDS", 0.05)
+    monkeypatch.setattr("forficula.study.running.cluster._CHUNK_SECONDS", 0.25)
 
     def kill_once(*_):
         if not died:
@@ -111,7 +111,7 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
 def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_done(
     cluster, study, here, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr("forficula.study.cluster._PATIENCE_SECONDS", 1)
+    monkeypatch.setattr("forficula.study.running.cluster._PATIENCE_SECONDS", 1)
     kept = []
 
     def send_home(_, __, row):

@@ -12,9 +12,9 @@ from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
-from forficula.study.convergence import compare_models, converge
-from forficula.study.observed_order import fit_order
-from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+from forficula.study.convergence.convergence import compare_models, converge
+from forficula.study.convergence.observed_order import fit_order
+from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 from tests.dynamics.protocols import on_protocol
 
 STAGE = {"hold": 0.0}

@@ -16,7 +16,7 @@ from forficula.material.law.material_law import MaterialLaw, MaxwellBranch
 from forficula.material.law.softening import OgdenRoxburgh
 from forficula.structure import built_strains, structure_of
 from forficula.study.cycling import cycle_counts, design_at_cycle, run_cycles, why_unchanged
-from forficula.study.evaluate import evaluate
+from forficula.study.running.evaluate import evaluate
 from tests.material.synthetic import cyclic_test
 
 LAW = MaterialLaw(name="rubber", moduli=(4.8e6, 0.0, 0.0))

@@ -15,7 +15,7 @@ from forficula.analysis.margin import transition_margins
 from forficula.design import with_values
 from forficula.dynamics import compile_model
 from forficula.errors import InputError
-from forficula.study.evaluate import evaluate, outcome_row, row_key
+from forficula.study.running.evaluate import evaluate, outcome_row, row_key
 
 
 def test_torques_above_the_least_that_opens_do_not_run_and_the_others_keep_their_bits():
@@ -103,7 +103,7 @@ def test_a_torque_beyond_numbers_is_a_row_and_touches_no_other():
     assert "protocol.fold_torque: need a finite number" in rows[row_key(small[1])]["status"]
 
 
-EVALUATION = "forficula.study.runs"
+EVALUATION = "forficula.study.running.runs"
 
 
 def test_the_first_wings_run_before_the_last_are_built(monkeypatch):
@@ -122,7 +122,7 @@ def test_wings_that_memory_does_not_hold_side_by_side_run_in_halves_and_one_that
     heavy = with_values(SHORT, {"tendon.stiffness": 1003.0})
     designs = [*(with_values(SHORT, {"tendon.stiffness": 1000.0 + number}) for number in range(3)), heavy]
     whole = {row["key"]: row for row in evaluate(designs)}
-    stepping = sys.modules["forficula.dynamics.simulate"]
+    stepping = sys.modules["forficula.dynamics.stepping.simulate"]
     stepper = stepping.Stepper
 
     class Full:

@@ -13,7 +13,7 @@ import forficula as ff
 from forficula.cli import main
 from forficula.errors import InputError
 from forficula.study import collect, estimate, load_study, run_study
-from forficula.study.journal import open_journal, read_rows
+from forficula.study.running.journal import open_journal, read_rows
 
 DESIGN = ff.load_design("binder2025")
 

@@ -13,7 +13,7 @@ import forficula as ff
 from forficula.dynamics import load_record
 from forficula.errors import InputError
 from forficula.study import load_study, run_study
-from forficula.study.kept_runs import kept_runs, runs_to_keep
+from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 from tests.forks import forks
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "6 cm"]'
@@ -202,7 +202,7 @@ def test_a_folder_that_cannot_be_written_is_an_error_that_names_it(plain):
 IMPORTS = """
 import xarray
 from forficula.study import load_study
-from forficula.study.kept_runs import kept_runs, runs_to_keep
+from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 study, table = load_study(sys.argv[1]), xarray.load_dataset(sys.argv[2], engine="h5netcdf")
 """
 KEEP = "list(kept_runs(runs_to_keep(study, table), sys.argv[3]))"
@@ -256,7 +256,11 @@ def test_two_processes_that_keep_runs_in_one_folder_take_turns(plain):
     first = kept_runs(runs_to_keep(study, table), folder)
     next(first)
     # it wants none of those runs
-    script = "import sys\nfrom forficula.study.kept_runs import kept_runs\nassert not list(kept_runs([], sys.argv[1]))"
+    script = (
+        "import sys\n"
+        "from forficula.study.running.kept_runs import kept_runs\n"
+        "assert not list(kept_runs([], sys.argv[1]))"
+    )
     command = [sys.executable, "-c", script, folder]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as second, closing(first):
         assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"

@@ -12,7 +12,7 @@ from forficula.analysis import Verdict
 from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.study import load_study, run_study, table_csv
-from forficula.study.kept_runs import kept_runs, runs_to_keep
+from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 
 LENGTHS = '"tendon.rest_length" = ["5 cm", "9 cm"]'
 # lengths and a membrane whose wings open, or fail to, at half the timestep, too; of others single runs are undecided

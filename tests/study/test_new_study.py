@@ -6,10 +6,10 @@ import tomllib
 import pytest
 
 import forficula as ff
-from forficula.design.key_table import key_facts
-from forficula.design.kinds import KINDS
+from forficula.design.files.key_table import key_facts
+from forficula.design.files.kinds import KINDS
+from forficula.study.files.study_file import STUDY, StudyFile, named_studies
 from forficula.study.new_file import write_new_file
-from forficula.study.study_file import STUDY, StudyFile, named_studies
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -1,4 +1,4 @@
-from forficula.study.run_study import RunCount
+from forficula.study.running.run_study import RunCount
 
 
 def row(key, opened=False):

@@ -16,8 +16,8 @@ from forficula.cli import main
 from forficula.errors import InputError
 from forficula.show.study.maps import draw_torque_maps
 from forficula.study import collect, estimate, load_study, run_study, table_csv
-from forficula.study.evaluate import evaluate
-from forficula.study.run_study import _designs
+from forficula.study.running.evaluate import evaluate
+from forficula.study.running.run_study import _designs
 from forficula.study.search import point_design
 from tests.forks import forks
 from tests.show.study.test_maps import legend
@@ -127,7 +127,7 @@ def test_what_a_search_needs_never_shrinks_and_is_done_in_the_end(tmp_path, stud
 
 
 def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_file, monkeypatch):
-    module = sys.modules["forficula.study.run_study"]
+    module = sys.modules["forficula.study.running.run_study"]
     built, seen = [], []
     monkeypatch.setattr(module, "_WINDOW", 2)
     monkeypatch.setattr(module, "point_design", lambda *each: built.append(each) or point_design(*each))

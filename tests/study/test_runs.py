@@ -10,9 +10,9 @@ from forficula.analysis import Verdict, measure
 from forficula.cli import main
 from forficula.design import load_design, with_values
 from forficula.dynamics import with_timestep
-from forficula.study import runs
-from forficula.study.evaluate import evaluate
-from forficula.study.runs import run, run_each
+from forficula.study.running import runs
+from forficula.study.running.evaluate import evaluate
+from forficula.study.running.runs import run, run_each
 
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "10 ms"}
 FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"}

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.analysis import Ending, Verdict
 from forficula.structure import structure_of
-from forficula.study.evaluate import ending_row
+from forficula.study.files.search_file import read_search
+from forficula.study.running.evaluate import ending_row
 from forficula.study.search import (
     first_design,
     point_design,
@@ -17,7 +18,6 @@ from forficula.study.search import (
     search_result,
     second_design,
 )
-from forficula.study.search_file import read_search
 
 DESIGN = ff.load_design("binder2025")
 FOLD, UNFOLD = structure_of(DESIGN).transitions

@@ -7,7 +7,7 @@ import pytest
 import forficula as ff
 from forficula.design import with_values
 from forficula.errors import InputError
-from forficula.show.page.study_data import study_data
+from forficula.show.page.data.study_data import study_data
 from forficula.study import load_study, run_study, table_csv
 from tests.letters import LONG_STEPS
 

@@ -9,10 +9,10 @@ import xarray
 from forficula.design import load_design, with_values
 from forficula.errors import InputError
 from forficula.statics import energy_landscape
-from forficula.statics.potential import ensemble_of
-from forficula.statics.quasi_static import slow_transition, start_state, state_beyond
+from forficula.statics.tree.potential import ensemble_of
+from forficula.statics.tree.quasi_static import slow_transition, start_state, state_beyond
 from forficula.study import load_study
-from forficula.study.map_comparison import (
+from forficula.study.tables.map_comparison import (
     BOTH,
     BOTH_LESS,
     BOTH_MORE,
@@ -22,8 +22,8 @@ from forficula.study.map_comparison import (
     ONLY_STATIC,
     compare_maps,
 )
-from forficula.study.outcome_kinds import lost_text, table_transitions
-from forficula.study.static_map import map_study, static_map
+from forficula.study.tables.outcome_kinds import lost_text, table_transitions
+from forficula.study.tables.static_map import map_study, static_map
 
 OVER = {"tendon.stiffness": ["10 N/cm", "60 N/cm"], "tendon.rest_length": ["0 cm", "8 cm", "9 cm"]}
 
@@ -185,7 +185,7 @@ def test_a_map_of_a_million_wings_is_refused_before_it_begins():
 def test_a_map_says_how_far_it_is_and_is_the_same_in_parts(reference, statics, monkeypatch):
     study, seen = map_study(reference, OVER | {"tendon.stiffness": ["10 N/cm"]}), []
     whole = statics.sel(tendon_stiffness=[1000])
-    monkeypatch.setattr("forficula.study.static_map._SIDE_BY_SIDE", 2)
+    monkeypatch.setattr("forficula.study.tables.static_map._SIDE_BY_SIDE", 2)
     parts = static_map(study, lambda *each: seen.append(each))
     assert seen == [(2, 3), (3, 3)]
     xarray.testing.assert_allclose(parts.drop_vars("status"), whole.drop_vars("status"), rtol=1e-9)

@@ -4,8 +4,8 @@ import forficula as ff
 from forficula.design import tendon_law, with_values
 from forficula.errors import InputError
 from forficula.study import named_studies, run_study
+from forficula.study.files.study_file import load_study
 from forficula.study.search import point_design, search_designs
-from forficula.study.study_file import load_study
 
 DRAWN = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
 LISTED = '"tendon.rest_length" = ["5 cm", "7 cm"]'

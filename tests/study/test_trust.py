@@ -9,7 +9,7 @@ import pytest
 from matplotlib.collections import QuadMesh
 
 from forficula.show.folder.study_folder import study_drawings
-from forficula.show.page.study_data import study_data
+from forficula.show.page.data.study_data import study_data
 from forficula.show.study.maps import draw_first_times, draw_work_maps, missing_reasons
 from forficula.study import load_study, run_study, table_csv
 from tests.show.study.test_maps import legend, panels

@@ -16,7 +16,7 @@ from forficula.analysis import measure
 from forficula.analysis.summary import summary
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate, stable_timestep
-from forficula.dynamics.drag import KINEMATICS, stacked_drag
+from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.show.run.outcome_rows import balance_rows
 from forficula.structure import structure_of
 from tests.plate_sheets import INERTIA, LENGTH, MASS, WIDTH, miura, plates, pushed, stage

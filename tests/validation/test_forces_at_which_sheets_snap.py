@@ -16,8 +16,8 @@ from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.statics.net.energy import stored_by_part
 from forficula.statics.net.minimum import minimum
+from forficula.statics.net.net_landscape import slow_courses
 from forficula.statics.net.net_of import net_of, start_shape
-from forficula.statics.net_landscape import slow_courses
 from forficula.structure import structure_of
 
 STOP = 1e6

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate, stable_timestep, timestep_warnings, with_timestep
-from forficula.dynamics.membrane import joined_mesh, stretch_energy
+from forficula.dynamics.engine.membrane import joined_mesh, stretch_energy
 from forficula.structure import Membrane, MembraneLaw
 from tests.places import places
 
@@ -152,7 +152,7 @@ def test_the_timestep_that_is_chosen_does_not_diverge(values):
 
 def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
     # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
-    monkeypatch.setattr("forficula.dynamics.stage_plan._FAR", math.inf)
+    monkeypatch.setattr("forficula.dynamics.stepping.stage_plan._FAR", math.inf)
     longest = stable_timestep(reference)
     # the limit is an estimate along the fold: the reference diverged, while opening, from nine tenths of it on
     designs = [with_values(reference, {"protocol.timestep": longest * factor}) for factor in (0.8, 3)]

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from forficula.analysis import measure
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.structure import mass_of, structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.plate_sheets import miura, plates, vertex
 
 SPRINGS = 'stiffness = "1e-3 N m/rad/m"\nrest_angle = "75 deg"\ndamping = "0 N m s/rad/m"'

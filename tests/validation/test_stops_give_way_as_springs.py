@@ -10,7 +10,7 @@ import forficula as ff
 from forficula.analysis import Verdict, measure
 from forficula.design import with_values
 from forficula.dynamics import compile_model
-from forficula.study.runs import run_each
+from forficula.study.running.runs import run_each
 
 SPEED = 20.0  # rad/s, of the impact
 JOINT = ff.load_design("binder2025-joint", {"hinge.damping": "0 N m s/rad", "hinge.armature": "0 kg m^2"})

@@ -13,7 +13,7 @@ import forficula as ff
 from forficula.design import with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.pattern import earwig_pattern, ring_directions
-from forficula.structure.veins import structure_of_veins, veins_on
+from forficula.structure.fans.veins import structure_of_veins, veins_on
 from tests.structures import compiled
 
 

@@ -22,7 +22,7 @@ from scipy.optimize import brentq
 import forficula as ff
 from forficula.design import scale_design, with_values
 from forficula.dynamics import compile_model, simulate
-from forficula.dynamics.energy import branch_losses
+from forficula.dynamics.energies.energy import branch_losses
 from forficula.structure import structure_of
 
 LENGTH, AREA, ARM = 0.06, 12.5e-6, 0.055  # m, m2, m

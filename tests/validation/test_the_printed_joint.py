@@ -18,7 +18,7 @@ from scipy.optimize import minimize_scalar
 
 import forficula as ff
 from forficula.make.as_made import as_made
-from forficula.statics.hinge import tendon_hinges
+from forficula.statics.tree.hinge import tendon_hinges
 from forficula.structure import structure_of
 
 BY = "the closed form"

@@ -13,7 +13,7 @@ from forficula.statics.net.load_path import load_path
 from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net_of import net_of, places, start_shape
 from forficula.structure import structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 REST = {"name": "rest", "drive": "none", "until": "rest", "hold": 0.05, "time_limit": 5.0}
 BAND = {"name": "band", "from": "vertex 0", "to": "vertex 8", "stiffness": 2.0, "rest_length": 0.03}

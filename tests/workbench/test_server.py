@@ -122,7 +122,7 @@ def test_a_design_is_told_with_its_keys_its_file_and_the_command_that_runs_it(se
 
 
 def served_value(name, key):
-    from forficula.design.held_keys import held_keys
+    from forficula.design.files.held_keys import held_keys
 
     return next(each.value for each in held_keys(load_design(name)) if each.fact.key == key)
 
@@ -180,7 +180,7 @@ def test_a_design_is_dropped_with_the_files_that_it_names(served):
 
 def test_the_model_is_the_one_that_the_package_builds_for_a_page(served):
     from forficula.show.page.bench_page import at_start
-    from forficula.show.page.live_data import live_data
+    from forficula.show.page.data.live_data import live_data
 
     told = served.ask("model", settings={"tendon.0.stiffness": "0.6 N/cm"})
     design = load_design("letter-fold", {"tendon.0.stiffness": "0.6 N/cm"})

@@ -1,6 +1,6 @@
 /**
  * Where a structure is in its protocol: what drives it, when its stage ends, and what its states are; as in
- * forficula.dynamics.stages, step by step.
+ * forficula.dynamics.stepping.stages, step by step.
  */
 
 const AT_ONCE = 1e-9; // steps

@@ -11,7 +11,7 @@ from forficula.design import stage_drives
 from forficula.dynamics import Record
 from forficula.pattern.crease_pattern import is_unfolded
 from forficula.structure import Structure, drive_of
-from forficula.structure.facets import BEND
+from forficula.structure.sheets.facets import BEND
 
 # rad; less is flat: as built, and in the end
 _FLAT_AS_BUILT, _FLAT = 1e-9, math.radians(1.0)

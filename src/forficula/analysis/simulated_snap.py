@@ -14,7 +14,7 @@ from forficula.design import Design, shortest_sample_interval, stage_drives, wit
 from forficula.dynamics import Record
 from forficula.names import ordinal
 from forficula.statics import CrossedHinge, EnergyLandscape, fold_time, folding_sense, ideal_hinges
-from forficula.statics.snap import FOLD_START
+from forficula.statics.tree.snap import FOLD_START
 from forficula.structure import Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
 
 _ROWS = 200  # that a fold should have in a record

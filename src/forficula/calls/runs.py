@@ -9,7 +9,7 @@ from forficula.design import AnyDesign, as_design
 
 if TYPE_CHECKING:
     from forficula.dynamics import Record
-    from forficula.dynamics.simulate import Progress
+    from forficula.dynamics.stepping.simulate import Progress
     from forficula.statics import EnergyLandscape
 
 
@@ -34,7 +34,7 @@ def run(design: AnyDesign, progress: Progress | None = None, *, confirm: bool = 
     >>> ff.measure(record).status
     'closed and opened'
     """
-    from forficula.study.runs import run as run_one
+    from forficula.study.running.runs import run as run_one
 
     return run_one(as_design(design), progress, confirm=confirm)
 

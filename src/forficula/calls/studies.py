@@ -10,10 +10,10 @@ from forficula.errors import InputError, error_prefix
 from forficula.quantities import as_written
 
 if TYPE_CHECKING:
-    from forficula.dynamics.simulate import Progress
+    from forficula.dynamics.stepping.simulate import Progress
     from forficula.study import Study
-    from forficula.study.assumptions import Assumptions
-    from forficula.study.convergence import Convergence
+    from forficula.study.assumptions.assumptions import Assumptions
+    from forficula.study.convergence.convergence import Convergence
 
 _OPTIONS = ("timesteps", "moduli", "meshes")
 
@@ -41,8 +41,8 @@ def converge(
     >>> set(ff.converge(design, timesteps="0.2 0.1 ms").statuses)
     {'closed and opened'}
     """
-    from forficula.study.convergence import converge as converge_design
-    from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+    from forficula.study.convergence.convergence import converge as converge_design
+    from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
     every = zip(_OPTIONS, (TIMESTEP, YOUNGS_MODULUS, MESH), (timesteps, moduli, meshes), strict=True)
     given = [(name, key, values) for name, key, values in every if values is not None]
@@ -79,8 +79,8 @@ def assumptions(
     >>> found.own.status, found.deciding
     ('closed and opened', ())
     """
-    from forficula.study.assumptions import run_assumptions
-    from forficula.study.modelling_assumptions import selected
+    from forficula.study.assumptions.assumptions import run_assumptions
+    from forficula.study.assumptions.modelling_assumptions import selected
 
     read = as_design(design)
     with error_prefix("only: "):
@@ -111,7 +111,7 @@ def new_study(
     >>> ff.run_study(asked, out="asked")["status"].values.tolist()
     ['closed and opened', 'closed and opened']
     """
-    from forficula.study.study_file import study_of
+    from forficula.study.files.study_file import study_of
 
     return study_of(
         {

@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 
 from forficula.commands.new import USUAL_KIND, Kind
-from forficula.design.key_table import KeyFact
+from forficula.design.files.key_table import KeyFact
 from forficula.errors import InputError
 from forficula.options import (
     WHOLE_NUMBER,
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from forficula.design import Design
     from forficula.design.part import Part
     from forficula.pattern import CreasePattern
-    from forficula.pattern.fold_writer import Frame
+    from forficula.pattern.files.fold_writer import Frame
 
     Array = NDArray[np.float64]
 
@@ -56,8 +56,8 @@ def keys(
     observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
 ) -> None:
     """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
-    from forficula.design.key_table import key_facts
-    from forficula.design.kinds import KINDS
+    from forficula.design.files.key_table import key_facts
+    from forficula.design.files.kinds import KINDS
     from forficula.names import one_of
 
     if kind not in KINDS:
@@ -74,7 +74,7 @@ def keys(
 def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Part]:
     """The class of the files whose keys are listed."""
     if study:
-        from forficula.study.study_file import StudyFile
+        from forficula.study.files.study_file import StudyFile
 
         return StudyFile
     if goal:
@@ -85,7 +85,7 @@ def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Pa
         from forficula.goals.identify.observations_file import ObservationsFile
 
         return ObservationsFile
-    from forficula.design.kinds import KINDS
+    from forficula.design.files.kinds import KINDS
 
     return KINDS[kind]
 

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from forficula.goals.optimise import Optimum
     from forficula.goals.tolerance import Question, Tolerance
     from forficula.goals.tolerance.plan import Plan
-    from forficula.study.run_study import Evaluate
+    from forficula.study.running.run_study import Evaluate
 
 
 _Shard = Annotated[str, Parameter(help="Share the runs with other processes, as in 2/8; each of them has the result.")]
@@ -77,7 +77,7 @@ def optimise(
     from forficula.goals import load_goal
     from forficula.goals.optimise.optimise import estimate_optimise
     from forficula.goals.optimise.telling import filling_text
-    from forficula.study.kept_runs import check_most
+    from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     asked = load_goal(goal)
@@ -100,7 +100,7 @@ def optimise(
     from forficula.show import study_progress
     from forficula.show.folder.optimum_folder import write_optimum, write_optimum_report
     from forficula.show.goals.optimum_text import print_optimum
-    from forficula.study.kept_runs import kept_runs
+    from forficula.study.running.kept_runs import kept_runs
 
     write_optimum(found, folder)
     runs = candidates_to_keep(found, keep)
@@ -159,7 +159,7 @@ def tolerance(
 ) -> int:
     """How likely does a design work as it is built, and which tolerance decides?"""
     from forficula.goals.tolerance import estimate_tolerance
-    from forficula.study.kept_runs import check_most
+    from forficula.study.running.kept_runs import check_most
 
     check_apart("--dry-run", dry_run, {"--shard": shard != _ALL, "--dask": dask is not None})
     own = read_settings(tolerances, "--tolerance", 'tendon.stiffness="5 %"')
@@ -229,7 +229,7 @@ def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     from forficula.show import study_progress
     from forficula.show.folder.tolerance_folder import write_tolerance, write_tolerance_report
     from forficula.show.goals.tolerance_text import print_tolerance
-    from forficula.study.kept_runs import kept_runs
+    from forficula.study.running.kept_runs import kept_runs
 
     write_tolerance(found, folder)
     runs = samples_to_keep(found, keep)

@@ -75,7 +75,7 @@ def landscape(
         from forficula.show.folder.static_map_folder import print_static_map, read_simulated, write_static_map
         from forficula.show.progress import map_progress
         from forficula.structure import structure_of
-        from forficula.study.static_map import map_study, static_map
+        from forficula.study.tables.static_map import map_study, static_map
 
         study = map_study(chosen, varied)
         beside = None if simulated is None else read_simulated(simulated, chosen)

@@ -37,8 +37,8 @@ def write_design(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
 @new.command(name="study")
 def write_study(file: _File, /, *, kind: Kind = USUAL_KIND) -> None:
     """Write a study file: many runs of a design."""
+    from forficula.study.files.study_file import STUDY
     from forficula.study.new_file import write_new_file
-    from forficula.study.study_file import STUDY
 
     write_new_file(file, STUDY, kind)
     print(f"written to {file}; run it with: forficula study {file}")

@@ -21,7 +21,7 @@ from forficula.serial import plain
 from forficula.terminal import came_to
 
 if TYPE_CHECKING:
-    from forficula.make.check import Check
+    from forficula.make.checks.check import Check
     from forficula.make.part import PartSet
     from forficula.study.made_comparison import MadeComparison
 
@@ -53,7 +53,7 @@ def make(
     ] = True,
 ) -> int:
     """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
-    from forficula.make.check_parts import check_parts, run_of
+    from forficula.make.checks.check_parts import check_parts, run_of
     from forficula.make.files.step import check_step
     from forficula.make.make_parts import make_parts
     from forficula.show.folder.parts_folder import write_parts

@@ -90,7 +90,7 @@ def run(
     from forficula.show import print_outcome, print_storage, print_strength, run_progress, write_run
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
-    from forficula.study.runs import run as run_design
+    from forficula.study.running.runs import run as run_design
 
     tell_replaced(folder, "run")
     with waiting("working out the timestep that it allows"):
@@ -129,7 +129,7 @@ def _copies(figures: str | None) -> list[str]:
 
 def _print_assumptions(design: Design, folder: Path) -> None:
     """Print which modelling assumptions decide the result of a design, where that is known."""
-    from forficula.study.assumptions_file import known_assumptions, known_text
+    from forficula.study.assumptions.assumptions_file import known_assumptions, known_text
 
     known = known_assumptions(design, folder)
     if known is not None:

@@ -74,7 +74,7 @@ def study(
     check_folder(folder, "study")
     check_reproduction(chosen)
     if keep is not None:
-        from forficula.study.kept_runs import check_most
+        from forficula.study.running.kept_runs import check_most
 
         most = keep
         read_option("--keep", lambda: check_most(most))
@@ -141,7 +141,7 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path, *, eng
     """Write a study's page, and keep the runs that it plays."""
     from forficula.show import study_progress
     from forficula.show.folder.study_folder import write_study_report
-    from forficula.study.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
+    from forficula.study.running.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
 
     runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
     if runs:
@@ -157,7 +157,7 @@ def studies() -> None:
     from forficula.goals import load_goal, named_goals
     from forficula.goals.identify import load_observations, named_observations
     from forficula.study import load_study
-    from forficula.study.study_file import named_studies
+    from forficula.study.files.study_file import named_studies
 
     told: list[dict[str, object]] = []
     for name in named_studies():
@@ -210,8 +210,8 @@ def converge(
     from forficula.show import study_progress
     from forficula.show.folder.convergence_folder import write_convergence
     from forficula.show.study.convergence_table import print_convergence
-    from forficula.study.convergence import converge as converge_design
-    from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
+    from forficula.study.convergence.convergence import converge as converge_design
+    from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
     options = {"--timesteps": (TIMESTEP, timesteps), "--moduli": (YOUNGS_MODULUS, moduli), "--meshes": (MESH, meshes)}
     given = [(option, key, text) for option, (key, text) in options.items() if text is not None]
@@ -250,8 +250,8 @@ def assumptions(
     They are rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops, step and start.
     """
     from forficula.design import load_design
-    from forficula.study.assumptions_file import FOLDER_ENDING
-    from forficula.study.modelling_assumptions import selected
+    from forficula.study.assumptions.assumptions_file import FOLDER_ENDING
+    from forficula.study.assumptions.modelling_assumptions import selected
 
     chosen = load_design(design, read_settings(settings))
     folder = out or Path("out") / f"{chosen.name}{FOLDER_ENDING}"
@@ -262,7 +262,7 @@ def assumptions(
     from forficula.show import run_progress
     from forficula.show.folder.assumptions_folder import write_assumptions
     from forficula.show.study.assumptions_table import print_assumptions
-    from forficula.study.assumptions import run_assumptions
+    from forficula.study.assumptions.assumptions import run_assumptions
 
     tell_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:

@@ -1,6 +1,7 @@
-from forficula.design.crease_pattern import design_frames, design_pattern
 from forficula.design.design import Design, shortest_sample_interval
-from forficula.design.design_file import (
+from forficula.design.fans.fan import FanDesign, FanProtocol
+from forficula.design.fans.joint import JointDesign, JointProtocol
+from forficula.design.files.design_file import (
     AnyDesign,
     as_design,
     design_from_text,
@@ -10,21 +11,20 @@ from forficula.design.design_file import (
     save_design,
     with_values,
 )
-from forficula.design.fan import FanDesign, FanProtocol
-from forficula.design.joint import JointDesign, JointProtocol
-from forficula.design.keys import check_keys_once, key_quantity, key_value, names_law, numbered_key, put
+from forficula.design.files.keys import check_keys_once, key_quantity, key_value, names_law, numbered_key, put
+from forficula.design.files.new_design import write_new_design
+from forficula.design.files.provenance import differing_keys
+from forficula.design.files.tendon_tables import NO_LAW, value_from_folder
 from forficula.design.law import LawSection, tendon_material
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
-from forficula.design.new_design import write_new_design
 from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, Stage, stage_drives
-from forficula.design.provenance import differing_keys
-from forficula.design.sheet import SheetDesign
-from forficula.design.sheet_parts import Imperfection
+from forficula.design.sheets.crease_pattern import design_frames, design_pattern
+from forficula.design.sheets.sheet import SheetDesign
+from forficula.design.sheets.sheet_parts import Imperfection
 from forficula.design.similarity import in_units, scale_design
 from forficula.design.tendon import TendonSection, tendon_law
-from forficula.design.tendon_tables import NO_LAW, value_from_folder
 
 __all__ = [
     "LENGTH",

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, cast
 
 from pydantic import Field, field_validator
 
+from forficula.design.files.provenance import WORDS, check_paper
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.named_protocol import NamedProtocol
 from forficula.design.part import SHORT_TIME, TIME, Part
 from forficula.design.protocol import Protocol
-from forficula.design.provenance import WORDS, check_paper
 from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError
@@ -93,7 +93,7 @@ class Design(Displayed, Part):
 
     def __str__(self) -> str:
         """The design file."""
-        from forficula.design.design_file import design_text
+        from forficula.design.files.design_file import design_text
 
         return design_text(self)
 
@@ -134,7 +134,7 @@ class Design(Displayed, Part):
         Raises:
             InputError: an unknown key, or a value that is not allowed.
         """
-        from forficula.design.design_file import with_values
+        from forficula.design.files.design_file import with_values
 
         return cast(Self, with_values(self, values))
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.design.fan import FanDesign
+from forficula.design.fans.fan import FanDesign
 
 Points = NDArray[np.float64]
 

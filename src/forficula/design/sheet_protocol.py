@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from forficula.design.named_protocol import Action, Drive, NamedProtocol, RestState, Transition, Wording
 from forficula.design.protocol import Stage, read_goal, stage_drives
-from forficula.design.sheet_course import RestAngleDrive, SheetDrive, TorqueDrive, places_of
-from forficula.design.sheet_creases import creases_of, fold_edges
+from forficula.design.sheets.sheet_course import RestAngleDrive, SheetDrive, TorqueDrive, places_of
+from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
 
 if TYPE_CHECKING:
-    from forficula.design.sheet import SheetDesign
+    from forficula.design.sheets.sheet import SheetDesign
 
 
 def sheet_protocol(design: SheetDesign) -> NamedProtocol:

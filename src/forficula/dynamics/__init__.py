@@ -1,20 +1,20 @@
-from forficula.dynamics.energy_balance import EnergyBalance, energy_balance
-from forficula.dynamics.knobs import Knob, knobs_of
-from forficula.dynamics.model import Model, compile_model, compile_structure
-from forficula.dynamics.portable_model import portable_model, why_not_portable
+from forficula.dynamics.energies.energy_balance import EnergyBalance, energy_balance
+from forficula.dynamics.engine.knobs import Knob, knobs_of
+from forficula.dynamics.engine.model import Model, compile_model, compile_structure
+from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
+from forficula.dynamics.engine.sharing import but_last_drive
+from forficula.dynamics.engine.units import design_in_model_units
 from forficula.dynamics.record import Check, Record, StageEnd, as_record, load_record, save_record, versions
-from forficula.dynamics.sharing import but_last_drive
-from forficula.dynamics.simulate import simulate, simulate_each
-from forficula.dynamics.stage_plan import goal_in_units
-from forficula.dynamics.stepped_protocol import SteppedProtocol, stepped_protocol
-from forficula.dynamics.timestep import (
+from forficula.dynamics.stepping.simulate import simulate, simulate_each
+from forficula.dynamics.stepping.stage_plan import goal_in_units
+from forficula.dynamics.stepping.stepped_protocol import SteppedProtocol, stepped_protocol
+from forficula.dynamics.stepping.timestep import (
     STEPS_TO_CONTACT,
     STEPS_TO_TIME_CONSTANT,
     stable_timestep,
     timestep_warnings,
     with_timestep,
 )
-from forficula.dynamics.units import design_in_model_units
 
 __all__ = [
     "STEPS_TO_CONTACT",

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.dynamics.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
-from forficula.dynamics.closures import APART_TEXT, LARGEST_GAP
-from forficula.dynamics.energy import state_energies, state_series
-from forficula.dynamics.model import Model
+from forficula.dynamics.energies.account import motor_force_name, motor_power_name, motor_setting_name, motor_work_name
+from forficula.dynamics.energies.energy import state_energies, state_series
+from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
+from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
-from forficula.dynamics.stage_plan import NEVER
-from forficula.dynamics.steps import State, Steps
+from forficula.dynamics.stepping.stage_plan import NEVER
+from forficula.dynamics.stepping.steps import State, Steps
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -15,9 +15,9 @@ from forficula.goals.outcome_quantity import SOURCES, STATIC, OutcomeQuantity, S
 from forficula.goals.static_values import static_values
 from forficula.names import check_whole
 from forficula.serial import unit_suffix
-from forficula.study.evaluate import ending_row, evaluate, row_key
-from forficula.study.journal import Journal, Row, open_journal, read_rows
-from forficula.study.run_study import Evaluate, Progress
+from forficula.study.running.evaluate import ending_row, evaluate, row_key
+from forficula.study.running.journal import Journal, Row, open_journal, read_rows
+from forficula.study.running.run_study import Evaluate, Progress
 from forficula.study.search import search_designs, search_result
 from forficula.study.search_steps import Search
 

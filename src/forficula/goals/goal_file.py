@@ -20,8 +20,8 @@ from forficula.design.file_fields import (
     YesOrNo,
     entry,
 )
+from forficula.design.files.rejection import read_part
 from forficula.design.part import Part
-from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
 from forficula.goals.goal import Goal, Objective
@@ -30,8 +30,8 @@ from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity, quant
 from forficula.goals.parameter import Parameter, RangeEntry, read_parameter
 from forficula.names import check_known, listed, one_of
 from forficula.study.factors import VALUES
-from forficula.study.named_file import FileKind, base_design, load_named, named_files
-from forficula.study.search_file import TorqueSearchTable, read_search
+from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.files.search_file import TorqueSearchTable, read_search
 from forficula.study.search_steps import Search
 
 _MOST_OBJECTIVES = 3

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 
 from forficula.design import Design
-from forficula.study.kept_runs import RunToKeep
+from forficula.study.running.kept_runs import RunToKeep
 
 # runs that are kept where nothing else is said
 MOST_KEPT = 24

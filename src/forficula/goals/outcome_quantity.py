@@ -13,7 +13,7 @@ from forficula.names import near_name
 from forficula.quantities import Unit
 from forficula.serial import unit_suffix
 from forficula.structure import Structure, Transition, distances_of, drive_of, drive_unit, first_state, structure_of
-from forficula.study.search_file import read_search
+from forficula.study.files.search_file import read_search
 
 ENERGY = Unit(display="mJ", si="J", example="5 mJ")
 FORCE = Unit(display="N", si="N", example="5 N")

@@ -6,11 +6,11 @@ from collections.abc import Collection
 
 from forficula.design import Design
 from forficula.goals.outcome_quantity import Source
-from forficula.statics.equilibrium import barrier_between
-from forficula.statics.fold_path import fold_path
-from forficula.statics.hinge_landscape import crossed_hinges
-from forficula.statics.potential import ensemble
 from forficula.statics.survey import slow_drives
+from forficula.statics.tree.equilibrium import barrier_between
+from forficula.statics.tree.fold_path import fold_path
+from forficula.statics.tree.hinge_landscape import crossed_hinges
+from forficula.statics.tree.potential import ensemble
 from forficula.structure import Structure, mass_of, structure_of
 
 # of a hinge's curves and of a fold's: their ends, tops and peaks are exact or interpolated by cubics

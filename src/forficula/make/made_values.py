@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from forficula.errors import InputError
-from forficula.make.free_range import free_range
-from forficula.make.joint_layout import Arm, JointLayout
-from forficula.make.mass_properties import parts_properties
+from forficula.make.hinge.free_range import free_range
+from forficula.make.hinge.joint_layout import Arm, JointLayout
+from forficula.make.hinge.straps import Strap
 from forficula.make.part import PartSet
-from forficula.make.straps import Strap
+from forficula.make.solid.mass_properties import parts_properties
 from forficula.structure import Bar
 from forficula.structure.mass import end_inertia
 

@@ -9,13 +9,13 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import AnyDesign, Design, MakeSection, as_design
 from forficula.errors import InputError
-from forficula.make.hub import Root, hub_solid, rod_solid, roots_of, with_sleeve
-from forficula.make.joint import bar_solid, pin_solid
-from forficula.make.joint_layout import Arm, JointLayout, joint_layouts
+from forficula.make.flat.sheet import cut_sheet
+from forficula.make.hinge.hub import Root, hub_solid, rod_solid, roots_of, with_sleeve
+from forficula.make.hinge.joint import bar_solid, pin_solid
+from forficula.make.hinge.joint_layout import Arm, JointLayout, joint_layouts
+from forficula.make.hinge.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.make.part import Part, PartSet
-from forficula.make.sheet import cut_sheet
 from forficula.make.stock import stock_of
-from forficula.make.strap_shape import StrapPlace, bows_beside, made_strap, strap_places
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
 from forficula.pattern.rotation import frame_along

@@ -11,13 +11,13 @@ from forficula.arrays import Array
 from forficula.design import Design
 from forficula.displayed import Displayed
 from forficula.errors import InputError
-from forficula.make.cut_lines import CutSheet
-from forficula.make.hub import Root
-from forficula.make.joint_layout import JointLayout
-from forficula.make.mesh import MILLIMETRES, solid_of
-from forficula.make.solids import Solid
+from forficula.make.flat.cut_lines import CutSheet
+from forficula.make.hinge.hub import Root
+from forficula.make.hinge.joint_layout import JointLayout
+from forficula.make.hinge.strap_shape import StrapPlace
+from forficula.make.solid.mesh import MILLIMETRES, solid_of
+from forficula.make.solid.solids import Solid
 from forficula.make.stock import Stock
-from forficula.make.strap_shape import StrapPlace
 from forficula.structure import Structure
 
 # mm, volume by surface: what is thinner is lost in the single precision of meshes and their files

@@ -10,11 +10,11 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
-from forficula.make.joint import turned
-from forficula.make.joint_layout import JointLayout
-from forficula.make.mass_properties import MassProperties, parts_properties
+from forficula.make.hinge.joint import turned
+from forficula.make.hinge.joint_layout import JointLayout
+from forficula.make.hinge.strap_shape import StrapPlace
 from forficula.make.part import PartSet
-from forficula.make.strap_shape import StrapPlace
+from forficula.make.solid.mass_properties import MassProperties, parts_properties
 from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames, gathered_mass, mass_of, structure_of
 

@@ -8,8 +8,22 @@ from forficula.pattern.crease_pattern import (
     maekawa_residuals,
     sectors_between,
 )
-from forficula.pattern.drawing_file import read_drawing
-from forficula.pattern.earwig import (
+from forficula.pattern.drawings.drawing_file import read_drawing
+from forficula.pattern.drawings.svg_file import write_svg
+from forficula.pattern.facet_tree import FacetLink, central_facet, edges_between, facet_tree
+from forficula.pattern.facts.flat_folding import (
+    VertexCheck,
+    flat_folding_faults,
+    flat_folding_text,
+    vertex_checks,
+)
+from forficula.pattern.facts.pattern_facts import Freedoms, PatternFacts, pattern_facts
+from forficula.pattern.facts.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
+from forficula.pattern.facts.rigidity import Rigidity, rigidity
+from forficula.pattern.facts.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
+from forficula.pattern.facts.vertex_creases import VertexCreases, vertex_creases
+from forficula.pattern.facts.vertex_facts import VertexFacts, fault_words, vertex_facts
+from forficula.pattern.families.earwig import (
     EarwigFan,
     Tangent,
     earwig_pattern,
@@ -20,44 +34,30 @@ from forficula.pattern.earwig import (
     vein_gaps,
     vein_roles,
 )
-from forficula.pattern.facet_tree import FacetLink, central_facet, edges_between, facet_tree
-from forficula.pattern.flat_folding import (
-    VertexCheck,
-    flat_folding_faults,
-    flat_folding_text,
-    vertex_checks,
-)
-from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
-from forficula.pattern.fold_file import fold_pattern, read_fold, read_folded_frames
-from forficula.pattern.fold_writer import write_fold
-from forficula.pattern.hinged_strip import strip_pattern
-from forficula.pattern.kinematics import (
-    degree4_fold_angles,
-    fan_fold_angles,
-    folded_coordinates,
-    folded_frames,
-)
-from forficula.pattern.kresling import (
+from forficula.pattern.families.hinged_strip import strip_pattern
+from forficula.pattern.families.kresling import (
     KreslingLengths,
     KreslingState,
     kresling_lengths,
     kresling_other_state,
     kresling_pattern,
 )
-from forficula.pattern.miura_ori import MiuraSize, miura_pattern, miura_size
-from forficula.pattern.pattern_facts import Freedoms, PatternFacts, pattern_facts
-from forficula.pattern.pattern_file import PATTERN_FILES, read_pattern
-from forficula.pattern.pleats import pleat_pattern
-from forficula.pattern.rigid_folding import begins_as_assigned, folded_as_assigned, vertex_folds
-from forficula.pattern.rigidity import Rigidity, rigidity
-from forficula.pattern.svg_file import write_svg
+from forficula.pattern.families.miura_ori import MiuraSize, miura_pattern, miura_size
+from forficula.pattern.families.pleats import pleat_pattern
+from forficula.pattern.families.vertex import vertex_pattern
+from forficula.pattern.families.waterbomb import Apex, waterbomb_base, waterbomb_pattern
+from forficula.pattern.families.yoshimura import yoshimura_pattern, yoshimura_tube
+from forficula.pattern.files.fold_file import fold_pattern, read_fold, read_folded_frames
+from forficula.pattern.files.fold_writer import write_fold
+from forficula.pattern.files.pattern_file import PATTERN_FILES, read_pattern
+from forficula.pattern.fold_angles import built_fold_angles, kept_as_built
+from forficula.pattern.kinematics import (
+    degree4_fold_angles,
+    fan_fold_angles,
+    folded_coordinates,
+    folded_frames,
+)
 from forficula.pattern.triangulation import Triangulation, triangulated
-from forficula.pattern.vertex import vertex_pattern
-from forficula.pattern.vertex_closure import degree4_closure, vertex_freedoms, vertex_walk
-from forficula.pattern.vertex_creases import VertexCreases, vertex_creases
-from forficula.pattern.vertex_facts import VertexFacts, fault_words, vertex_facts
-from forficula.pattern.waterbomb import Apex, waterbomb_base, waterbomb_pattern
-from forficula.pattern.yoshimura import yoshimura_pattern, yoshimura_tube
 
 __all__ = [
     "ASSIGNMENTS",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.pattern.crease_pattern import CreasePattern
-from forficula.pattern.flat_faces import parts_of
+from forficula.pattern.drawings.flat_faces import parts_of
 from forficula.pattern.shared_edges import SharedEdge, shared_edges
 
 Numbers = NDArray[np.int64]

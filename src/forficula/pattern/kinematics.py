@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
-from forficula.pattern.earwig import EarwigFan, earwig_pattern
+from forficula.pattern.families.earwig import EarwigFan, earwig_pattern
 from forficula.pattern.rotation import STILL, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
 

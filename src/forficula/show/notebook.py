@@ -17,10 +17,10 @@ from forficula.names import counted, listed
 from forficula.show.folder.cell import heading, picture, printed
 from forficula.show.folder.presentation import presentation, result_kind
 from forficula.show.material.material_table import law_table
-from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import paragraph, table
-from forficula.show.page.outcome_tables import outcome_tables
-from forficula.show.page.words import outcome_sentence
+from forficula.show.page.parts.design_tables import design_tables
+from forficula.show.page.parts.html import paragraph, table
+from forficula.show.page.parts.outcome_tables import outcome_tables
+from forficula.show.page.parts.words import outcome_sentence
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.structure import structure_of
 from forficula.study.factors import Factor

@@ -1,6 +1,16 @@
-from forficula.statics.fold_path import FoldPath, StableState
-from forficula.statics.hinge import TendonHinge, folding_sense, ideal_hinges, slack_angle, tendon_hinge, tendon_hinges
-from forficula.statics.hinge_landscape import (
+from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
+from forficula.statics.landscape_summary import landscape_summary
+from forficula.statics.survey import energy_landscape
+from forficula.statics.tree.fold_path import FoldPath, StableState
+from forficula.statics.tree.hinge import (
+    TendonHinge,
+    folding_sense,
+    ideal_hinges,
+    slack_angle,
+    tendon_hinge,
+    tendon_hinges,
+)
+from forficula.statics.tree.hinge_landscape import (
     CrossedHinge,
     HingeLandscape,
     HingeSpring,
@@ -10,11 +20,8 @@ from forficula.statics.hinge_landscape import (
     hinge_landscape,
     hinge_remarks,
 )
-from forficula.statics.landscape import EnergyLandscape, Rest, barrier, stable_states
-from forficula.statics.landscape_summary import landscape_summary
-from forficula.statics.partial_folds import PartialFold, folding_hinges
-from forficula.statics.snap import final_speed, fold_time, time_scale
-from forficula.statics.survey import energy_landscape
+from forficula.statics.tree.partial_folds import PartialFold, folding_hinges
+from forficula.statics.tree.snap import final_speed, fold_time, time_scale
 
 __all__ = [
     "CrossedHinge",

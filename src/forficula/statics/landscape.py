@@ -1,7 +1,7 @@
 """The energy landscape of a design: states, transitions between them, and what each state withstands.
 
 Two solvers find it, which check each other: `forficula.statics.tree_landscape` for bodies on joints, in reduced
-coordinates, and `forficula.statics.net_landscape` for nets, in the coordinates of their nodes.
+coordinates, and `forficula.statics.net.net_landscape` for nets, in the coordinates of their nodes.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.serial import Joules, Written
-from forficula.statics.fold_path import FoldPath, StableState, rigid_fold
-from forficula.statics.hinge_landscape import CrossedHinge, HingeLandscape
-from forficula.statics.inertial_help import InertialHelp
 from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net_course import Course
+from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.net.stable_states import StableStates
-from forficula.statics.net_course import Course
-from forficula.statics.net_state import Mobility, NetState
-from forficula.statics.partial_folds import PartialFold
-from forficula.statics.tip_stiffness import TipStiffness
+from forficula.statics.tree.fold_path import FoldPath, StableState, rigid_fold
+from forficula.statics.tree.hinge_landscape import CrossedHinge, HingeLandscape
+from forficula.statics.tree.inertial_help import InertialHelp
+from forficula.statics.tree.partial_folds import PartialFold
+from forficula.statics.tree.tip_stiffness import TipStiffness
 from forficula.structure import Drive, Structure
 
 

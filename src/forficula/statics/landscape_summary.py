@@ -13,9 +13,6 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.quantities import Unit
 from forficula.serial import Joules, Metres, NewtonMetres, WithUnit, Written, plain
-from forficula.statics.fold_path import FoldPath, rigid_fold
-from forficula.statics.hinge_landscape import HingeLandscape
-from forficula.statics.inertial_help import InertialHelp
 from forficula.statics.landscape import (
     EnergyLandscape,
     LeastTorque,
@@ -27,11 +24,14 @@ from forficula.statics.landscape import (
 )
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net_course import Course, displaces, gone, reaction
 from forficula.statics.net.net_of import places
-from forficula.statics.net_course import Course, displaces, gone, reaction
-from forficula.statics.net_state import Mobility, NetState
-from forficula.statics.partial_folds import PartialFold
-from forficula.statics.tip_stiffness import TipStiffness
+from forficula.statics.net.net_state import Mobility, NetState
+from forficula.statics.tree.fold_path import FoldPath, rigid_fold
+from forficula.statics.tree.hinge_landscape import HingeLandscape
+from forficula.statics.tree.inertial_help import InertialHelp
+from forficula.statics.tree.partial_folds import PartialFold
+from forficula.statics.tree.tip_stiffness import TipStiffness
 from forficula.structure import Structure, drive_unit, driven_motor
 
 

@@ -8,8 +8,14 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
-from forficula.statics.potential import Ensemble, ensemble_of
-from forficula.statics.quasi_static import SlowTransition, least_slow_torque, start_state, state_after, state_beyond
+from forficula.statics.tree.potential import Ensemble, ensemble_of
+from forficula.statics.tree.quasi_static import (
+    SlowTransition,
+    least_slow_torque,
+    start_state,
+    state_after,
+    state_beyond,
+)
 from forficula.structure import Transition, drive_of
 
 # What does not move with the protocol's torque is tried with so many times it.

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from forficula.design import AnyDesign, as_design
 from forficula.statics.landscape import EnergyLandscape
+from forficula.statics.net.net_landscape import Progress, net_landscape, slow_courses
 from forficula.statics.net.net_of import is_net
-from forficula.statics.net_landscape import Progress, net_landscape, slow_courses
-from forficula.statics.potential import ensemble
-from forficula.statics.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
+from forficula.statics.tree.potential import ensemble
+from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, start_state, state_after, state_beyond
 from forficula.statics.tree_landscape import tree_landscape
 from forficula.structure import Structure, drive_of, goal_of, structure_of
 

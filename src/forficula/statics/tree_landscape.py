@@ -12,20 +12,20 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.design import TORQUE, Design
 from forficula.quantities import show_quantity, show_value
-from forficula.statics.equilibrium import Equilibria
-from forficula.statics.fold_path import FoldPath, fold_path, fold_states
-from forficula.statics.hinge_landscape import CrossedHinge, crossed_hinges
-from forficula.statics.inertial_help import InertialHelp, inertial_help
 from forficula.statics.landscape import EnergyLandscape, LeastTorque, Pass, Rest
-from forficula.statics.partial_folds import (
+from forficula.statics.tree.equilibrium import Equilibria
+from forficula.statics.tree.fold_path import FoldPath, fold_path, fold_states
+from forficula.statics.tree.hinge_landscape import CrossedHinge, crossed_hinges
+from forficula.statics.tree.inertial_help import InertialHelp, inertial_help
+from forficula.statics.tree.partial_folds import (
     fold_levels,
     folding_hinges,
     partial_folds,
     single_hinge_barriers,
     soft_stiffness,
 )
-from forficula.statics.potential import Ensemble, ensemble, slight_energy, stored_energy
-from forficula.statics.quasi_static import (
+from forficula.statics.tree.potential import Ensemble, ensemble, slight_energy, stored_energy
+from forficula.statics.tree.quasi_static import (
     SlowTransition,
     at_goal,
     crosses,
@@ -34,7 +34,7 @@ from forficula.statics.quasi_static import (
     state_after,
     state_beyond,
 )
-from forficula.statics.tip_stiffness import tip_stiffness
+from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
 # torques tried on hinges that tendons cross, by the largest moment of a tendon against it

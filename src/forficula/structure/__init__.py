@@ -1,11 +1,8 @@
 from forficula.design.named_protocol import Drive, RestState, Transition, Wording
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of
-from forficula.structure.couplings import coupling_rows
 from forficula.structure.course import Goal, Measure, Motor, RigidFold
-from forficula.structure.crossing import bar_crossing, tendon_crossing
-from forficula.structure.facets import facet_triangles, held_corners, hinge_groups, springs_name
-from forficula.structure.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
+from forficula.structure.fans.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
     drive_of,
@@ -48,6 +45,9 @@ from forficula.structure.parts import (
     Tendon,
 )
 from forficula.structure.protocol import with_protocol
+from forficula.structure.sheets.couplings import coupling_rows
+from forficula.structure.sheets.facets import facet_triangles, held_corners, hinge_groups, springs_name
+from forficula.structure.sheets.flaps import built_creases, crease_flaps, crease_law, crease_numbers, flap_angles
 from forficula.structure.structure import Structure
 from forficula.structure.structure_warnings import structure_warnings
 from forficula.structure.tree import (

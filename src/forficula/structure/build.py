@@ -8,7 +8,8 @@ from typing import Any
 
 from forficula.design import AnyDesign, Design, FanDesign, JointDesign, SheetDesign, as_design
 from forficula.errors import InputError
-from forficula.structure import joint, nodes, plates, veins
+from forficula.structure.fans import joint, veins
+from forficula.structure.sheets import nodes, plates
 from forficula.structure.structure import Structure
 
 

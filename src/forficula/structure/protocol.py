@@ -14,8 +14,8 @@ from forficula.errors import InputError
 from forficula.quantities import as_written
 from forficula.structure.course import Goal, Motor
 from forficula.structure.goals import coordinate_count, drive_of, goal_of
-from forficula.structure.sheet_measures import hinges_by_edge
-from forficula.structure.sheet_nodes import node_of, sheet_nodes
+from forficula.structure.sheets.sheet_measures import hinges_by_edge
+from forficula.structure.sheets.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 

@@ -1,8 +1,8 @@
-from forficula.study.cluster import dask_cluster, slurm_script
-from forficula.study.run_study import collect, estimate, run_study
+from forficula.study.files.study_file import load_study, named_studies
+from forficula.study.running.cluster import dask_cluster, slurm_script
+from forficula.study.running.run_study import collect, estimate, run_study
 from forficula.study.study import Study
-from forficula.study.study_file import load_study, named_studies
-from forficula.study.table import table_csv, table_json
+from forficula.study.tables.table import table_csv, table_json
 
 __all__ = [
     "Study",

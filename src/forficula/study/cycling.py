@@ -14,8 +14,8 @@ from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_
 from forficula.material.law.material_law import MaterialLaw
 from forficula.statics.slow_margin import least_slow_torques, margin
 from forficula.structure import Structure, Transition, built_strains, drive_of, structure_of
-from forficula.study.evaluate import evaluate, row_key
-from forficula.study.journal import Row
+from forficula.study.running.evaluate import evaluate, row_key
+from forficula.study.running.journal import Row
 
 Progress = Callable[[int, int, dict[str, Any]], None]
 

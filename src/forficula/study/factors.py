@@ -17,9 +17,9 @@ from pydantic import BeforeValidator
 from forficula.arrays import Array
 from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_material
 from forficula.design.file_fields import ByKey, DesignValue, entry
+from forficula.design.files.provenance import WORDS
+from forficula.design.files.rejection import read_part
 from forficula.design.part import Part, Quantity
-from forficula.design.provenance import WORDS
-from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from forficula.analysis.simulated_snap import finely_sampled
 from forficula.design import Design
 from forficula.dynamics import Record
-from forficula.dynamics.simulate import Progress
+from forficula.dynamics.stepping.simulate import Progress
 from forficula.statics import EnergyLandscape, energy_landscape
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 
 def landscape_and_run(

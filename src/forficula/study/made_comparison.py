@@ -18,7 +18,7 @@ from forficula.names import listed
 from forficula.serial import Key, WithUnit, Written
 from forficula.statics import HingeLandscape, hinge_landscape, tendon_hinges
 from forficula.structure import crossing_tendons, structure_of
-from forficula.study.runs import run_each
+from forficula.study.running.runs import run_each
 
 
 @dataclass(frozen=True, kw_only=True)

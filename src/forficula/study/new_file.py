@@ -14,15 +14,15 @@ from pydantic.fields import FieldInfo
 
 from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
-from forficula.design.keys import entry_of, section_fields
-from forficula.design.kinds import KINDS, OTHER_REFERENCE
+from forficula.design.files.keys import entry_of, section_fields
+from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.part import Part
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import one_of
 from forficula.quantities import format_quantity, show_quantity
 from forficula.structure import structure_of
-from forficula.study.named_file import FileKind
+from forficula.study.files.named_file import FileKind
 
 _WIDTH = 118  # of comments
 

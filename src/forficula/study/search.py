@@ -9,8 +9,8 @@ from forficula.analysis import SPRUNG, Verdict
 from forficula.design import TORQUE, Design, Stage, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
-from forficula.study.evaluate import row_key
-from forficula.study.journal import Row
+from forficula.study.running.evaluate import row_key
+from forficula.study.running.journal import Row
 from forficula.study.search_steps import Search, SearchStep
 
 Rows = Mapping[str, Row]

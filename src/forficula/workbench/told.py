@@ -10,12 +10,12 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from forficula.design import Design, design_frames, design_pattern, design_text
-from forficula.design.held_keys import HeldKey, held_keys
+from forficula.design.files.held_keys import HeldKey, held_keys
 from forficula.dynamics import timestep_warnings, with_timestep
 from forficula.pattern import pattern_facts, write_fold
 from forficula.show.page.bench_page import at_start, bench_data
-from forficula.show.page.design_rows import design_title, section_heading, section_title
-from forficula.show.page.live_data import live_data
+from forficula.show.page.data.live_data import live_data
+from forficula.show.page.parts.design_rows import design_title, section_heading, section_title
 from forficula.show.structure.sheet_figure import draw_sheet
 from forficula.show.style import description, save_figure
 from forficula.structure import structure_warnings

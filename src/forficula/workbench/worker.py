@@ -21,7 +21,7 @@ from forficula.reproduction import shown_tendon
 from forficula.show.folder.landscape_folder import write_landscape
 from forficula.show.folder.run_folder import write_run
 from forficula.statics import energy_landscape
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from forficula.workbench.asked import Asked, Opened, asked_design, reading_for_page
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]

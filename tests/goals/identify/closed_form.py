@@ -2,7 +2,7 @@
 
 import math
 
-from forficula.study.evaluate import row_key
+from forficula.study.running.evaluate import row_key
 
 # of the paper; and kg m^2, of the hinge
 TENDONS = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}

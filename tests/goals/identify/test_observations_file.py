@@ -3,7 +3,7 @@
 import pytest
 
 from forficula.design import key_value
-from forficula.design.key_table import key_facts
+from forficula.design.files.key_table import key_facts
 from forficula.errors import InputError
 from forficula.goals.identify import load_observations, named_observations, observations_of
 from forficula.goals.identify.fact_text import asked_text

@@ -16,7 +16,7 @@ from forficula.goals.identify.run_identify import identify
 from forficula.show.goals.identify_figures import identify_drawings
 from forficula.show.goals.identify_text import together_sentences
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
-from forficula.study.evaluate import stored_energy
+from forficula.study.running.evaluate import stored_energy
 from tests.forks import forks
 from tests.letters import LONG_STEPS, QUICK
 

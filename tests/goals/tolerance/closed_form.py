@@ -12,7 +12,7 @@ from forficula.goals.tolerance import Question, assess_tolerance
 from forficula.goals.tolerance.assess_tolerance import saved_plan
 from forficula.goals.tolerance.plan import PLANS
 from forficula.structure import structure_of
-from forficula.study.evaluate import row_key
+from forficula.study.running.evaluate import row_key
 
 
 def uniform(key, size=0.1):

@@ -18,7 +18,7 @@ from forficula.show.film.film_frame import FilmFrame
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import STRAIN_COLOURS
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.show.legible import colours
 from tests.show.plates import plates_run
 

@@ -6,7 +6,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.show.film.film_clock import film_cuts, last_sound_time, moment
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 SETTLE = [{"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}]
 

@@ -21,12 +21,12 @@ from forficula.show.folder.static_map_folder import static_map_drawings
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, figure_files, save_figure
 from forficula.structure import structure_of
-from forficula.study.assumptions_file import save_assumptions
-from forficula.study.convergence import converge
-from forficula.study.convergence_file import load_convergence, save_convergence
+from forficula.study.assumptions.assumptions_file import save_assumptions
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.convergence_file import load_convergence, save_convergence
+from forficula.study.convergence.refinement import TIMESTEP
 from forficula.study.cycling import Cycling, driven_transitions
-from forficula.study.refinement import TIMESTEP
-from forficula.study.static_map import map_study, static_map
+from forficula.study.tables.static_map import map_study, static_map
 from tests.assumptions import ASSUMED
 from tests.show.folder.test_cycling_folder import STUCK
 from tests.show.folder.test_cycling_folder import run as cycle

@@ -8,7 +8,7 @@ import pytest
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.show.folder.landscape_folder import write_landscape
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 pytestmark = pytest.mark.usefixtures("undrawn")
 

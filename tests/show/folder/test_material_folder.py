@@ -8,7 +8,7 @@ from forficula.material.law.law_file import load_law
 from forficula.material.law.law_keys import show_value
 from forficula.material.law.law_summary import known_values
 from forficula.show.folder.material_folder import write_material
-from forficula.show.page.html import escaped
+from forficula.show.page.parts.html import escaped
 
 pytestmark = pytest.mark.usefixtures("no_figures")
 

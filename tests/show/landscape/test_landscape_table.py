@@ -6,7 +6,7 @@ from forficula.design import load_design
 from forficula.show.folder.landscape_folder import landscape_kinds
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.statics import landscape_summary
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 
 def printed(landscape, record=None):

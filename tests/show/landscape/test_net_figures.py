@@ -11,7 +11,7 @@ from forficula.show.folder.presentation import folder_drawings
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from forficula.statics import energy_landscape
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.pyramid import SIDE, pyramid
 from tests.show.legible import check_words
 

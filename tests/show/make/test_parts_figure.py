@@ -12,7 +12,7 @@ from forficula.show.make.painted_parts import placed_parts
 from forficula.show.make.part_facts import mass_text, part_masses, total_mass, value_text
 from forficula.show.make.part_looks import part_looks
 from forficula.show.make.parts_figure import draw_parts
-from forficula.show.page.parts_data import parts_data
+from forficula.show.page.data.parts_data import parts_data
 from forficula.show.page.parts_page import parts_page
 from forficula.show.style import COLUMN_WIDTH, save_figure
 from tests.show.legible import check_words

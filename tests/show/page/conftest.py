@@ -12,8 +12,8 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.study import run_study
-from forficula.study.runs import run
-from forficula.study.study_file import study_of
+from forficula.study.files.study_file import study_of
+from forficula.study.running.runs import run
 from tests.show.page.goal_results import write_pages_of_goals
 from tests.show.page.live_wing import HALF_SECOND, write_wing
 from tests.show.page.page_kinds import write_pages

@@ -15,11 +15,11 @@ from forficula.goals.optimise.optimum import candidates_to_keep
 from forficula.quantities import parse_quantity
 from forficula.show.page.goal_page import write_goal_page
 from forficula.show.page.identify_page import write_identify_page
-from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.parts.rich_html import LaidOut
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.structure import structure_of
-from forficula.study.kept_runs import RunToKeep, kept_runs
-from forficula.study.outcome_kinds import transitions_text
+from forficula.study.running.kept_runs import RunToKeep, kept_runs
+from forficula.study.tables.outcome_kinds import transitions_text
 
 SETTINGS = {
     "stops": {"time_constant": "2 ms"},

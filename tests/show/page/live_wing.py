@@ -9,8 +9,8 @@ import pytest
 from forficula.analysis import measure
 from forficula.design import load_design
 from forficula.show.page import write_run_page
-from forficula.show.page.live_data import shown_measures
-from forficula.study.runs import run
+from forficula.show.page.data.live_data import shown_measures
+from forficula.study.running.runs import run
 
 SMALL = {"width": 200, "height": 200}  # pixels of a window, which are soon drawn
 SECONDS = 60  # for what takes a few, on a machine that is busy

@@ -10,8 +10,8 @@ from PIL import Image
 
 from forficula.analysis import measure
 from forficula.design import with_values
+from forficula.make.checks.strength_checks import strength_checks
 from forficula.make.make_parts import make_parts
-from forficula.make.strength_checks import strength_checks
 from forficula.show.folder.convergence_folder import write_convergence
 from forficula.show.folder.cycling_folder import write_cycling
 from forficula.show.folder.landscape_folder import write_landscape
@@ -24,10 +24,10 @@ from forficula.show.page.study_page import write_study_page
 from forficula.show.style import COPIES
 from forficula.structure import structure_of
 from forficula.study import load_study
-from forficula.study.convergence import converge
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.refinement import TIMESTEP
 from forficula.study.cycling import CycleRun, Cycling, driven_transitions
-from forficula.study.kept_runs import KeptRun
-from forficula.study.refinement import TIMESTEP
+from forficula.study.running.kept_runs import KeptRun
 from tests.show.page.goal_results import GOAL_KINDS
 from tests.show.study.test_maps import many_ends, sampled
 

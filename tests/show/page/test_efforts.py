@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.show.page.efforts import crease_ends, efforts_data, efforts_of
-from forficula.show.page.shape_mesh import fixed_rods, shape_mesh
+from forficula.show.page.data.shape_mesh import fixed_rods, shape_mesh
+from forficula.show.page.parts.efforts import crease_ends, efforts_data, efforts_of
 from forficula.structure import built_points, structure_of
-from forficula.structure.flaps import flap_angles
+from forficula.structure.sheets.flaps import flap_angles
 
 
 def test_an_arrow_is_about_the_axis_about_which_the_hinge_turns_wherever_it_is(short_run):

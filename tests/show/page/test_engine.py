@@ -18,16 +18,16 @@ from forficula.analysis.advice import SHORTER_STEP
 from forficula.analysis.verdict import ENDING_TEXTS
 from forficula.design import load_design, with_values
 from forficula.dynamics import compile_model, simulate, with_timestep
-from forficula.dynamics.closures import APART_TEXT
+from forficula.dynamics.engine.closures import APART_TEXT
 from forficula.quantities import READING_UNITS
-from forficula.show.page.live_data import live_data, shown_measures
-from forficula.show.page.outcome_words import _PATTERNS
+from forficula.show.page.data.live_data import live_data, shown_measures
+from forficula.show.page.data.shape_mesh import shape_mesh
 from forficula.show.page.page import built
-from forficula.show.page.shape_mesh import shape_mesh
+from forficula.show.page.parts.outcome_words import _PATTERNS
+from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
 from forficula.show.page.study_live import study_live
-from forficula.show.page.words import LIVE_OUTCOME_TEXTS
 from forficula.structure import structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from forficula.study.search import SEARCH_TEXTS
 from tests.plate_sheets import miura, plates, vertex
 from tests.show.page.live_wing import check_as_recorded

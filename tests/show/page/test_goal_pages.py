@@ -10,10 +10,10 @@ import pytest
 
 from forficula.goals.kept_designs import designs_to_keep
 from forficula.goals.optimise.optimum import candidates_to_keep
-from forficula.show.page.bars import BarRow, bar, bar_table
 from forficula.show.page.goal_page import goal_page, shown_candidate
 from forficula.show.page.identify_page import identify_page, telling_unknowns
-from forficula.show.page.rich_html import LaidOut
+from forficula.show.page.parts.bars import BarRow, bar, bar_table
+from forficula.show.page.parts.rich_html import LaidOut
 from forficula.show.page.tolerance_page import ranked_keys, tolerance_page
 
 NOTHING = LaidOut(heading="", tables=(), sentences=())

@@ -7,13 +7,13 @@ import pytest
 
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.design import load_design
-from forficula.show.page.landscape_curves import curve_data, landscape_curves
+from forficula.show.page.data.landscape_curves import curve_data, landscape_curves
+from forficula.show.page.data.landscape_poses import poses_of
 from forficula.show.page.landscape_page import landscape_page
-from forficula.show.page.landscape_poses import poses_of
 from forficula.statics import energy_landscape
-from forficula.statics.pose import carried_points, places_of, pose, tree_of
-from forficula.statics.potential import ensemble, stored_energy
-from forficula.study.runs import run
+from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
+from forficula.statics.tree.potential import ensemble, stored_energy
+from forficula.study.running.runs import run
 from tests.show.page.conftest import until
 from tests.show.page.test_page import HOSTILE, data_of
 

@@ -9,7 +9,7 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import with_values
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.show.page.conftest import watching
 from tests.show.page.firefox import INSTALL, firefox_path, running
 from tests.show.page.live_wing import SMALL, LiveWing, check_as_recorded, write_wing

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from forficula.show.page.html import Cell, escaped, section, table
 from forficula.show.page.page import built, page_html
+from forficula.show.page.parts.html import Cell, escaped, section, table
 
 WEB = Path(__file__).parents[3] / "web"
 HOSTILE = '</script><script>alert("1")</script><!--<img src=x onerror=alert(1)>&amp;'

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from forficula.errors import InputError
-from forficula.make.check import Check
+from forficula.make.checks.check import Check
+from forficula.make.hinge.strap_shape import strap_line
 from forficula.make.make_parts import make_parts
-from forficula.make.strap_shape import strap_line
 from forficula.show.make.part_mesh import part_mesh
 from forficula.show.make.pose import apart, poses_at
 from forficula.show.page.parts_page import parts_page, write_parts_page

@@ -10,8 +10,8 @@ import pytest
 from forficula.analysis.groups import dominance, groups_of
 from forficula.show.page import run_page as page_of_a_run
 from forficula.show.page.compare_page import ComparedRun, compare_page
-from forficula.show.page.design_tables import design_tables
-from forficula.show.page.outcome_tables import groups_table, outcome_tables
+from forficula.show.page.parts.design_tables import design_tables
+from forficula.show.page.parts.outcome_tables import groups_table, outcome_tables
 from forficula.show.page.playback import legend_data, make_clip
 from forficula.show.page.run_page import playback_data, run_page
 from tests.show.plates import PARTS

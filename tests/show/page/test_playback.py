@@ -7,10 +7,10 @@ import pytest
 
 from forficula.analysis import measure, summary
 from forficula.design import load_design
+from forficula.show.page.data.shape_mesh import moving_points, shape_mesh
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.show.page.run_page import run_page
-from forficula.show.page.shape_mesh import moving_points, shape_mesh
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 MEGABYTE = 1_000_000
 

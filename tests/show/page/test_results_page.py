@@ -8,9 +8,9 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from forficula.show.page.html import remarks, section
+from forficula.show.page.parts.html import remarks, section
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.page.results_page import figure_sections, results_page, with_section
-from forficula.show.page.rich_html import laid_out
 from forficula.show.style import describe, save_figures
 
 HOSTILE = '</section></main><script>alert("1")</script>'

@@ -11,11 +11,11 @@ from forficula.analysis import summary
 from forficula.design import load_design
 from forficula.dynamics import versions
 from forficula.show.page import write_run_page
-from forficula.show.page.words import angle_range
+from forficula.show.page.parts.words import angle_range
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import face_strains, surface_at
 from forficula.structure import drawn_points
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 

@@ -5,7 +5,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.pattern import earwig_pattern
-from forficula.show.page.shape_mesh import moving_points, shape_mesh
+from forficula.show.page.data.shape_mesh import moving_points, shape_mesh
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.structure import structure_of

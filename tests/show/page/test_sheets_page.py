@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 
-from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.page.playback import make_clip
 from forficula.show.page.run_page import playback_data, run_page
 from tests.show.sheets import sheet_run

@@ -6,11 +6,11 @@ import math
 import numpy as np
 import pytest
 
-from forficula.show.page.study_data import study_data
+from forficula.show.page.data.study_data import study_data
 from forficula.show.study.maps import missing_reasons
 from forficula.structure import structure_of
 from forficula.study import load_study
-from forficula.study.outcome_kinds import transitions_text
+from forficula.study.tables.outcome_kinds import transitions_text
 from tests.show.study.test_maps import TORQUES, TWO, as_run, doubtful, many_ends, planted, sampled
 
 GRID = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm", "9 cm"]'

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from forficula.reproduction import compare
-from forficula.show.page.points_table import places
+from forficula.show.page.parts.points_table import places
 from forficula.show.page.study_page import study_page, study_sentence
 from forficula.study import load_study, table_csv
-from forficula.study.kept_runs import KeptRun
+from forficula.study.running.kept_runs import KeptRun
 from tests.show.study.test_choices_figure import planted as choices_table
 from tests.show.study.test_maps import TWO, as_run, many_ends, planted, sampled
 

@@ -11,7 +11,7 @@ from forficula.analysis import Verdict
 from forficula.show.page.study_page import write_study_page
 from forficula.structure import drawn_points
 from forficula.study import load_study, run_study, table_csv
-from forficula.study.kept_runs import kept_runs, runs_to_keep
+from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 from tests.show.study.test_maps import many_ends, planted, sampled

@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 
 from forficula.analysis import measure
+from forficula.show.page.data.time_spans import run_spans, shared_spans
 from forficula.show.page.playback import make_clip
-from forficula.show.page.time_spans import run_spans, shared_spans
 
 
 @pytest.fixture(scope="module")

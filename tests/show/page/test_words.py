@@ -6,8 +6,7 @@ import pytest
 from forficula.analysis import measure
 from forficula.analysis.advice import Advice
 from forficula.design import with_values
-from forficula.show.page.playback import make_clip
-from forficula.show.page.words import (
+from forficula.show.page.parts.words import (
     angle_range,
     energy_text,
     outcome_remarks,
@@ -17,6 +16,7 @@ from forficula.show.page.words import (
     reading_text,
     structure_text,
 )
+from forficula.show.page.playback import make_clip
 from forficula.show.run.release import release_sentences
 from tests.analysis.test_outcome import ENDS, REFERENCE, planted
 

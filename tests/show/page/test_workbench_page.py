@@ -8,7 +8,7 @@ import pytest
 
 from forficula.analysis import measure
 from forficula.design import design_from_text
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from forficula.workbench.access import write_redirect
 from tests.show.page.conftest import DEFAULTS, until
 from tests.show.page.keyboard import walk

@@ -11,7 +11,7 @@ from forficula.quantities import show_value
 from forficula.show import draw_angles, draw_energies, draw_folding, draw_pattern, outcome_table
 from forficula.show.style import description
 from forficula.structure import measure_of, structure_of
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 from tests.show.legible import colours
 
 STAGE = {"hold": "0 s", "drive": "none", "until": "time"}

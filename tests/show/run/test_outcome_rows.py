@@ -8,7 +8,7 @@ import pytest
 from forficula.analysis.confirmation import HALF_STEP
 from forficula.analysis.outcome import held_against, outcome_values
 from forficula.dynamics import Check
-from forficula.show.page.outcome_tables import outcome_tables
+from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.run.outcome_rows import balance_remark, state_rows
 
 

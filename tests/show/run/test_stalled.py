@@ -9,7 +9,7 @@ from forficula.show import draw_angles, draw_energies
 from forficula.show.folder.run_folder import run_drawings
 from forficula.show.run.stalled import needed_torque, stalled_stage, still_time
 from forficula.statics import energy_landscape
-from forficula.study.runs import run
+from forficula.study.running.runs import run
 
 SHORT = {"protocol.stages.0.time_limit": "20 ms", "protocol.stages.1.time_limit": "0.3 s", "protocol.rise": "0.1 s"}
 WEAK = SHORT | {"protocol.fold_torque": "1 N cm", "tendon.rest_length": "7 cm"}

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from forficula.design import load_design
-from forficula.make.sheet import cut_sheet
+from forficula.make.flat.sheet import cut_sheet
 from forficula.show.structure.cut_sheet_figure import draw_cut_sheet
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 

@@ -12,7 +12,7 @@ from forficula.show.folder.assumptions_folder import write_assumptions
 from forficula.show.study.assumptions_figure import draw_assumptions
 from forficula.show.study.assumptions_table import assumption_rows
 from forficula.show.style import VERMILION, description
-from forficula.study.assumptions import Effect
+from forficula.study.assumptions.assumptions import Effect
 from tests.assumptions import ASSUMED
 
 

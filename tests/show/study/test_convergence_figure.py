@@ -7,11 +7,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from forficula.design import with_values
 from forficula.errors import InputError
 from forficula.show.folder.convergence_folder import write_convergence
-from forficula.show.page.html import escaped
+from forficula.show.page.parts.html import escaped
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
 from forficula.show.study.convergence_table import convergence_rows
-from forficula.study.convergence import converge
-from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
+from forficula.study.convergence.convergence import converge
+from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS
 
 STAGES = [
     {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1},

@@ -7,7 +7,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.show.study.static_maps import draw_static_maps
-from forficula.study.static_map import map_study, static_map
+from forficula.study.tables.static_map import map_study, static_map
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.energy import built_shape, expand, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Creases, Tendons, Triangles
-from forficula.statics.net_state import strength
+from forficula.statics.net.net_state import strength
 from tests.statics.net.nets import miura, sheet, truss
 
 

@@ -11,7 +11,7 @@ from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.energy import built_shape, expand, shape_at
 from forficula.statics.net.modes import natural_modes
 from forficula.statics.net.net import Tendons
-from forficula.statics.net_state import strength
+from forficula.statics.net.net_state import strength
 from tests.statics.net.nets import sheet, truss
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
-from forficula.design.sheet import SheetDesign
+from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from forficula.design.families.counts import count
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
-from forficula.design.sheet import SheetDesign
+from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, miura_pattern
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from forficula.design.part import LENGTH, Part, quantity
-from forficula.design.sheet import SheetDesign
+from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, pleat_pattern
 from forficula.quantities import as_written

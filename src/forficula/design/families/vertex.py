@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
-from forficula.design.sheet import SheetDesign
+from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, vertex_pattern
 
 

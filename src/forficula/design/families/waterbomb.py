@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from forficula.design.families.counts import MOST_CELLS
 from forficula.design.part import ANGLE, LENGTH, Part, quantity
-from forficula.design.sheet import SheetDesign
+from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, waterbomb_base, waterbomb_pattern
 

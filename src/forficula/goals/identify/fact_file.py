@@ -11,8 +11,8 @@ from pydantic import BeforeValidator
 
 from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.design.file_fields import ByKey, Settings, YesOrNo, entry
+from forficula.design.files.rejection import read_part
 from forficula.design.part import Part
-from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.row_quantity import Combination, is_state, read_combination, row_quantities
@@ -20,7 +20,7 @@ from forficula.names import check_known, one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity
 from forficula.structure import structure_of
 from forficula.study.factors import Factor, Grid, Values, grid_points, range_values, read_factor
-from forficula.study.named_file import settings_of
+from forficula.study.files.named_file import settings_of
 
 LEAST_VALUE = "least value"
 _Keys = Annotated[list[str], "list of keys of over"]

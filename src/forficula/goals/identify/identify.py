@@ -16,7 +16,7 @@ from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.observe import Observed, observe
 from forficula.goals.identify.prior import prior_shares, values_at
 from forficula.goals.identify.sample_runs import ConditionRun, Rows, SampleRuns, Wanted
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 
 # Rows of runs, in their order.
 Assess = Callable[[Sequence[ConditionRun]], Sequence[Row]]

@@ -10,8 +10,8 @@ from pydantic import BeforeValidator, Field
 
 from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
+from forficula.design.files.rejection import read_part
 from forficula.design.part import Part, Quantity
-from forficula.design.rejection import read_part
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import positive_keys
 from forficula.goals.identify.fact import Fact
@@ -21,9 +21,9 @@ from forficula.goals.identify.row_quantity import row_quantities
 from forficula.names import listed
 from forficula.quantities import as_written
 from forficula.study.factors import DISTRIBUTIONS, MOST_VALUES, Factor, Factors
-from forficula.study.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.files.study_file import check_not_settled, read_factors
 from forficula.study.new_file import value_text
-from forficula.study.study_file import check_not_settled, read_factors
 
 _Count = Annotated[Whole, Field(le=MOST_VALUES)]
 

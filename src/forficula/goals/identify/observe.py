@@ -15,7 +15,7 @@ from forficula.goals.identify.fact import PLACES, LeastValue, Term
 from forficula.goals.identify.row_quantity import combined, is_state
 from forficula.goals.identify.sample_runs import Rows, SampleRuns, Wanted
 from forficula.goals.identify.staircase import FAILS, HOLDS, OPEN, UNTOLD, Ladder, States, follows, next_point
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 
 Condition = Mapping[str, object]
 

@@ -58,7 +58,6 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         are `emulated` (0 where fewer than `emulator_samples` ran), `between_share` (of the priors that meets all
         facts), `between_apart` (by how many standard errors the worst fact is missed at best) and `between_possible`.
     """
-
     facts, ran = observations.facts, [not sample.why for sample in samples]
     scales = fact_scales(facts, [sample for sample in samples if not sample.directed])
     met, excess = met_of(samples, len(facts)), excess_of(facts, samples, scales)

@@ -14,7 +14,7 @@ from forficula.goals.outcome_quantity import quantities_of
 from forficula.names import one_of
 from forficula.quantities import Unit, as_written
 from forficula.structure import first_state, structure_of
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 
 _TERM = re.compile(r"\s*([+-]?)\s*(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)?\s*\*?\s*([A-Za-z][\w ]*?)\s*(?=[+-]|$)")
 

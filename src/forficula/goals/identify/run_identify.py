@@ -13,10 +13,10 @@ from forficula.goals.identify.identify import Progress, identify_samples
 from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.result import build_result
 from forficula.goals.identify.sample_runs import ConditionRun
-from forficula.study.evaluate import evaluate
-from forficula.study.journal import Row
-from forficula.study.run_study import Evaluate
-from forficula.study.run_study import Progress as RunProgress
+from forficula.study.running.evaluate import evaluate
+from forficula.study.running.journal import Row
+from forficula.study.running.run_study import Evaluate
+from forficula.study.running.run_study import Progress as RunProgress
 
 if TYPE_CHECKING:
     import xarray

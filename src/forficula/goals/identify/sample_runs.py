@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from forficula.design import Design, put, with_values
 from forficula.errors import InputError
 from forficula.structure import structure_of
-from forficula.study.evaluate import row_key
-from forficula.study.journal import Row
+from forficula.study.running.evaluate import row_key
+from forficula.study.running.journal import Row
 from forficula.study.search import until_driven
 
 Rows = Mapping[str, Row]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 
 # of a grid's points
 OPEN, FAILS, HOLDS, UNTOLD = -1, 0, 1, 2

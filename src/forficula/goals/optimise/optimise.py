@@ -34,8 +34,8 @@ from forficula.goals.optimise.optimum_table import optimum_table
 from forficula.goals.optimise.parabola_search import Optimiser, ParabolaSearch
 from forficula.goals.optimise.screening import screened
 from forficula.goals.optimise.trials import Point, best_ranked, pareto_front, relaxations
-from forficula.study.journal import Row
-from forficula.study.run_study import Evaluate
+from forficula.study.running.journal import Row
+from forficula.study.running.run_study import Evaluate
 
 # Of candidates that may be worth it, those whose neighbours are asked side by side, the best first.
 _SIDE_BY_SIDE = 8

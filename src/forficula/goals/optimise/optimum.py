@@ -15,7 +15,7 @@ from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
 from forficula.goals.optimise.candidate import Candidate, Verification
 from forficula.goals.optimise.trials import Relaxation
 from forficula.serial import Key, Written
-from forficula.study.kept_runs import RunToKeep
+from forficula.study.running.kept_runs import RunToKeep
 
 if TYPE_CHECKING:
     import xarray

@@ -17,7 +17,7 @@ from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.parameter import Parameter
 from forficula.quantities import as_written, parse_quantity
 from forficula.serial import unit_suffix
-from forficula.study.evaluate import ending_row
+from forficula.study.running.evaluate import ending_row
 
 if TYPE_CHECKING:
     import xarray
@@ -43,7 +43,7 @@ def optimum_table(
         `front` and `best`; `probability` with its interval; `status`, `verdict` and `outcome` in words; nan where
         something was not asked.
     """
-    from forficula.study.study_table import StudyTable
+    from forficula.study.tables.study_table import StudyTable
 
     variables = {
         **_quantities(goal, candidates),

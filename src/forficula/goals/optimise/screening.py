@@ -12,7 +12,7 @@ from forficula.goals.assessor import Assessor, value_of
 from forficula.goals.goal import Goal, own_limits
 from forficula.goals.outcome_quantity import Source
 from forficula.structure import Transition, structure_of
-from forficula.study.journal import Row
+from forficula.study.running.journal import Row
 
 # A structure that only just does not do what is asked misses it by no less.
 _JUST = 1e-9

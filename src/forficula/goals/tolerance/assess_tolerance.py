@@ -27,9 +27,9 @@ from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, Verdi
 from forficula.lock import held
 from forficula.names import check_whole
 from forficula.quantities import as_written
-from forficula.study.evaluate import evaluate
-from forficula.study.journal import Row
-from forficula.study.run_study import Evaluate, Progress
+from forficula.study.running.evaluate import evaluate
+from forficula.study.running.journal import Row
+from forficula.study.running.run_study import Evaluate, Progress
 
 MINUTES = 5.0
 # what the others are called, as a group

@@ -12,7 +12,7 @@ from forficula.goals.goal_file import GOAL, deviations_within, read_limits, with
 from forficula.goals.outcome_quantity import PROBABILITY
 from forficula.goals.tolerance.question import Question
 from forficula.quantities import as_written
-from forficula.study.named_file import base_design, load_named, settings_of, settled_by
+from forficula.study.files.named_file import base_design, load_named, settings_of, settled_by
 
 
 def question_of(

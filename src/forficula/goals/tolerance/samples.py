@@ -21,8 +21,8 @@ from forficula.goals.tolerance.plan import Points
 from forficula.goals.tolerance.question import MARGIN, Question
 from forficula.goals.tolerance.tolerance import Tolerance
 from forficula.structure import Transition, structure_of
-from forficula.study.journal import Row
-from forficula.study.kept_runs import RunToKeep
+from forficula.study.running.journal import Row
+from forficula.study.running.kept_runs import RunToKeep
 
 
 @dataclass(frozen=True, kw_only=True)

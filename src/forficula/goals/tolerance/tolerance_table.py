@@ -18,7 +18,7 @@ from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import margin_names
 from forficula.goals.tolerance.tolerance import Tolerance
 from forficula.structure import structure_of
-from forficula.study.outcome_kinds import transitions_text
+from forficula.study.tables.outcome_kinds import transitions_text
 
 
 class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]

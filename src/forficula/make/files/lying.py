@@ -10,9 +10,9 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from forficula.arrays import Array
-from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.make.part import Part, PartSet
-from forficula.make.solids import Cut, Joined, Rod, Shared, Solid
+from forficula.make.solid.mesh import MILLIMETRES, Mesh, mesh_of
+from forficula.make.solid.solids import Cut, Joined, Rod, Shared, Solid
 from forficula.names import listed
 
 # mm: edges shorter than this are no edges, and coordinates have steps of it, which single precision keeps below 1.6 m

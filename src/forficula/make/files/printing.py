@@ -9,8 +9,8 @@ import numpy as np
 
 from forficula.make.files.lying import file_names, lying_mesh, printed_pieces
 from forficula.make.files.three_mf import Item, three_mf_bytes
-from forficula.make.mesh import Mesh
 from forficula.make.part import PartSet
+from forficula.make.solid.mesh import Mesh
 from forficula.pattern.geometry import triangle_normals
 
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.make.mesh import MILLIMETRES
 from forficula.make.part import Part
-from forficula.make.solids import Cut, Joined, Prism, Rod, Shared, Solid
+from forficula.make.solid.mesh import MILLIMETRES
+from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
 
 _MISSING = 'need Open Cascade: pip install "forficula[step]"'
 # the same part is the same bytes, whenever it is written

@@ -12,8 +12,8 @@ from forficula.show.page.results_page import write_results_page
 from forficula.show.study.assumptions_figure import draw_assumptions
 from forficula.show.study.assumptions_table import assumption_rows, assumptions_table
 from forficula.show.style import Drawing, save_figures
-from forficula.study.assumptions import Assumptions
-from forficula.study.assumptions_file import ASSUMPTIONS_FILE, load_assumptions, save_assumptions
+from forficula.study.assumptions.assumptions import Assumptions
+from forficula.study.assumptions.assumptions_file import ASSUMPTIONS_FILE, load_assumptions, save_assumptions
 
 _HEADINGS = {"assumptions": "What each assumption changes"}
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from rich.console import RenderableType
 
-from forficula.show.page.html import escaped, paragraph
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.parts.html import escaped, paragraph
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.style import PAGE_WIDTH, Drawing, description
 
 if TYPE_CHECKING:

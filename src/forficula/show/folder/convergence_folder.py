@@ -20,9 +20,9 @@ from forficula.show.page.results_page import write_results_page
 from forficula.show.study.convergence_figure import draw_convergence_angles, draw_convergence_times
 from forficula.show.study.convergence_table import convergence_rows, convergence_table
 from forficula.show.style import Drawing, save_figures
-from forficula.study.convergence import Convergence
-from forficula.study.convergence_file import load_convergence, save_convergence
-from forficula.study.observed_order import OrderFit
+from forficula.study.convergence.convergence import Convergence
+from forficula.study.convergence.convergence_file import load_convergence, save_convergence
+from forficula.study.convergence.observed_order import OrderFit
 
 CONVERGENCE_FILE = "convergence.nc"
 _HEADINGS = {"times": "Times and their limits", "angles": "Every run"}

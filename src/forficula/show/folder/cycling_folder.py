@@ -21,9 +21,9 @@ from forficula.files import replacing_all, write_text
 from forficula.serial import WithUnit, Written, json_text
 from forficula.show.folder.cell import first_figure
 from forficula.show.folder.presentation import Presentation
-from forficula.show.page.html import Cell, paragraph, remarks, section, table
+from forficula.show.page.parts.html import Cell, paragraph, remarks, section, table
+from forficula.show.page.parts.words import readable
 from forficula.show.page.results_page import figure_html, read_page, with_section
-from forficula.show.page.words import readable
 from forficula.show.run.cycling_figure import draw_cycling
 from forficula.show.style import Drawing, figure_files, save_figures
 from forficula.structure import Structure, structure_of

@@ -24,7 +24,7 @@ from forficula.show.goals.identify_text import (
     together_sentences,
 )
 from forficula.show.page.identify_page import write_identify_page
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.style import save_figures
 
 if TYPE_CHECKING:

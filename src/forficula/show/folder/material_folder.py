@@ -16,8 +16,8 @@ from forficula.show.material.drift_figure import draw_drift
 from forficula.show.material.law_figure import draw_fit
 from forficula.show.material.material_table import material_table
 from forficula.show.material.modulus_figure import draw_moduli
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.page.results_page import figure_sections, results_page
-from forficula.show.page.rich_html import laid_out
 from forficula.show.style import PAGE_WIDTH, Drawing, figure_files, save_figures
 
 LAW_FILE = "tendon_law.toml"

@@ -23,9 +23,9 @@ from forficula.show.folder.presentation import Presentation
 from forficula.show.goals.optimum_figures import draw_candidates, draw_front
 from forficula.show.goals.optimum_text import optimum_text
 from forficula.show.page.goal_page import write_goal_page
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.style import Drawing, save_figures
-from forficula.study.kept_runs import KeptRun
+from forficula.study.running.kept_runs import KeptRun
 
 OPTIMUM_FILE = "optimum.json"
 

@@ -18,16 +18,16 @@ from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.make.as_made import AS_MADE
-from forficula.make.check import Check
-from forficula.make.check_parts import check_parts
+from forficula.make.checks.check import Check
+from forficula.make.checks.check_parts import check_parts
 from forficula.make.files.bill import bill_csv, bill_json, bill_of
 from forficula.make.files.lying import file_names
 from forficula.make.files.printing import print_files
 from forficula.make.files.step import check_step, write_step
+from forficula.make.flat.sheet_dxf import write_sheet_dxf
+from forficula.make.flat.sheet_svg import write_sheet_svg
 from forficula.make.make_parts import PartName, make_parts
 from forficula.make.part import PartSet
-from forficula.make.sheet_dxf import write_sheet_dxf
-from forficula.make.sheet_svg import write_sheet_svg
 from forficula.serial import json_text, plain
 from forficula.show.folder.cell import framed
 from forficula.show.folder.presentation import Presentation

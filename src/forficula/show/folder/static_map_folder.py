@@ -13,14 +13,14 @@ from forficula.errors import InputError
 from forficula.files import replacing_all, write_bytes, write_text
 from forficula.show.folder.cell import first_figure
 from forficula.show.folder.presentation import Presentation, read_dataset
-from forficula.show.page.html import paragraph, section
+from forficula.show.page.parts.html import paragraph, section
 from forficula.show.page.results_page import figure_html, read_page, with_section
 from forficula.show.study.static_maps import draw_static_maps
 from forficula.show.style import PAGE_WIDTH, Drawing, save_figures
 from forficula.structure import structure_of
 from forficula.study import Study, table_csv
-from forficula.study.map_comparison import compare_maps
-from forficula.study.outcome_kinds import check_table, least_values, lost_text, table_transitions
+from forficula.study.tables.map_comparison import compare_maps
+from forficula.study.tables.outcome_kinds import check_table, least_values, lost_text, table_transitions
 
 if TYPE_CHECKING:
     from xarray import Dataset

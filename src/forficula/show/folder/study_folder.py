@@ -17,9 +17,9 @@ from forficula.show.study.choices_figure import draw_choices
 from forficula.show.study.maps import map_drawings
 from forficula.show.style import Drawing, save_figures
 from forficula.study import Study, table_csv
-from forficula.study.choices import CHOICE
-from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import check_table
+from forficula.study.assumptions.choices import CHOICE
+from forficula.study.running.kept_runs import KeptRun
+from forficula.study.tables.outcome_kinds import check_table
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -95,7 +95,7 @@ def _cell(table: Dataset) -> Iterator[str]:
 
 def _write(table: Dataset, folder: Path) -> None:
     """Write a table without kept runs, so its page plays none."""
-    from forficula.study.study_table import study_of_table
+    from forficula.study.tables.study_table import study_of_table
 
     study = study_of_table(table)
     write_study(study, table, folder)
@@ -103,7 +103,7 @@ def _write(table: Dataset, folder: Path) -> None:
 
 
 def _write_page(table: Dataset, path: Path, engine: bool) -> None:
-    from forficula.study.study_table import study_of_table
+    from forficula.study.tables.study_table import study_of_table
 
     study = study_of_table(table)
     write_study_page(study, table, path, (), 0, compare(study, table), engine=engine)

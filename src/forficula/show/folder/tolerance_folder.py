@@ -29,11 +29,11 @@ from forficula.show.folder.cell import first_figure, heading, numbers
 from forficula.show.folder.presentation import Presentation, read_dataset
 from forficula.show.goals.tolerance_figures import draw_cloud, draw_indices, draw_reaches
 from forficula.show.goals.tolerance_text import tolerance_text
-from forficula.show.page.html import paragraph
-from forficula.show.page.rich_html import laid_out
+from forficula.show.page.parts.html import paragraph
+from forficula.show.page.parts.rich_html import laid_out
 from forficula.show.page.tolerance_page import VerdictCells, write_tolerance_page
 from forficula.show.style import Drawing, save_figures
-from forficula.study.kept_runs import KeptRun
+from forficula.study.running.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -28,7 +28,7 @@ from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_courses
 from forficula.statics.net.load_path import PathPoint
 from forficula.statics.net.net import Shape
-from forficula.statics.net_course import Course, displaces, gone, reaction
+from forficula.statics.net.net_course import Course, displaces, gone, reaction
 from forficula.structure import drive_unit, driven_motor
 
 _MOST = 5  # pictures of a course

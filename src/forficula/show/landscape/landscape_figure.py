@@ -34,8 +34,8 @@ from forficula.show.style import (
     in_column,
 )
 from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges
-from forficula.statics.fold_path import rigid_fold
 from forficula.statics.landscape import fold_path_of, fold_states
+from forficula.statics.tree.fold_path import rigid_fold
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg

@@ -16,8 +16,8 @@ from forficula.names import listed
 from forficula.quantities import reading_unit
 from forficula.show.style import BLACK, GREEN, in_column
 from forficula.statics import EnergyLandscape, Rest
-from forficula.statics.net_course import Course
-from forficula.statics.net_state import Withstood
+from forficula.statics.net.net_course import Course
+from forficula.statics.net.net_state import Withstood
 from forficula.structure import Measure, Structure, Transition, drive_of, drive_unit, measure_of, read_angles
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}

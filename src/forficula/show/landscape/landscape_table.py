@@ -35,9 +35,9 @@ from forficula.show.landscape.landscape_marks import (
 from forficula.show.structure.labels import shown_angles, stress_text, title_of
 from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
 from forficula.statics.landscape import LeastTorque, net_courses, net_states
-from forficula.statics.net_state import Mobility, NetState
-from forficula.statics.snap import FOLD_START
-from forficula.statics.tip_stiffness import TipStiffness
+from forficula.statics.net.net_state import Mobility, NetState
+from forficula.statics.tree.snap import FOLD_START
+from forficula.statics.tree.tip_stiffness import TipStiffness
 from forficula.structure import Structure, drive_unit
 
 # the cells of a row by the headings of their columns, the name of the row first

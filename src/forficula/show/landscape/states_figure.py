@@ -13,7 +13,7 @@ from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.net import Net, Shape
-from forficula.statics.net_state import NetState
+from forficula.statics.net.net_state import NetState
 
 _SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
 _TITLE, _LEGEND = 0.42, 0.35  # inch

@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib.colors import to_rgb
 
 from forficula.arrays import Array
-from forficula.make.mesh import MILLIMETRES, mesh_of, solid_of
+from forficula.make.hinge.strap_shape import StrapPlace, strap_line
 from forficula.make.part import Part, PartSet
-from forficula.make.solids import Cut, Rod
-from forficula.make.strap_shape import StrapPlace, strap_line
+from forficula.make.solid.mesh import MILLIMETRES, mesh_of, solid_of
+from forficula.make.solid.solids import Cut, Rod
 from forficula.pattern.geometry import triangle_normals
 from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.show.make.part_looks import STOP_COLOUR, part_looks

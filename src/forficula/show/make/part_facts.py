@@ -9,8 +9,8 @@ import numpy as np
 
 from forficula.make.files.bill import bill_of
 from forficula.make.files.lying import lying_size
-from forficula.make.mesh import MILLIMETRES
 from forficula.make.part import Part, PartSet
+from forficula.make.solid.mesh import MILLIMETRES
 from forficula.quantities import show_value
 
 # units that parts are told in, whatever their size, and their factors from SI

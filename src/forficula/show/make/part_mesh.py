@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.make.joint_layout import JointLayout
-from forficula.make.mesh import MILLIMETRES, Mesh, mesh_of
+from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.part import Part
+from forficula.make.solid.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.pattern.geometry import triangle_normals
 
 # triangles that meet at more than this have an edge between them; those around a circle meet at 5 deg

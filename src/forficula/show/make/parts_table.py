@@ -8,7 +8,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from forficula.make.check import Check
+from forficula.make.checks.check import Check
 from forficula.make.files.bill import BillRow, BillTotal, bill_of, bill_totals
 from forficula.make.part import PartSet
 from forficula.names import listed

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.make.joint import turned
-from forficula.make.joint_layout import JointLayout
+from forficula.make.hinge.joint import turned
+from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.part import Part, PartSet
 from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.structure import GROUND

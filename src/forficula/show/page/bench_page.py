@@ -11,14 +11,14 @@ from forficula.dynamics import compile_model, simulate, why_not_portable, with_t
 from forficula.errors import InputError
 from forficula.files import write_text
 from forficula.quantities import reading_unit
-from forficula.show.page.design_rows import design_title
-from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import escaped, paragraph, remarks, section
-from forficula.show.page.live_data import live_data
+from forficula.show.page.data.live_data import live_data
 from forficula.show.page.page import page_html
+from forficula.show.page.parts.design_rows import design_title
+from forficula.show.page.parts.design_tables import design_tables
+from forficula.show.page.parts.html import escaped, paragraph, remarks, section
+from forficula.show.page.parts.words import shape_text, structure_text
 from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip, whole_of
 from forficula.show.page.run_page import repeat
-from forficula.show.page.words import shape_text, structure_text
 from forficula.structure import structure_warnings
 
 _STEPS = 2  # that it is drawn after

@@ -19,9 +19,12 @@ from forficula.errors import InputError, error_prefix
 from forficula.files import write_text
 from forficula.names import listed
 from forficula.quantities import reading_unit
-from forficula.show.page.design_rows import DIGITS, differing_rows
-from forficula.show.page.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.data.time_spans import shared_spans, span_data
 from forficula.show.page.page import page_html, page_path
+from forficula.show.page.parts.design_rows import DIGITS, differing_rows
+from forficula.show.page.parts.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.parts.plots import Line, Plot, energy_plot, plot_data
+from forficula.show.page.parts.words import angle_range, outcome_sentence, readable, reading_range
 from forficula.show.page.playback import (
     BUDGET,
     Clip,
@@ -32,9 +35,6 @@ from forficula.show.page.playback import (
     make_clip,
     whole_of,
 )
-from forficula.show.page.plots import Line, Plot, energy_plot, plot_data
-from forficula.show.page.time_spans import shared_spans, span_data
-from forficula.show.page.words import angle_range, outcome_sentence, readable, reading_range
 from forficula.show.run.outcome_rows import state_angles
 from forficula.show.structure.drive_words import acting
 from forficula.show.structure.labels import shown_angles, shown_distances, title_of

@@ -14,8 +14,9 @@ from forficula.goals.goal import Goal
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.outcome_quantity import PROBABILITY
-from forficula.show.page.deviation_text import deviation_text
-from forficula.show.page.goal_tables import (
+from forficula.show.page.data.samples_data import MET, Number, Samples, samples_data
+from forficula.show.page.parts.deviation_text import deviation_text
+from forficula.show.page.parts.goal_tables import (
     effort_table,
     limit_margins,
     limit_text,
@@ -25,14 +26,13 @@ from forficula.show.page.goal_tables import (
     title_of,
     verifications_table,
 )
-from forficula.show.page.html import section
-from forficula.show.page.outcome_words import signs_of
-from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.samples_data import MET, Number, Samples, samples_data
+from forficula.show.page.parts.html import section
+from forficula.show.page.parts.outcome_words import signs_of
+from forficula.show.page.parts.rich_html import LaidOut
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.structure import structure_of
-from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import transitions_text
+from forficula.study.running.kept_runs import KeptRun
+from forficula.study.tables.outcome_kinds import transitions_text
 
 if TYPE_CHECKING:
     from xarray import Dataset

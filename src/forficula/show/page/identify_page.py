@@ -12,14 +12,14 @@ import scipy
 from forficula.files import write_text
 from forficula.goals.identify.exclusion import Together
 from forficula.quantities import show_value
-from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
-from forficula.show.page.html import escaped, paragraph, section
-from forficula.show.page.outcome_words import Signs
-from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.samples_data import Number, Samples, samples_data
+from forficula.show.page.data.samples_data import Number, Samples, samples_data
+from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
+from forficula.show.page.parts.html import escaped, paragraph, section
+from forficula.show.page.parts.outcome_words import Signs
+from forficula.show.page.parts.rich_html import LaidOut
 from forficula.show.page.samples_page import about_rows, samples_page
 from forficula.show.study.factor_text import plain_name, value_with_unit
-from forficula.study.kept_runs import KeptRun
+from forficula.study.running.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset

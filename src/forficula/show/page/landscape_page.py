@@ -12,15 +12,15 @@ from forficula.analysis import measure
 from forficula.analysis.simulated_snap import inner_hinge
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
-from forficula.show.page.design_rows import design_title
-from forficula.show.page.landscape_curves import Curve, curve_data, landscape_curves
-from forficula.show.page.landscape_poses import NO_POSE, Poses, pose_clip, poses_of
-from forficula.show.page.packing import packed
+from forficula.show.page.data.landscape_curves import Curve, curve_data, landscape_curves
+from forficula.show.page.data.landscape_poses import NO_POSE, Poses, pose_clip, poses_of
+from forficula.show.page.data.packing import packed
+from forficula.show.page.parts.design_rows import design_title
+from forficula.show.page.parts.rich_html import laid_out
+from forficula.show.page.parts.words import outcome_sentence, structure_text
 from forficula.show.page.playback import clip_data, energy_scale, legend_data, make_clip, whole_of
 from forficula.show.page.results_page import figure_sections, results_page
-from forficula.show.page.rich_html import laid_out
 from forficula.show.page.run_page import playback_data
-from forficula.show.page.words import outcome_sentence, structure_text
 from forficula.statics import EnergyLandscape
 
 _HEADINGS = {

@@ -13,7 +13,7 @@ from typing import Any
 from forficula.errors import InputError
 from forficula.files import as_path
 from forficula.quantities import READING_UNITS
-from forficula.show.page.html import escaped
+from forficula.show.page.parts.html import escaped
 
 _BUILT = resources.files("forficula.show.page") / "built"
 _NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."

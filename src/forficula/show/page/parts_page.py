@@ -8,11 +8,11 @@ from urllib.parse import quote
 
 from forficula.dynamics import Record
 from forficula.files import write_text
-from forficula.make.check import Check
-from forficula.make.cut_lines import CutSheet, layer_texts
-from forficula.make.mesh import MILLIMETRES
+from forficula.make.checks.check import Check
+from forficula.make.flat.cut_lines import CutSheet, layer_texts
+from forficula.make.flat.sheet_svg import sheet_svg
 from forficula.make.part import PartSet
-from forficula.make.sheet_svg import sheet_svg
+from forficula.make.solid.mesh import MILLIMETRES
 from forficula.show.make.part_facts import (
     mass_text,
     material_text,
@@ -21,11 +21,11 @@ from forficula.show.make.part_facts import (
     total_mass,
     value_text,
 )
-from forficula.show.page.design_rows import design_title
-from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import Cell, escaped, paragraph, red, remarks, section, table
+from forficula.show.page.data.parts_data import parts_data, parts_text
 from forficula.show.page.page import page_html
-from forficula.show.page.parts_data import parts_data, parts_text
+from forficula.show.page.parts.design_rows import design_title
+from forficula.show.page.parts.design_tables import design_tables
+from forficula.show.page.parts.html import Cell, escaped, paragraph, red, remarks, section, table
 
 _CHECKED = (
     "solids at their nominal size: whether they overlap, how far they are apart, where they stop",

@@ -15,9 +15,9 @@ from forficula.arrays import Array, Flags, Indices
 from forficula.design import stage_drives
 from forficula.dynamics import Record, StageEnd
 from forficula.quantities import reading_unit
-from forficula.show.page.efforts import Efforts, efforts_data, efforts_of
-from forficula.show.page.packing import packed
-from forficula.show.page.shape_mesh import ShapeMesh, moving_points, shape_mesh
+from forficula.show.page.data.packing import packed
+from forficula.show.page.data.shape_mesh import ShapeMesh, moving_points, shape_mesh
+from forficula.show.page.parts.efforts import Efforts, efforts_data, efforts_of
 from forficula.show.run.energies_figure import largest_energies, stored_energies
 from forficula.show.run.state_names import state_letters, table_name
 from forficula.show.structure.labels import (

@@ -11,9 +11,9 @@ from rich.console import RenderableType
 
 from forficula.errors import InputError
 from forficula.files import write_text
-from forficula.show.page.html import escaped, paragraph, remarks, section
 from forficula.show.page.page import page_html
-from forficula.show.page.rich_html import LaidOut, laid_out
+from forficula.show.page.parts.html import escaped, paragraph, remarks, section
+from forficula.show.page.parts.rich_html import LaidOut, laid_out
 from forficula.show.style import COPIES
 
 # what comes with a run stands below this section of its page
@@ -113,7 +113,7 @@ def with_section(page: str, name: str, made: str) -> str:
     Args:
         page: HTML.
         name: of the section; one of this name that is there already goes.
-        made: HTML, from `forficula.show.page.html.section`.
+        made: HTML, from `forficula.show.page.parts.html.section`.
     """
     before, there, after = page.partition(f'<section id="{name}">')
     if there:

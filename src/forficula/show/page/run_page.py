@@ -12,16 +12,16 @@ from forficula.analysis.storage import storage_texts
 from forficula.design import Design, design_text
 from forficula.dynamics import Record, timestep_warnings, versions
 from forficula.files import write_text
-from forficula.show.page.design_rows import design_title
-from forficula.show.page.design_tables import design_tables
-from forficula.show.page.html import escaped, paragraph, remarks, section, table
-from forficula.show.page.live_data import live_data
-from forficula.show.page.outcome_tables import groups_table, outcome_tables, strength_table
+from forficula.show.page.data.live_data import live_data
+from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.page import page_html
+from forficula.show.page.parts.design_rows import design_title
+from forficula.show.page.parts.design_tables import design_tables
+from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
+from forficula.show.page.parts.outcome_tables import groups_table, outcome_tables, strength_table
+from forficula.show.page.parts.plots import energy_plot, plot_data, reading_plot
+from forficula.show.page.parts.words import energy_text, outcome_remarks, outcome_sentence, shape_text, structure_text
 from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
-from forficula.show.page.plots import energy_plot, plot_data, reading_plot
-from forficula.show.page.time_spans import run_spans, span_data
-from forficula.show.page.words import energy_text, outcome_remarks, outcome_sentence, shape_text, structure_text
 from forficula.structure import structure_warnings
 
 # bytes of a clip in a page that has the engine, so that all of it stays below 5 MB

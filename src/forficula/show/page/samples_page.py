@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from forficula.dynamics import versions
-from forficula.show.page.html import escaped, paragraph, remarks, section, table
-from forficula.show.page.kept_run_data import runs_data
+from forficula.show.page.data.kept_run_data import runs_data
 from forficula.show.page.page import page_html
-from forficula.show.page.points_table import has_rows, points_table
-from forficula.show.page.rich_html import LaidOut
-from forficula.study.kept_runs import KeptRun
+from forficula.show.page.parts.html import escaped, paragraph, remarks, section, table
+from forficula.show.page.parts.points_table import has_rows, points_table
+from forficula.show.page.parts.rich_html import LaidOut
+from forficula.study.running.kept_runs import KeptRun
 
 
 def samples_page(

@@ -10,7 +10,7 @@ from forficula.dynamics import compile_model, why_not_portable
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
 from forficula.show.page.bench_page import at_start, bench_data
-from forficula.show.page.live_data import live_data
+from forficula.show.page.data.live_data import live_data
 from forficula.study import Study
 from forficula.study.search import SEARCH_TEXTS
 from forficula.study.search_steps import Search, SearchStep

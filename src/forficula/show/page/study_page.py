@@ -11,18 +11,19 @@ from forficula.dynamics import versions
 from forficula.files import write_text
 from forficula.quantities import show_quantity
 from forficula.reproduction import Comparison
-from forficula.show.page.html import Cell, escaped, paragraph, section, table
-from forficula.show.page.kept_run_data import runs_data
+from forficula.show.page.data.kept_run_data import runs_data
+from forficula.show.page.data.study_data import study_data
 from forficula.show.page.page import page_html
-from forficula.show.page.points_table import has_rows, points_table
-from forficula.show.page.study_data import study_data
+from forficula.show.page.parts.html import Cell, escaped, paragraph, section, table
+from forficula.show.page.parts.points_table import has_rows, points_table
 from forficula.show.page.study_live import study_live
 from forficula.show.study.choices_figure import choice_rows
 from forficula.structure import structure_of
 from forficula.study import Study, named_studies, table_csv
 from forficula.study.factors import Factor
-from forficula.study.kept_runs import KeptRun
-from forficula.study.outcome_kinds import (
+from forficula.study.running.kept_runs import KeptRun
+from forficula.study.search_steps import SearchStep
+from forficula.study.tables.outcome_kinds import (
     TableTransition,
     asked_transitions,
     confirmation_sentence,
@@ -31,7 +32,6 @@ from forficula.study.outcome_kinds import (
     lost_text,
     undecided_text,
 )
-from forficula.study.search_steps import SearchStep
 
 if TYPE_CHECKING:
     from xarray import Dataset

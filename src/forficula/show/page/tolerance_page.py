@@ -14,14 +14,14 @@ from forficula.analysis import Verdict, verdict_word
 from forficula.design import Design, key_value
 from forficula.files import write_text
 from forficula.goals.deviation import Deviation
-from forficula.show.page.bars import BarRow, bar, bar_table, percent_text
-from forficula.show.page.deviation_text import deviation_text, plain_key
-from forficula.show.page.html import section
-from forficula.show.page.outcome_words import signs_of
-from forficula.show.page.rich_html import LaidOut
-from forficula.show.page.samples_data import MET, Number, Samples, samples_data, scale_of
+from forficula.show.page.data.samples_data import MET, Number, Samples, samples_data, scale_of
+from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
+from forficula.show.page.parts.deviation_text import deviation_text, plain_key
+from forficula.show.page.parts.html import section
+from forficula.show.page.parts.outcome_words import signs_of
+from forficula.show.page.parts.rich_html import LaidOut
 from forficula.show.page.samples_page import about_rows, samples_page
-from forficula.study.kept_runs import KeptRun
+from forficula.study.running.kept_runs import KeptRun
 
 if TYPE_CHECKING:
     from xarray import Dataset

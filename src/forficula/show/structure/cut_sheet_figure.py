@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, PathPatch, Polygon
 from matplotlib.path import Path
 
-from forficula.make.cut_lines import CutSheet, Layer, layer_texts
+from forficula.make.flat.cut_lines import CutSheet, Layer, layer_texts
 from forficula.quantities import round_below
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, PURPLE, VERMILION, describe, figure_style, fit_legend
 

@@ -21,7 +21,7 @@ from forficula.show.style import (
     fit_legend,
     is_narrow,
 )
-from forficula.study.assumptions import AssumptionRun, Assumptions, Effect
+from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect
 
 # inch, of a row and of what is above and below the rows
 _ROW, _AROUND = 0.19, 1.0

@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.quantities import show_uncertain, show_value
-from forficula.study.assumptions import AssumptionRun, Assumptions, Effect
+from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect
 
 _WIDTH = 140
 # transitions whose times and works fit beside one another

@@ -20,9 +20,9 @@ from forficula.show.study.factor_text import display_values, factor_label, numbe
 from forficula.show.study.maps import energy_noun, missing_reasons
 from forficula.show.study.outcome_looks import look_of, map_style
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, SKY, VERMILION, describe, fit_legend, is_narrow
-from forficula.study.choice_groups import choice_groups, count_all, count_first, count_unknown
-from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import asked_verbs, table_transitions, whole_of
+from forficula.study.assumptions.choice_groups import choice_groups, count_all, count_first, count_unknown
+from forficula.study.assumptions.choices import CHOICE
+from forficula.study.tables.outcome_kinds import asked_verbs, table_transitions, whole_of
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -24,9 +24,9 @@ from forficula.show.style import (
     is_narrow,
 )
 from forficula.structure import Measure, Structure, measure_stops, structure_of
-from forficula.study.convergence import Convergence
-from forficula.study.observed_order import OrderFit
-from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
+from forficula.study.convergence.convergence import Convergence
+from forficula.study.convergence.observed_order import OrderFit
+from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 _AXIS = {
     TIMESTEP: ("timestep (ms)", 1e3),

@@ -10,9 +10,9 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.structure import structure_of
-from forficula.study.convergence import Convergence
-from forficula.study.observed_order import OrderFit
-from forficula.study.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
+from forficula.study.convergence.convergence import Convergence
+from forficula.study.convergence.observed_order import OrderFit
+from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, value_text
 
 
 def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:

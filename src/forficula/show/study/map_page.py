@@ -30,7 +30,7 @@ from forficula.show.style import (
     fit_legend,
     is_narrow,
 )
-from forficula.study.outcome_kinds import whole_of
+from forficula.study.tables.outcome_kinds import whole_of
 
 # beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
 _MOST_NUMBERS = 12

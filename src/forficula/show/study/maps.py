@@ -17,8 +17,14 @@ from forficula.show.study.map_page import draw_page
 from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.outcome_looks import OTHER, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
-from forficula.study.choices import CHOICE
-from forficula.study.outcome_kinds import Kind, asked_transitions, not_tried_word, outcome_kinds, table_transitions
+from forficula.study.assumptions.choices import CHOICE
+from forficula.study.tables.outcome_kinds import (
+    Kind,
+    asked_transitions,
+    not_tried_word,
+    outcome_kinds,
+    table_transitions,
+)
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from matplotlib import rc_context
 
 from forficula.show.style import BLUE, ORANGE, PURPLE, SKY, figure_style
-from forficula.study.map_comparison import (
+from forficula.study.tables.map_comparison import (
     BOTH,
     BOTH_LESS,
     BOTH_MORE,
@@ -19,7 +19,7 @@ from forficula.study.map_comparison import (
     ONLY_SIMULATED,
     ONLY_STATIC,
 )
-from forficula.study.outcome_kinds import Kind, outcome_kinds
+from forficula.study.tables.outcome_kinds import Kind, outcome_kinds
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -12,8 +12,8 @@ from forficula.show.study.map_panel import Panel, View
 from forficula.show.study.maps import table_view
 from forficula.show.study.outcome_looks import map_style
 from forficula.show.style import PAGE_WIDTH, is_narrow
-from forficula.study.map_comparison import NOT_SIMULATED, compare_maps, simulated_values
-from forficula.study.outcome_kinds import Kind, table_transitions, word_of
+from forficula.study.tables.map_comparison import NOT_SIMULATED, compare_maps, simulated_values
+from forficula.study.tables.outcome_kinds import Kind, table_transitions, word_of
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset

@@ -11,7 +11,7 @@ from rich.table import Table
 from forficula.quantities import show_quantity
 from forficula.show.study.choices_figure import choice_rows
 from forficula.study import Study
-from forficula.study.outcome_kinds import (
+from forficula.study.tables.outcome_kinds import (
     asked_transitions,
     confirmation_sentence,
     least_values,

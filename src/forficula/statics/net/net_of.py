@@ -19,7 +19,7 @@ from forficula.statics.net.load import Load, no_load, point_forces
 from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
 from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
-from forficula.structure.facets import BEND
+from forficula.structure.sheets.facets import BEND
 
 Flags = NDArray[np.bool_]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
-from forficula.pattern.flat_faces import parts_of
+from forficula.pattern.drawings.flat_faces import parts_of
 from forficula.statics.net.net import Net, Shape
 
 _TURNED = 1e-3  # rad beyond 180 deg

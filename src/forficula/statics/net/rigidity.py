@@ -8,7 +8,7 @@ import numpy as np
 from scipy.sparse import csr_array, eye_array, kron, vstack
 
 from forficula.arrays import Array, Indices
-from forficula.pattern.rigidity import nullity
+from forficula.pattern.facts.rigidity import nullity
 from forficula.statics.net.energy import angle_slopes
 from forficula.statics.net.net import Flags, Net, Shape
 from forficula.statics.net.supports import loose_motions

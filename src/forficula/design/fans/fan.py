@@ -1,0 +1,349 @@
+"""A fan: its sections, its protocol, and what must fit together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+import scipy
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+
+from forficula.design.design import Design, check_duration
+from forficula.design.fans.fan_sections import (
+    ContactSection,
+    CouplingSection,
+    FanPatternSection,
+    GuardSection,
+    HingeSection,
+    MembraneSection,
+    VeinSection,
+)
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.files.tendon_tables import is_by_vein
+from forficula.design.medium import check_medium
+from forficula.design.named_protocol import Action, Drive, NamedProtocol
+from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
+from forficula.design.protocol import Protocol, check_bounds
+from forficula.design.tendon import TendonSection, check_on_bars
+from forficula.errors import InputError
+from forficula.names import listed
+from forficula.pattern import EarwigFan, ring_directions, ring_vertices, tips, vein_gaps
+from forficula.quantities import Unit, format_quantity, show_quantity
+
+_MOST_VEINS = 1001
+
+
+class FanProtocol(Protocol):
+    """What is done to the wing, and what counts as done."""
+
+    about: ClassVar[str] = "What is done to the wing, and what counts as done"
+
+    fold_torque: float = quantity(TORQUE, "torque on every driven proximal turn axis while folding", at_least=0)
+    unfold_torque: float = quantity(
+        TORQUE, "torque on every distal and every driven proximal axis while unfolding", at_least=0
+    )
+    driven_veins: Annotated[
+        tuple[Annotated[int, Field(strict=True, ge=0)], ...] | None,
+        Field(
+            min_length=1,
+            description="numbers of the veins with a motor on their proximal turn axes; without it, all",
+            examples=[[0]],
+        ),
+    ] = None
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "speed of a driven hinge at which nothing is left of its torque, as of a servo with these stall torques;"
+        " without it torques stay",
+        default=None,
+        above=0,
+        examples=["300 deg/s"],
+    )
+    initial_overbend: float = quantity(ANGLE, "where every distal hinge starts, past straight")
+    folded_angle: float = quantity(ANGLE, "folded means that every distal hinge is beyond it", above=0, at_most=math.pi)
+    opened_angle: float = quantity(ANGLE, "opened means that every distal hinge is at or past it, on the overbend side")
+
+    @model_validator(mode="after")
+    def _stages_in_order(self) -> FanProtocol:
+        bounded = dict.fromkeys(("ring", "turn", "lift", "sweep", "distal_angle"), ANGLE)
+        check_course(self, bounded, whole="a wing")
+        return self
+
+
+class FanDesign(Design):
+    """A fan of bars with membranes between them, and what is done to it."""
+
+    varied_key: ClassVar[str] = "tendon.stiffness"
+    reference: ClassVar[str | None] = "binder2025"
+    weight_section: ClassVar[str] = "vein"
+    rest_keys: ClassVar[tuple[str, ...]] = (
+        "pattern",
+        "membrane",
+        "hinge",
+        "coupling",
+        "guard",
+        *REST_KEYS,
+        "protocol.driven_veins",
+    )
+
+    pattern: FanPatternSection
+    vein: VeinSection
+    membrane: MembraneSection
+    hinge: HingeSection
+    coupling: Annotated[
+        CouplingSection | None, Field(description="between neighbouring veins at the base; without it, none")
+    ] = None
+    tendon: Annotated[
+        Annotated[TendonSection, Tag("<one for all>")] | Annotated[tuple[TendonSection | None, ...], Tag("<by vein>")],
+        Discriminator(lambda given: "<by vein>" if isinstance(given, tuple) else "<one for all>"),
+        Field(description="one for every vein, or by the number of the vein, None for one without"),
+    ]
+    guard: GuardSection
+    contact: Annotated[
+        ContactSection | None, Field(description="of panels and bars, where protocol.contact is true")
+    ] = None
+    protocol: FanProtocol
+
+    @field_validator("tendon", mode="before")
+    @classmethod
+    def _by_vein(cls, given: object) -> object:
+        """Tables by the numbers of their veins, in a tuple that has them in their places."""
+        if not is_by_vein(given):
+            return given
+        return tuple(given.get(str(vein)) for vein in range(max(map(int, given), default=-1) + 1))
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> FanDesign:
+        self._layers_have_room()
+        apart, width = _room_at_ring(self.fan)
+        kept = None if self.contact is None else self.contact.thickness
+        for key, value, bound, unit, fault in (
+            ("vein.diameter", self.vein.diameter, apart, SMALL_LENGTH, "the veins overlap at the ring fold"),
+            (
+                "membrane.margin",
+                self.membrane.margin,
+                width,
+                LENGTH,
+                "the margin is wider than the panel at the ring fold",
+            ),
+            ("contact.thickness", kept, width, LENGTH, "panels would be thicker than they are wide at the ring fold"),
+        ):
+            if value is not None and not value < bound:
+                raise InputError(
+                    f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
+                    f" got {show_quantity(value, unit)}"
+                )
+        check_medium(self.medium, self.protocol.gravity, self.vein.density, "vein.density")
+        self._tendons_on_bars()
+        self._driven_veins_there()
+        for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
+            if list(rows) != sorted({row for row in rows if 0 < row < 1}):
+                raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
+        self._goals_within_stops()
+        self._start_within_guards()
+        # wings of more are drawn, but not run
+        check_duration(self, min(self.fan.vein_count, _MOST_VEINS), "veins")
+        return self
+
+    def _layers_have_room(self) -> None:
+        """Refuse folded layers that lie closer to each other than their veins and membranes are thick."""
+        pitch, least = self.pattern.pitch, self._least_pitch
+        if pitch is not None and pitch < least:
+            raise InputError(
+                f"pattern.pitch: folded layers overlap: need >= {show_quantity(least, SMALL_LENGTH)}, the larger of"
+                f" vein.diameter and twice {self._layer[0]}, got {show_quantity(pitch, SMALL_LENGTH)}"
+            )
+
+    @property
+    def _least_pitch(self) -> float:
+        """From one folded layer to the next, m: a vein beside a vein, or the two membranes at a vein."""
+        return max(self.vein.diameter, 2 * self._layer[1])
+
+    @property
+    def _layer(self) -> tuple[str, float]:
+        """What panels keep apart when they touch, m, and its key."""
+        if self.contact is not None and self.contact.thickness is not None:
+            return "contact.thickness", self.contact.thickness
+        return "membrane.thickness", self.membrane.thickness
+
+    def _tendons_on_bars(self) -> None:
+        """Refuse tendons on veins that are not there, and such as do not end on their bars."""
+        last, lengths = self.fan.vein_count - 1, (self.pattern.proximal_length, self.pattern.distal_length)
+        if isinstance(self.tendon, TendonSection):
+            check_on_bars("tendon", self.tendon, *lengths)
+            return
+        for vein, tendon in enumerate(self.tendon):
+            if tendon is not None and vein > last:
+                raise InputError(
+                    f"tendon.{vein}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
+                    f" {self.pattern.units}"
+                )
+            if tendon is not None:
+                check_on_bars(f"tendon.{vein}", tendon, *lengths)
+
+    def _driven_veins_there(self) -> None:
+        """Refuse motors on veins that are not there, and two on one."""
+        driven, last = self.protocol.driven_veins or (), self.fan.vein_count - 1
+        if len(set(driven)) < len(driven) or max(driven, default=0) > last:
+            raise InputError(
+                f"protocol.driven_veins: need different numbers of veins, 0 to {last} with pattern.units ="
+                f" {self.pattern.units}, got {list(driven)}"
+            )
+
+    def with_other_start(self) -> Self | None:
+        """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
+        return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """Torques about the axes of the driven veins, and about all ring folds."""
+        protocol, veins = self.protocol, self.driven_veins
+        every = len(veins) == self.fan.vein_count
+        joints, of = ("the proximal joint", "vein") if len(veins) == 1 else ("the proximal joints", "veins")
+        driven = f"{joints} of {of} {listed(map(str, veins))}"
+        speed = protocol.no_load_speed or math.inf
+        proximal = Action(motor="proximal", hinges=tuple(f"turn{vein}" for vein in veins), no_load_speed=speed)
+        distal = Action(motor="distal", hinges=("ring",), no_load_speed=speed)
+        fold = Drive(
+            name="fold",
+            actions=(proximal,),
+            rise=protocol.rise,
+            key="protocol.fold_torque",
+            strength=protocol.fold_torque,
+            tries="0..50 N cm step 10",
+            where="on every proximal joint" if every else f"on {driven}",
+            part="proximal turn axis" if every else "driven proximal turn axis",
+        )
+        unfold = Drive(
+            name="unfold",
+            actions=(replace(proximal, share=-1.0), distal),
+            rise=protocol.rise,
+            key="protocol.unfold_torque",
+            strength=protocol.unfold_torque,
+            tries="10..100 N cm step 10",
+            where="on every joint" if every else f"on every distal joint and {driven}",
+        )
+        return folding_protocol(protocol, (fold, unfold))
+
+    def _goals_within_stops(self) -> None:
+        """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
+        folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
+        check_angles(protocol, fold_limit=folds, overbend=bends)
+        shared = self.pattern.ring_folds
+        stops = {"ring": (-folds / shared, bends / shared), "distal_angle": (-folds, bends)}
+        stops["turn"] = (-self.hinge.turn_back, self.hinge.turn_limit)
+        check_bounds(protocol, stops)
+
+    def _start_within_guards(self) -> None:
+        """Refuse a start that guard tendons are too short for: they would throw the wing, harder at a shorter step."""
+        start, allowed = self.protocol.initial_overbend, self.guard.stretch
+        stretch = start_stretch(self.fan, start)
+        if stretch > allowed:
+            most = f"{'<=' if start > 0 else '>='} {show_quantity(largest_start(self.fan, allowed, start), ANGLE)}"
+            raise InputError(
+                f"protocol.initial_overbend: neighbouring tips would start {stretch:.4g} times as far apart as in the"
+                f" flat wing, and guard.stretch allows {allowed:.4g}: need {most} or a larger guard.stretch,"
+                f" got {show_quantity(start, ANGLE)}"
+            )
+
+    def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
+        """The design as tables; tendons that are not one for all by the numbers of their veins."""
+        tables = super().as_tables(write)
+        if isinstance(self.tendon, tuple):
+            tables["tendon"] = {str(vein): entry for vein, entry in enumerate(tables["tendon"]) if entry is not None}
+        return tables
+
+    def hash_values(self) -> dict[str, Any]:
+        """The values that tell it from others; a list of tendons that are all alike counts as one table."""
+        values = super().hash_values()
+        if isinstance(self.tendon, tuple):
+            by_vein = [None if tendon is None else tendon.hash_values() for tendon in self.tendons]
+            alike = by_vein[0] is not None and all(each == by_vein[0] for each in by_vein)
+            values["tendon"] = by_vein[0] if alike else by_vein
+        return values
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """What is given and does nothing, a sentence each."""
+        if self.contact is None or self.protocol.contact:
+            return ()
+        return ("contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true",)
+
+    @property
+    def driven_veins(self) -> tuple[int, ...]:
+        """Numbers of the veins with a motor at the base, rising."""
+        driven = self.protocol.driven_veins
+        return tuple(range(self.fan.vein_count) if driven is None else sorted(driven))
+
+    @property
+    def tendons(self) -> tuple[TendonSection | None, ...]:
+        """The tendon of every vein, (vein,); None where it has none."""
+        count = self.fan.vein_count
+        if isinstance(self.tendon, TendonSection):
+            return (self.tendon,) * count
+        return (*self.tendon, *[None] * (count - len(self.tendon)))
+
+    @property
+    def fan(self) -> EarwigFan:
+        """The crease pattern's construction."""
+        two = self.pattern.ring_folds == 2
+        # a vein and a panel lie between the innermost layers
+        gusset_height = self.vein.diameter + self._layer[1] if two else 0.0
+        return _drawn_fan(self.pattern, (self.pattern.pitch or self._least_pitch) if two else 0.0, gusset_height)
+
+
+@lru_cache(maxsize=64)  # asked for again and again while a wing is checked and built, and while other values change
+def _drawn_fan(chosen: FanPatternSection, pitch: float, gusset_height: float) -> EarwigFan:
+    return EarwigFan(
+        proximal_length=chosen.proximal_length,
+        distal_length=chosen.distal_length,
+        hub_radius=chosen.hub_radius,
+        sector_angle=chosen.sector_angle,
+        units=chosen.units,
+        tangent=chosen.tangent,
+        ring_folds=chosen.ring_folds,
+        pitch=pitch,
+        gusset_height=gusset_height,
+    )
+
+
+@lru_cache(maxsize=64)
+def _room_at_ring(fan: EarwigFan) -> tuple[float, float]:
+    """From vein to vein at the ring fold, m: between their axes, and along the ring."""
+    first, second = ring_vertices(fan)[:2]
+    return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)
+
+
+@lru_cache(maxsize=64)  # asked of every design that is made of one, most of which start alike
+def start_stretch(fan: EarwigFan, overbend: float) -> float:
+    """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
+
+    Neighbouring veins bend to opposite sides of the sheet, evenly at their ring folds.
+
+    Args:
+        fan: the crease pattern.
+        overbend: of every distal hinge, rad.
+
+    Returns:
+        The largest share of all pairs.
+    """
+    flat = bent = tips(fan)
+    # odd veins are valleys, as `earwig_pattern` has them
+    senses = (-1.0) ** (np.arange(len(flat)) + 1)
+    for fold in reversed(range(fan.ring_folds)):
+        turned = scipy.spatial.transform.Rotation.from_rotvec(
+            overbend / fan.ring_folds * senses[:, None] * ring_directions(fan)
+        )
+        ring = ring_vertices(fan, fold=fold)
+        bent = ring + turned.apply(bent - ring)
+    distances = (np.linalg.norm(np.diff(points, axis=0), axis=1) for points in (bent, flat))
+    return float(np.max(next(distances) / next(distances)))
+
+
+def largest_start(fan: EarwigFan, stretch: float, bend: float) -> float:
+    """How far one may bend towards a bend, rad, at which tips are further apart than so many times as when flat."""
+    share = scipy.optimize.brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
+    return float(share * bend)

@@ -1,0 +1,199 @@
+"""A protocol that folds and opens what bends at distal hinges: its names, and what its stages and angles must be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING, TypeVar
+
+from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
+from forficula.design.part import ANGLE
+from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
+from forficula.errors import InputError
+from forficula.quantities import Unit, as_written, format_quantity, show_quantity
+
+if TYPE_CHECKING:
+    from forficula.design.fans.fan import FanProtocol
+    from forficula.design.fans.joint import JointProtocol
+
+DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
+
+# keys of a protocol that matter to where a structure rests
+REST_KEYS = (
+    "protocol.initial_overbend",
+    "protocol.folded_angle",
+    "protocol.opened_angle",
+    "protocol.gravity",
+)
+# how far past straight, folding, a hinge has left the overbend for good
+_LEFT_STRAIGHT = math.radians(5.0)
+_FOLD = Wording(
+    done="folded",
+    verb="fold",
+    doing="folding",
+    stays="folded",
+    time="fold time",
+    noun="folding",
+    did="folded",
+)
+_UNFOLD = Wording(
+    done="folded and opened",
+    verb="open",
+    doing="opening",
+    stays="open",
+    time="opening time",
+    noun="unfolding",
+    did="opened again",
+)
+
+_ProtocolOf = TypeVar("_ProtocolOf", bound=Protocol)
+
+
+def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Drive]) -> NamedProtocol:
+    """Return a protocol that folds and opens distal hinges as data.
+
+    Args:
+        protocol: its stages have been checked by `check_course`.
+        drives: the drives "fold" and "unfold".
+    """
+    # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
+    still_folded = _distal("<", -protocol.folded_angle / 2)
+    return NamedProtocol(
+        drives=tuple(drives),
+        goals={"folded": _distal("<", -protocol.folded_angle), "opened": _distal(">", protocol.opened_angle)},
+        states=(
+            RestState(name="flat", goal=_distal(">", -_LEFT_STRAIGHT), missed="not flat", unknown="not flat"),
+            RestState(name="folded", goal="folded", missed="not folded", unknown="after folding"),
+            RestState(name="opened", goal="opened", missed="not opened", unknown="after unfolding"),
+        ),
+        stage_states=_stage_states(protocol),
+        transitions=(
+            Transition(
+                name="fold",
+                drive="fold",
+                stage=_first_driven(protocol, "fold"),
+                goal="folded",
+                state="folded",
+                released=still_folded,
+                measure="distal_angle",
+                furthest="largest",
+                begun=-_LEFT_STRAIGHT,
+                wording=_FOLD,
+            ),
+            Transition(
+                name="unfold",
+                drive="unfold",
+                stage=_first_driven(protocol, "unfold"),
+                goal="opened",
+                state="opened",
+                released="opened",
+                measure="distal_angle",
+                furthest="largest",
+                begun=None,
+                wording=_UNFOLD,
+            ),
+        ),
+    )
+
+
+@lru_cache(maxsize=256)  # designs that are run one after another have few different ones
+def _distal(relation: str, angle: float) -> str:
+    """Return a bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
+    return f"distal_angle {relation} {format_quantity(angle, ANGLE)}"
+
+
+def _first_driven(protocol: Protocol, drive: str) -> int | None:
+    """Return the number of the first stage with a drive."""
+    return next((number for number, stage in enumerate(protocol.stages) if drive in stage_drives(stage)), None)
+
+
+def _stage_states(protocol: Protocol) -> tuple[str, ...]:
+    """Return the states that stages name; without names the first ends flat, folding and opening at their releases."""
+    stages = protocol.stages
+    if any(stage.state for stage in stages):
+        return tuple(stage.state or "" for stage in stages)
+    states = ["flat", *[""] * (len(stages) - 1)]
+    for drive, state in (("fold", "folded"), ("unfold", "opened")):
+        driven = _first_driven(protocol, drive)
+        if driven is not None:
+            released = driven + 1 < len(stages) and not stage_drives(stages[driven + 1])
+            states[driven + released] = state
+    return tuple(states)
+
+
+def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:
+    """Refuse stages that do not fold before they unfold, once each, after a first one that drives nothing.
+
+    Args:
+        protocol: with the stages.
+        measures: what a stage may bound, and in which unit.
+        whole: what sentences call what is folded, such as "a wing".
+
+    Raises:
+        InputError: which stage, and what is allowed.
+    """
+    check_stages(protocol, DRIVES, GOALS, measures)
+    check_states(protocol, STATES)
+    drives = [stage_drives(stage) for stage in protocol.stages]
+    fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
+    for number, each in enumerate(drives):
+        if len(each) > 1:
+            raise InputError(
+                f"protocol.stages.{number}.drive: need one drive, for {whole} is not folded and unfolded in one"
+                f" stage, got {as_written(protocol.stages[number].drive)}"
+            )
+    for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
+        if len(driven) > 1:
+            raise InputError(f'protocol.stages: need at most one stage with drive = "{drive}", got {len(driven)}')
+    written = [stage.drive for stage in protocol.stages]
+    if unfold and not (fold and fold[0] < unfold[0]):
+        raise InputError(
+            'protocol.stages: need a stage with drive = "fold" before the one with drive = "unfold",'
+            f" got {as_written(written)}"
+        )
+    if drives[0]:
+        raise InputError(
+            'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
+            f" got {as_written(written[0])}"
+        )
+    _check_states_in_order(protocol, [*fold, len(drives)][0], [*unfold, len(drives)][0])
+
+
+def _check_states_in_order(protocol: Protocol, fold: int, unfold: int) -> None:
+    """Refuse a state where nothing is in it, by the numbers of the stages that fold and unfold."""
+    places = (
+        'before the stage with drive = "fold"',
+        'from the stage with drive = "fold" to the one with drive = "unfold"',
+        'from the stage with drive = "unfold" on',
+    )
+    for number, stage in enumerate(protocol.stages):
+        reached = (number >= fold) + (number >= unfold)
+        state, where = STATES[reached], places[reached]
+        if stage.state not in (None, state):
+            raise InputError(f'protocol.stages.{number}.state: need "{state}" {where}, got {as_written(stage.state)}')
+
+
+def other_start(protocol: _ProtocolOf, start: float) -> _ProtocolOf:
+    """Return a protocol whose distal hinges start 1 % nearer to straight than a start, rad, or 0.02 deg short of 0."""
+    return protocol.model_copy(update={"initial_overbend": 0.99 * start if start else -math.radians(0.02)})
+
+
+def check_angles(protocol: Protocol, *, fold_limit: float, overbend: float) -> None:
+    """Refuse a start or a goal, of a protocol that has these keys, that the stops of distal hinges keep from it; rad.
+
+    Raises:
+        InputError: which key of the protocol, and between what it may be.
+    """
+    for key, least, most, stop in (
+        ("initial_overbend", -fold_limit, overbend, "overbend"),
+        ("folded_angle", 0.0, fold_limit, "fold_limit"),
+        ("opened_angle", -fold_limit, overbend, "overbend"),
+    ):
+        angle = getattr(protocol, key)
+        if not least <= angle <= most:
+            above = f">= {show_quantity(least, ANGLE)} (-hinge.fold_limit) and " if least else ""
+            raise InputError(
+                f"protocol.{key}: need {above}<= {show_quantity(most, ANGLE)} (hinge.{stop}),"
+                f" got {show_quantity(angle, ANGLE)}"
+            )

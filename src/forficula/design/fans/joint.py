@@ -1,0 +1,125 @@
+"""A joint: two bars with one hinge and a tendon across it, the proximal bar held; its sections and its protocol."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import ClassVar, Self
+
+from pydantic import model_validator
+
+from forficula.design.design import Design, check_duration
+from forficula.design.fans.fan_sections import VeinSection
+from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
+from forficula.design.fans.joint_sections import JointHinge, JointPattern, JointTendon
+from forficula.design.named_protocol import Action, Drive, NamedProtocol
+from forficula.design.part import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
+from forficula.design.protocol import Protocol, check_bounds
+from forficula.design.tendon import TendonSection, check_on_bars
+from forficula.errors import InputError
+from forficula.quantities import show_quantity
+
+
+class JointProtocol(Protocol):
+    """What is done to the joint, and what counts as done."""
+
+    about: ClassVar[str] = "What is done to the joint, and what counts as done"
+
+    fold_torque: float = quantity(TORQUE, "torque on the hinge while folding", at_least=0)
+    unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
+    no_load_speed: float | None = quantity(
+        ANGULAR_SPEED,
+        "speed of the hinge at which nothing is left of its torque, as of a servo with these stall torques;"
+        " without it torques stay",
+        default=None,
+        above=0,
+        examples=["300 deg/s"],
+    )
+    initial_overbend: float = quantity(ANGLE, "where the hinge starts, past straight")
+    folded_angle: float = quantity(ANGLE, "folded means that the hinge is beyond it", above=0, at_most=math.pi)
+    opened_angle: float = quantity(ANGLE, "opened means that the hinge is at or past it, on the overbend side")
+
+    @model_validator(mode="after")
+    def _stages_in_order(self) -> JointProtocol:
+        check_course(self, dict.fromkeys(("ring", "distal_angle"), ANGLE), whole="a joint")
+        return self
+
+
+class JointDesign(Design):
+    """Two bars with a hinge and a tendon between them, and what is done to them."""
+
+    varied_key: ClassVar[str] = "tendon.rest_length"
+    reference: ClassVar[str | None] = "binder2025-joint"
+    weight_section: ClassVar[str] = "vein"
+    rest_keys: ClassVar[tuple[str, ...]] = ("pattern", "hinge", *REST_KEYS)
+
+    pattern: JointPattern
+    vein: VeinSection
+    hinge: JointHinge
+    tendon: JointTendon
+    protocol: JointProtocol
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> JointDesign:
+        shorter = min(self.pattern.proximal_length, self.pattern.distal_length)
+        if not self.vein.diameter < shorter:
+            raise InputError(
+                f"vein.diameter: need < {show_quantity(shorter, SMALL_LENGTH)}, the length of the shorter bar,"
+                f" got {show_quantity(self.vein.diameter, SMALL_LENGTH)}"
+            )
+        check_on_bars("tendon", self.tendon, self.pattern.proximal_length, self.pattern.distal_length)
+        if self.protocol.contact:
+            raise InputError(
+                "protocol.contact: need false, for the stops of its hinge are all that keeps a joint's bars apart,"
+                " got true"
+            )
+        self._goals_within_stops()
+        check_duration(self, 1, "joint")
+        return self
+
+    def with_other_start(self) -> Self | None:
+        """Return the design with a start that differs by 1 %; see `Design.with_other_start`."""
+        return self.model_copy(update={"protocol": other_start(self.protocol, self.protocol.initial_overbend)})
+
+    @property
+    def named_protocol(self) -> NamedProtocol:
+        """Torques on the hinge."""
+        protocol = self.protocol
+        unfolding = Action(motor="distal", hinges=("ring",), no_load_speed=protocol.no_load_speed or math.inf)
+        fold = Drive(
+            name="fold",
+            actions=(replace(unfolding, share=-1.0),),
+            rise=protocol.rise,
+            key="protocol.fold_torque",
+            strength=protocol.fold_torque,
+            tries="0..20 N cm step 2",
+            where="on the hinge",
+        )
+        unfold = Drive(
+            name="unfold",
+            actions=(unfolding,),
+            rise=protocol.rise,
+            key="protocol.unfold_torque",
+            strength=protocol.unfold_torque,
+            tries="10..100 N cm step 10",
+            where="on the hinge",
+        )
+        return folding_protocol(protocol, (fold, unfold))
+
+    def _goals_within_stops(self) -> None:
+        """Refuse a start or a goal that the stops of the hinge keep it from."""
+        folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
+        check_angles(protocol, fold_limit=folds, overbend=bends)
+        check_bounds(protocol, dict.fromkeys(("ring", "distal_angle"), (-folds, bends)))
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """What is given and does nothing, a sentence each."""
+        if self.medium is None:
+            return ()
+        return ("medium.density and medium.viscosity do nothing, for a joint has no panels for a medium to resist",)
+
+    @property
+    def tendons(self) -> tuple[TendonSection, ...]:
+        """The tendon of every hinge, which is one."""
+        return (self.tendon,)

@@ -1,0 +1,347 @@
+"""Design files: TOML in and out, with errors that name the key."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import tomllib
+from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
+from functools import cache
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+from pydantic import ValidationError
+
+from forficula.allowed_files import may_read
+from forficula.design.design import Design
+from forficula.design.fans.fan import FanDesign
+from forficula.design.fans.fan_sections import MOST_UNITS
+from forficula.design.fans.joint import JointDesign
+from forficula.design.fans.joint_sections import JointTendon
+from forficula.design.files.file_design import file_tables
+from forficula.design.files.kept_parts import with_kept_parts
+from forficula.design.files.kinds import KINDS, design_class, kind_of
+from forficula.design.files.provenance import derived_source
+from forficula.design.files.rejection import File, origin, rejected
+from forficula.design.files.tables import RejectedError, check_once, dotted_keys, laid_over, merged, nested, numbered
+from forficula.design.files.tendon_tables import entries_over, is_by_vein, tendon_over, tendons_over, value_from_folder
+from forficula.design.sheets.sheet_tables import with_sheet_read
+from forficula.errors import InputError
+from forficula.files import as_path, read_toml, write_text
+from forficula.pattern import PATTERN_FILES
+from forficula.quantities import as_written
+from forficula.toml_text import check_levels, with_remarks
+
+_MOST_FILES = 50  # that are based on one another
+_SURROGATE = re.compile("[\ud800-\udfff]")
+
+# what stands for a design where one is wanted
+AnyDesign = Design | str | os.PathLike[str]
+
+
+def load_design(
+    name_or_path: str | Path, settings: Mapping[str, object] | None = None, *, unit: float | None = None
+) -> Design:
+    """Read a named design or a design file, or make one of a FOLD file or a drawing, with some values replaced.
+
+    Args:
+        name_or_path: one of `named_designs`, or the path of a TOML file, or of one that `read_pattern` reads: what that
+            does not say is chosen.
+        settings: values by dotted key or in nested tables, as in {"tendon.stiffness": "20 N/cm"} or
+            {"tendon": {"stiffness": "20 N/cm"}}; text with units, as in a file.
+        unit: length of the unit of a FOLD file or a drawing that names none, m.
+
+    Returns:
+        The design, checked.
+
+    Raises:
+        InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for what
+            has units of its own.
+    """
+    if isinstance(name_or_path, str) and not settings and unit is None and name_or_path in _named():
+        return _named_design(name_or_path)
+    return _load(name_or_path, settings, unit)
+
+
+@cache  # what comes with the package stays as it is, and a design is frozen
+def _named_design(name: str) -> Design:
+    return _load(name, None, None)
+
+
+def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit: float | None) -> Design:
+    path = as_path(name_or_path, "a named design, or the path of a file")
+    if path.suffix.lower() in PATTERN_FILES:
+        files = [(str(name_or_path), file_tables(path, unit))]
+    elif unit is not None:
+        raise InputError(f"unit: a design has units of its own, got {unit:g} m")
+    else:
+        files = _read_files(str(name_or_path))
+    tables: dict[str, Any] = {}
+    try:
+        for _, given in files:
+            before, tables = tables, _over(tables, given, merged, si=False)
+            tables = _with_source(before, tables, given)
+        before, tables = tables, _with_settings(tables, settings or {}, si=False)
+        design = _validate(tables, si=False)
+        if not settings or "source" in settings:
+            return design
+        named = str(name_or_path) in _named()
+        base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
+        return design if base is None else design.model_copy(update={"source": derived_source(base, design)})
+    except RejectedError as error:
+        # as it was set: an entry by its name
+        by_hand, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
+        for number, name in by_hand.items():
+            message = message.replace(f"{number.rpartition('.')[0]}.", f"{name.rpartition('.')[0]}.")
+        where = origin(error.place, files, by_hand)
+        raise InputError(f"{where}: {message}" if where else message) from None
+
+
+def as_design(design: AnyDesign) -> Design:
+    """Take a design, or read that of a name or path.
+
+    Raises:
+        InputError: it is neither, or cannot be read.
+    """
+    if isinstance(design, Design):
+        return design
+    if isinstance(design, str | os.PathLike):
+        return load_design(os.fspath(design))
+    raise InputError(f"need a design, its name or the path of its file, got a {type(design).__name__}")
+
+
+def with_values(design: Design, values: Mapping[str, object]) -> Design:
+    """Replace some values by dotted key; floats with a unit are SI, and "tendon.law" may be a `MaterialLaw`.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
+    try:
+        changed = _validate_changed(design, _with_settings(design.si_tables(), values, si=True))
+    except RejectedError as error:
+        raise InputError(f"{design.name}: {error}") from None
+    if "source" in values:
+        return changed
+    return changed.model_copy(update={"source": derived_source(design, changed)})
+
+
+def named_designs() -> dict[str, str]:
+    """The names of the designs that come with the package, each with its source."""
+    return {name: load_design(name).source for name in _named()}
+
+
+def save_design(design: Design, path: str | os.PathLike[str]) -> None:
+    """Write every value of a design; reading the file gives the same bits."""
+    write_text(Path(path), design_text(design))
+
+
+def design_text(design: Design) -> str:
+    """Every value of a design as TOML; those that a rule chooses are marked, with the reason."""
+    tables = design.settled().as_tables()
+    if isinstance(design, FanDesign) and is_by_vein(tables["tendon"]):
+        tables["tendon"] = [{"vein": int(vein)} | entry for vein, entry in tables["tendon"].items()]
+    # what is built, then what is done to it
+    text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
+    reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
+    return with_remarks(text, reasons) if reasons else text
+
+
+def design_from_text(text: str) -> Design:
+    """Read what `design_text` wrote.
+
+    Raises:
+        InputError: a key or value that is not allowed.
+        TOMLDecodeError: it is not TOML.
+    """
+    return _validate(_over({}, tomllib.loads(text), merged, si=False), si=False)
+
+
+@cache
+def _named() -> tuple[str, ...]:
+    folder = resources.files("forficula.design") / "references"
+    return tuple(sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml")))
+
+
+@cache
+def _named_tables(name: str) -> dict[str, Any]:
+    """What the file of a named design says; not to be changed."""
+    return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
+
+
+def _read_files(name_or_path: str) -> list[File]:
+    """Read a design and what it is based on, the last one first."""
+    files: list[File] = []
+    above: list[Path] = []
+    base: str | None = name_or_path
+    while base is not None:
+        name = base
+        try:
+            if name in _named():
+                tables = deepcopy(_named_tables(name))
+                base = tables.pop("based_on", None)
+            else:
+                tables = _file_tables(name, above)
+                base = _base_of(tables, Path(name))
+                above.append(Path(name))
+        except InputError as error:
+            # of a long chain the first file and the last
+            chain = above if len(above) < 4 else [above[0], "...", above[-1]]
+            raise InputError("".join([*(f"{path}: based_on: " for path in chain), str(error)])) from None
+        files.insert(0, (name, tables))
+    return files
+
+
+def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
+    """Read what a file says, which other files are based on."""
+    path = Path(name)
+    if path.suffix.lower() != ".toml":
+        known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
+        hint = _nearest(name, known) or f"the named designs are {', '.join(_named())}"
+        raise InputError(f"{as_written(name)} is neither a named design nor a .toml file; {hint}")
+    if len(above) == _MOST_FILES:
+        raise InputError(f"need at most {_MOST_FILES} files that are based on one another, got more")
+    tables = read_toml(path, "a design")
+    if path.resolve() in [other.resolve() for other in above]:
+        raise InputError(f"{path}: goes round in a circle")
+    try:
+        if "name" not in tables:
+            tables["name"] = _name_of(path)
+        tables = {key: value_from_folder(key, value, path.parent) for key, value in tables.items()}
+        return with_sheet_read(tables, folder=path.parent)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _name_of(path: Path) -> str:
+    """Return the name that a design has without a key `name`: that of its file."""
+    if _SURROGATE.search(path.stem):
+        raise InputError(f"name: is missing, and the file's name is no text in UTF-8, got {as_written(path.stem)}")
+    return path.stem
+
+
+def _base_of(tables: dict[str, Any], path: Path) -> str | None:
+    """Take out of the tables of a file what it is based on: a name, or a path that starts from the file's folder."""
+    base = tables.pop("based_on", None)
+    if base is None:
+        return None
+    if not isinstance(base, str):
+        raise InputError(f'{path}: based_on: need the name of a design such as "binder2025", got {as_written(base)}')
+    return str(path.parent / base) if base.lower().endswith(".toml") else base
+
+
+def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool) -> dict[str, Any]:
+    """Put values into tables by their dotted keys; those of a section count together, whatever their order."""
+    if not (isinstance(settings, Mapping) and all(isinstance(key, str) for key in settings)):
+        raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
+    _check_texts(settings)
+    if any(key.partition(".")[0] == "based_on" for key in settings):
+        raise InputError("based_on: cannot be set; name the design to start from instead")
+    check_once(dotted_keys(settings), tables)
+    return _over(tables, nested(with_sheet_read(settings)), laid_over, si=si)
+
+
+def _check_texts(settings: Mapping[str, object]) -> None:
+    """Refuse values nested too deeply, and texts that no file can hold."""
+    check_levels(settings)
+    within: list[tuple[str, object]] = [("", settings)]
+    while within:
+        key, value = within.pop()
+        match value:
+            case str() if _SURROGATE.search(value):
+                raise InputError(f"{key}: need text in UTF-8, got {as_written(value)}, which holds a lone surrogate")
+            case Mapping():
+                for part, inside in value.items():
+                    if isinstance(part, str) and _SURROGATE.search(part):
+                        raise InputError(f"need keys in UTF-8, got {as_written(part)}, which holds a lone surrogate")
+                    within.append((f"{key}.{part}" if key else str(part), inside))
+            case list() | tuple():
+                within += [(f"{key}.{number}", entry) for number, entry in enumerate(value)]
+
+
+def _with_source(base: dict[str, Any], tables: dict[str, Any], given: Mapping[str, object]) -> dict[str, Any]:
+    """Tables that are laid over others say so in their source, where they name none of their own."""
+    if not base or not given or "source" in given:
+        return tables
+    try:
+        source = derived_source(_validate(base, si=False), _validate(tables, si=False))
+    except RejectedError:
+        # of what cannot be built the error is told with its place
+        return tables
+    return tables | {"source": source}
+
+
+def _over(
+    tables: dict[str, Any], own: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
+) -> dict[str, Any]:
+    """Lay tables over others; tendons in their own way, those of a fan by its pattern, which tells how many."""
+    tables = _without_other_pattern(tables, kind_of(own))
+    both: dict[str, Any] = lay(tables, {key: value for key, value in own.items() if key != "tendon"})
+    if "tendon" not in own:
+        return both
+    model = design_class(both)
+    if issubclass(model, JointDesign):
+        given = own["tendon"]
+        if isinstance(given, dict):
+            given = tendon_over(tables.get("tendon"), given, "", si=si, model=JointTendon)
+        return {**both, "tendon": given}
+    if not issubclass(model, FanDesign):
+        return {**both, "tendon": entries_over(tables.get("tendon"), own["tendon"], si=si)}
+    pattern = both.get("pattern")
+    units = pattern.get("units") if isinstance(pattern, dict) else None
+    veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
+    return {**both, "tendon": tendons_over(tables.get("tendon"), own["tendon"], veins=veins, si=si)}
+
+
+def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:
+    """Tables to lay a pattern of a kind over: without one of another kind.
+
+    Raises:
+        RejectedError: designs of that kind have other sections.
+    """
+    below = kind_of(tables)
+    if kind == below or kind is None or below is None or not {kind, below} <= KINDS.keys():
+        return tables
+    model = KINDS[kind]
+    if model.model_fields.keys() != KINDS[below].model_fields.keys():
+        own = model.reference
+        instead = f'; begin with based_on = "{own}"' if own else ""
+        raise RejectedError(
+            ["pattern", "kind"],
+            f"pattern.kind: designs of kind {kind} have other sections than those of kind {below}{instead}",
+        )
+    return {key: value for key, value in tables.items() if key != "pattern"}
+
+
+def _validate(tables: dict[str, Any], *, si: bool) -> Design:
+    model = design_class(tables)
+    try:
+        return model.model_validate(tables, context={"si": si})
+    except ValidationError as error:
+        raise rejected(error, model) from None
+
+
+def _validate_changed(design: Design, tables: dict[str, Any]) -> Design:
+    """A design of the tables of another one, in SI, of which some values are others: only those are read again."""
+    if design_class(tables) is type(design):
+        try:
+            return type(design).model_validate(with_kept_parts(design, tables), context={"si": True})
+        except ValidationError:
+            # what is wrong is told of the tables alone
+            pass
+    return _validate(tables, si=True)
+
+
+def _validate_or_none(tables: dict[str, Any]) -> Design | None:
+    try:
+        return _validate(tables, si=False)
+    except RejectedError:
+        return None
+
+
+def _nearest(word: str, words: list[str]) -> str | None:
+    near = difflib.get_close_matches(word, words, n=1)
+    return f'did you mean "{near[0]}"?' if near else None

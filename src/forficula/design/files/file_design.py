@@ -1,0 +1,81 @@
+"""The design of a FOLD file or of a drawing alone: its sheet, folded to where its creases are to go."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from forficula.design.chosen import choices, facet_areas
+from forficula.design.part import SHORT_TIME, TIME
+from forficula.design.sheets.sheet_creases import fold_edges
+from forficula.design.sheets.sheet_parts import Crease, Facet
+from forficula.design.sheets.sheet_tables import sheet_values
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, read_pattern
+from forficula.quantities import format_quantity
+
+# in periods of the sheet: the creases' springs go on so slowly that it hardly swings, and it is given up after so long
+_RISE, _LIMIT = 5.0, 50.0
+_ROWS = 20  # of the record, in a period
+
+
+def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
+    """The tables of a design that folds the sheet of a file, all else chosen.
+
+    The rest angles of its creases go evenly from how they are built to their targets: the fold angles that the file
+    gives, else 180 deg for a valley and -180 deg for a mountain.
+
+    Args:
+        path: of a file that `read_pattern` reads.
+        unit: length of its unit, m, where it names none.
+
+    Raises:
+        InputError: the file cannot be read, or holds no pattern.
+    """
+    sheet, _ = read_pattern(path, unit)
+    try:
+        period = _period(sheet)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+    targets = [edge for edge in fold_edges(sheet) if not math.isnan(sheet.edges_fold_angle[edge])]
+    drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "to": "target"}
+    stage = {"name": "fold", "drive": "fold", "until": "target", "state": "folded"}
+    if not targets:
+        stage = {"name": "settle", "drive": "none", "until": "rest", "state": "at rest"}
+    return {
+        "name": path.stem,
+        "source": f"{path.name}; what it does not say is chosen by rules",
+        "pattern": sheet_values(sheet) | {"title": sheet.title or path.stem},
+        "drive": [drive | {"rise": _seconds(_RISE * period)}] if targets else [],
+        "protocol": {
+            "timestep": "auto",
+            "sample_interval": format_quantity(_rounded(period / _ROWS), SHORT_TIME),
+            "rest_speed": "2 deg/s",
+            "window": _seconds(period),
+            "gravity": "0 m/s^2",
+            "contact": False,
+            "stages": [stage | {"hold": _seconds(period), "time_limit": _seconds(_LIMIT * period)}],
+        },
+    }
+
+
+def _period(sheet: CreasePattern) -> float:
+    """About the slowest period of a sheet, s: of its whole mass, as a bar as long as it, on all creases at once."""
+    made = {choice.key: choice.value for choice in choices(sheet, Facet(), Crease()) if choice.key != "damping"}
+    mass = made["density"] * made["thickness"] * sum(facet_areas(sheet))
+    ends = sheet.vertices_coords[sheet.edges_vertices[list(fold_edges(sheet))]]
+    stiffness = made["stiffness"] * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
+    extent = float(np.ptp(sheet.vertices_coords, axis=0).max())
+    return 2 * math.pi * math.sqrt(mass * extent**2 / 12 / stiffness) if stiffness else 1.0
+
+
+def _seconds(time: float) -> str:
+    return format_quantity(_rounded(time), TIME)
+
+
+def _rounded(time: float) -> float:
+    """A time to two digits, s."""
+    return float(f"{time:.1e}")

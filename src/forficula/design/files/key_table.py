@@ -1,0 +1,136 @@
+"""What every key of a design or of another file means, what it may hold, and what counts where it is left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic.fields import FieldInfo
+
+from forficula.design.fans.fan import FanDesign
+from forficula.design.file_fields import by_key, left_out
+from forficula.design.files.keys import fields_of, hint, holds_parts
+from forficula.design.part import Part, Quantity, field_quantity, is_list
+from forficula.errors import InputError
+from forficula.names import listed, unknown_key
+from forficula.quantities import show_quantity
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeyFact:
+    """A key of a design or of another file.
+
+    Attributes:
+        key: dotted; entries of a list of tables stand as number 0, and KEY for keys of a design.
+        meaning: of its value, in words.
+        allowed: kind, unit and bounds of its value.
+        default: what counts if it is left out, "needed" where a design that is based on no other must give it, "" where
+            it is then absent.
+    """
+
+    key: str
+    meaning: str
+    allowed: str
+    default: str
+
+
+def key_facts(within: str = "", model: type[Part] = FanDesign) -> list[KeyFact]:
+    """List all keys of a kind of design or of another file, in the order of the file, or those in a section of it.
+
+    Args:
+        within: a section or a key, as in "tendon", "protocol.stages.2" or "tendon.stiffness"; all if empty.
+        model: class of the design, or of the file.
+
+    Raises:
+        InputError: there is no such section or key, and which is near.
+    """
+    wanted = _unnumbered(within) if within else []
+    facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
+    found = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
+    if not found:
+        raise InputError(unknown_key(within, None, hint(within.split("."), model)))
+    return found
+
+
+def _unnumbered(key: str) -> list[str]:
+    """A key without the numbers of entries of lists, which all have the same keys."""
+    return [part for part in key.split(".") if not part.isdecimal()]
+
+
+def field_fact(key: str, field: FieldInfo) -> KeyFact:
+    """What a field is under its key: its meaning, what it may hold, what counts without it."""
+    default = "needed" if field.is_required() else _written(field.get_default(), field_quantity(field))
+    return KeyFact(
+        key=key,
+        meaning=field.description or "",
+        allowed=_allowed(field),
+        default=left_out(field) or default,
+    )
+
+
+def _allowed(field: FieldInfo) -> str:
+    """What a field may hold, by its annotation and its bounds."""
+    if (table := by_key(field)) is not None:
+        return table.allowed
+    if words := [rule for rule in field.metadata if isinstance(rule, str)]:
+        return words[0]
+    reader = field_quantity(field)
+    allowed = _quantity(reader) if reader else _plain(field)
+    return f"list of: {allowed}" if is_list(field) else allowed
+
+
+def _written(value: Any, reader: Quantity | None) -> str:
+    match value:
+        case None | () | [] | {} | "":
+            return ""
+        case bool():
+            return str(value).lower()
+        case tuple():
+            return f"[{', '.join(_written(each, reader) for each in value)}]"
+        case float() if reader is not None:
+            return show_quantity(value, reader.unit)
+        case _:
+            return str(value)
+
+
+def _quantity(reader: Quantity) -> str:
+    rules = ((">", reader.above), (">=", reader.at_least), ("<", reader.below), ("<=", reader.at_most))
+    bounds = [
+        f"{rule} {show_quantity(bound, reader.unit) if bound else 0}" for rule, bound in rules if math.isfinite(bound)
+    ]
+    return listed([", ".join([reader.unit.display, *bounds]), *(f'"{word}"' for word in reader.words)], "or")
+
+
+def _plain(field: FieldInfo) -> str:
+    """What a value without a unit may be: its kind, and its bounds."""
+    forms = [form for form in field_forms(field) if form is not type(None)]
+    words = [f'"{word}"' for form in forms if get_origin(form) is Literal for word in get_args(form)]
+    kinds = {bool: "true or false", int: "whole number", float: "number", str: "text"}
+    names = [name for kind, name in kinds.items() if kind in forms]
+    signs = {Gt: (">", "gt"), Ge: (">=", "ge"), Lt: ("<", "lt"), Le: ("<=", "le")}
+    bounds = [
+        f"{sign} {getattr(rule, name):.12g}"
+        for rule in field.metadata
+        for kind, (sign, name) in signs.items()
+        if isinstance(rule, kind)
+    ]
+    return ", ".join([listed([*names, *words], "or"), *bounds])
+
+
+def field_forms(field: FieldInfo) -> Iterator[Any]:
+    """What a field may hold, entries of lists in place of these."""
+    yield from _forms(field.annotation)
+
+
+def _forms(annotation: Any) -> Iterator[Any]:
+    """What an annotation allows, entries of lists instead of these."""
+    origin = get_origin(annotation)
+    if origin is None or origin is Literal:
+        yield annotation
+        return
+    for each in get_args(annotation):
+        if each is not Ellipsis:
+            yield from _forms(each)

@@ -1,0 +1,320 @@
+"""Keys of a design, dotted as in "tendon.stiffness": which there are, and what they hold."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from copy import copy
+from functools import lru_cache
+from types import UnionType
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
+
+from pydantic.fields import FieldInfo
+
+from forficula.design.design import Design
+from forficula.design.fans.fan import FanDesign
+from forficula.design.file_fields import by_key
+from forficula.design.files.tables import check_once, entry_index, numbered
+from forficula.design.law import LawSection
+from forficula.design.part import Part, Quantity, field_quantity
+from forficula.errors import InputError
+from forficula.names import unknown_key
+from forficula.quantities import as_written
+
+_PartOf = TypeVar("_PartOf", bound=Part)
+
+# what people write for another word
+_MEANT = {"file": "path"}
+# sections of a law file that a design has as single keys
+_OF_LAW_FILES = {
+    "modulus": ("linear_modulus", "quadratic_modulus", "cubic_modulus"),
+    "viscosity": ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity"),
+    "drift": ("stiffness_drift", "residual_strain_drift"),
+}
+
+
+def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None) -> Quantity | None:
+    """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
+
+    Args:
+        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", or the name of an entry, whether
+            or not a design has it. "tendon.stiffness" is of all tendons, "tendon.1.stiffness" of that on vein 1.
+        model: class of the design.
+        given: the value that it was given, for errors, where there is one.
+
+    Raises:
+        InputError: there is no such key, or it holds several values.
+    """
+    try:
+        return _quantity_of(key, model)
+    except InputError:
+        return _found_quantity(key, model, given)
+
+
+@lru_cache(maxsize=1024)  # what is off, optimised or identified asks for the same keys for each of its designs
+def _quantity_of(key: str, model: type[Design]) -> Quantity | None:
+    return _found_quantity(key, model, None)
+
+
+def _found_quantity(key: str, model: type[Design], given: object) -> Quantity | None:
+    if key == "based_on":
+        raise InputError("based_on: is no value of a design; name the design to start from instead")
+    parts = key.split(".")
+    place: Any = model
+    quantity = None
+    for depth, part in enumerate(parts):
+        fields, entry = section_fields(place), entry_of(place)
+        if entry is not None and (part.isdecimal() or _may_be_called(part, entry, fields)):
+            place = entry
+        elif fields:
+            if part not in fields:
+                raise InputError(unknown_key(key, given, hint(parts, model)))
+            place, quantity = fields[part].annotation, field_quantity(fields[part])
+        elif entry is not None:
+            of = ".".join(parts[:depth])
+            raise InputError(f"{key}: need the number of an entry of {of}, from 0 on, got {as_written(part)}")
+        else:
+            raise InputError(unknown_key(key, given, f"did you mean {'.'.join(parts[:depth])}?"))
+    if LawSection in _forms(place):
+        return None
+    section, entry = section_fields(place), entry_of(place)
+    if inside := section or section_fields(entry):
+        first = key if section else f"{key}.0"
+        values = ", ".join(f"{first}.{name}" for name in inside)
+        raise InputError(f"{key}: holds several values; name one of them: {values}")
+    return None if entry is not None else quantity
+
+
+def names_law(key: str) -> bool:
+    """Whether a key is that of a tendon's law."""
+    match key.split("."):
+        case ["tendon", "law"]:
+            return True
+        case ["tendon", _, "law"]:
+            return True
+        case _:
+            return False
+
+
+def key_value(design: Design, key: str) -> Any:
+    """What a design has at a key that `key_quantity` knows, in SI; None where that is absent.
+
+    A key of all tendons has what they have in common, and None where they differ.
+
+    Raises:
+        InputError: a list of the design has no such entry, or the design lacks a section that needs values.
+    """
+    section, _, rest = key.partition(".")
+    if section == "tendon" and rest and isinstance(design, FanDesign):
+        vein, _, inside = rest.partition(".")
+        if vein.isdecimal():
+            tendon = design.tendons[entry_index([section], vein, design.tendons, inside.split(".") if inside else [])]
+            return tendon if tendon is not None and not inside else _value(design, tendon, key, f"tendon.{vein}")
+        found = [_value(design, tendon, key, "tendon") for tendon in design.tendons if tendon is not None]
+        if not found:
+            raise InputError(f"{key}: {design.name} has no tendon")
+        return found[0] if all(each == found[0] for each in found) else None
+    return _value(design, design, key, "")
+
+
+def numbered_key(design: Design, key: str) -> str:
+    """A key with the numbers of entries in place of their names: the same for all that lead to one value."""
+    return numbered(key, design.as_tables())
+
+
+def check_keys_once(keys: Iterable[str], design: Design) -> None:
+    """Refuse two keys that lead to the same value of a design, as of an entry by its number and by its name.
+
+    Raises:
+        InputError: which two.
+    """
+    check_once(keys, design.as_tables())
+
+
+def _value(design: Design, value: Any, key: str, within: str) -> Any:
+    """What a part of a design has at a key, of which `within` leads to the part."""
+    parts = key.removeprefix(f"{within}.").split(".")
+    left_out = None
+    for depth, part in enumerate(parts, start=1):
+        value = left_out if value is None else value
+        if value is None:
+            raise InputError(f"{key}: {design.name} has no {within}")
+        left_out = _left_out(value, part)
+        if isinstance(value, tuple):
+            value = value[entry_index(within.split("."), part, value, parts[depth:])]
+        else:
+            value = getattr(value, part)
+        within = f"{within}.{part}" if within else part
+    return value
+
+
+def _left_out(part: object, name: str) -> Part | None:
+    """What counts where a part lacks the section of this name; None where the section has values that are needed."""
+    field = type(part).model_fields.get(name) if isinstance(part, Part) else None
+    forms = [] if field is None else [form for form in _forms(field.annotation) if _is_part(form)]
+    free = [form for form in forms if not any(each.is_required() for each in form.model_fields.values())]
+    return free[0]() if free else None
+
+
+def put(part: _PartOf, key: str, value: object) -> _PartOf:
+    """Put a value, SI, at a key that the part has, without another look at what was checked when it was read."""
+    name, _, rest = key.partition(".")
+    inner = getattr(part, name)
+    if not rest:
+        return part.model_copy(update={name: value})
+    number, _, last = rest.partition(".")
+    if isinstance(part, FanDesign) and name == "tendon" and number.isdecimal():
+        # one for all becomes one for each
+        inner = part.tendons
+    if isinstance(inner, tuple):
+        every = isinstance(part, FanDesign) and name == "tendon" and not number.isdecimal()
+        picked = range(len(inner)) if every else [entry_index([name], number, inner, last.split(".") if last else [])]
+        inside = rest if every else last
+        entries = [
+            entry if place not in picked or entry is None else put(entry, inside, value) if inside else value
+            for place, entry in enumerate(inner)
+        ]
+        return part.model_copy(update={name: tuple(entries)})
+    return part.model_copy(update={name: put(inner, rest, value)})
+
+
+def is_key(text: str, model: type[Part] = FanDesign) -> bool:
+    """Whether a text is a key of a design, of one value or of several."""
+    *section, last = text.split(".")
+    return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
+
+
+def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
+    """All keys of a design or of another file, or of what else an annotation allows.
+
+    Entries of a list of tables stand as number 0, tendons as the one for all, and KEY for the keys of a design in a
+    table by these.
+    """
+    for name, field in section_fields(annotation).items():
+        if (table := by_key(field)) is not None:
+            yield f"{prefix}{name}.{table.placeholder}", field
+            if table.entry is not None:
+                yield from fields_of(table.entry, f"{prefix}{name}.{table.placeholder}.")
+            continue
+        yield f"{prefix}{name}", field
+        if section_fields(field.annotation):
+            yield from fields_of(field.annotation, f"{prefix}{name}.")
+        else:
+            yield from fields_of(entry_of(field.annotation), f"{prefix}{name}.0.")
+
+
+def holds_parts(field: FieldInfo) -> bool:
+    """Whether a field holds a section, or a list of them, whose keys are fields of their own."""
+    return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
+
+
+def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
+    """The names of `fields_of`."""
+    return (key for key, _ in fields_of(model))
+
+
+def siblings(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
+    """The keys that are allowed in the section of a place, the protocol last."""
+    names = sorted(_fields_at(place[:-1], model), key=lambda name: name == "protocol")
+    return [*(["based_on"] if len(place) < 2 and issubclass(model, Design) else []), *names]
+
+
+def needed_keys(place: Sequence[str], model: type[Part] = FanDesign, kind: str = "") -> list[str]:
+    """The keys that the section of a place cannot do without; of one that may be of several kinds, those of a kind."""
+    fields = section_kinds(place[:-1], model).get(kind) or _fields_at(place[:-1], model)
+    return [name for name, field in fields.items() if field.is_required()]
+
+
+def section_kinds(place: Sequence[str], model: type[Part]) -> dict[str, dict[str, FieldInfo]]:
+    """The fields of a section that may be of several kinds, by what its key `kind` says; none of another section."""
+    kinds = [form.model_fields for form in _forms(_annotation_at(place, model)) if _is_part(form)]
+    return {get_args(each["kind"].annotation)[0]: each for each in kinds} if len(kinds) > 1 else {}
+
+
+def hint(place: Sequence[str], model: type[Part] = FanDesign) -> str:
+    """The nearest valid key of the same section, or of another, or all of the section."""
+    *section, wrong = place
+    for depth, part in enumerate(section):
+        if part == "law" and (names := _OF_LAW_FILES.get("".join(place[depth + 1 : depth + 2]))):
+            meant = [name for name in names if name.startswith("".join(place[depth + 2 : depth + 3]))] or names
+            law = ".".join(section[: depth + 1])
+            return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
+    here = siblings(place, model)
+    other = _MEANT.get(wrong.lower(), "")
+    # names of sections are short: "design" is not near "vein"
+    cutoff = 0.6 if section else 0.65
+    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1, cutoff=cutoff):
+        return f"did you mean {'.'.join([*section, *near])}?"
+    elsewhere: dict[str, list[str]] = {}
+    for key in known_keys(model):
+        elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
+    if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
+        return f"did you mean {' or '.join(elsewhere[near[0]])}?"
+    # where the section itself is unknown, it is what is wrong
+    return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
+
+
+def _fields_at(place: Sequence[str], model: type[Part]) -> dict[str, FieldInfo]:
+    """The fields of the section at a place; none where there is no section."""
+    return section_fields(_annotation_at(place, model))
+
+
+def _annotation_at(place: Sequence[str], model: type[Part]) -> Any:
+    """What a file may hold at a place; None where there is no such place."""
+    at: Any = model
+    for part in place:
+        fields, entry = section_fields(at), entry_of(at)
+        if entry is not None and (part.isdecimal() or _may_be_called(part, entry, fields)):
+            at = entry
+        elif part in fields:
+            at = fields[part].annotation
+        else:
+            return None
+    return at
+
+
+def section_fields(annotation: Any) -> dict[str, FieldInfo]:
+    """The fields of the section that an annotation allows, or of all kinds of it together; none of what is no section.
+
+    A field that only some kinds have may be left out, and one that differs may hold what it may hold in any of them.
+    """
+    kinds = [form.model_fields for form in _forms(annotation) if _is_part(form)]
+    if len(kinds) < 2:
+        return kinds[0] if kinds else {}
+    fields: dict[str, FieldInfo] = {}
+    names = dict.fromkeys(name for kind in kinds for name in kind)
+    # each where it comes last
+    for name in sorted(names, key=lambda name: max(list(kind).index(name) for kind in kinds if name in kind)):
+        having = [kind[name] for kind in kinds if name in kind]
+        fields[name] = copy(having[0])
+        annotations: Any = tuple(field.annotation for field in having)
+        fields[name].annotation = Union[annotations]  # noqa: UP007
+        if len(having) < len(kinds):
+            fields[name].default = None
+    return fields
+
+
+def _forms(annotation: Any) -> Iterator[Any]:
+    """What a field may hold where it is not absent."""
+    if get_origin(annotation) is Annotated:
+        yield from _forms(get_args(annotation)[0])
+    elif get_origin(annotation) in (Union, UnionType):
+        for each in get_args(annotation):
+            yield from _forms(each)
+    elif annotation is not type(None):
+        yield annotation
+
+
+def entry_of(annotation: Any) -> Any:
+    """What the entries of a list are; None of what is no list."""
+    return next((get_args(form)[0] for form in _forms(annotation) if get_origin(form) is tuple), None)
+
+
+def _may_be_called(text: str, entry: Any, one_for_all: Mapping[str, FieldInfo]) -> bool:
+    """Whether text may be the name of an entry of a list, and is no key of it whose entry was left out."""
+    fields = section_fields(entry)
+    return not one_for_all and "name" in fields and text not in fields
+
+
+def _is_part(annotation: Any) -> bool:
+    return isinstance(annotation, type) and issubclass(annotation, Part)

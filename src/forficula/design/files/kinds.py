@@ -1,0 +1,63 @@
+"""Which design a file holds, by the kind of its pattern."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import get_args
+
+from forficula.design.design import Design
+from forficula.design.families.fold_file import FoldFileDesign
+from forficula.design.families.kresling import KreslingDesign
+from forficula.design.families.miura_ori import MiuraDesign
+from forficula.design.families.pleats import PleatsDesign
+from forficula.design.families.vertex import VertexDesign
+from forficula.design.families.waterbomb import WaterbombDesign
+from forficula.design.families.yoshimura import YoshimuraDesign
+from forficula.design.fans.fan import FanDesign
+from forficula.design.fans.joint import JointDesign
+from forficula.design.files.tables import RejectedError
+from forficula.names import one_of
+
+_DESIGNS: tuple[type[Design], ...] = (
+    FanDesign,
+    JointDesign,
+    MiuraDesign,
+    WaterbombDesign,
+    YoshimuraDesign,
+    KreslingDesign,
+    PleatsDesign,
+    VertexDesign,
+    FoldFileDesign,
+)
+
+
+def _kind(design: type[Design]) -> str:
+    """Return the kind of pattern of a class of designs, which its section of the pattern names."""
+    section = design.model_fields["pattern"].annotation
+    assert section is not None
+    return str(get_args(section.model_fields["kind"].annotation)[0])
+
+
+KINDS: Mapping[str, type[Design]] = {_kind(design): design for design in _DESIGNS}
+# a design whose kind has no named design begins with this one, and with a pattern of its own
+OTHER_REFERENCE = "miura-sheet"
+
+
+def design_class(tables: Mapping[str, object]) -> type[Design]:
+    """The class of a design's tables, not checked yet; of a fan where they do not say.
+
+    Raises:
+        RejectedError: a kind that there is not.
+    """
+    pattern = tables.get("pattern")
+    kind = pattern.get("kind", "earwig-fan") if isinstance(pattern, Mapping) else "earwig-fan"
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise RejectedError(["pattern", "kind"], f"pattern.kind: need {one_of(KINDS, kind)}")
+    return KINDS[kind]
+
+
+def kind_of(tables: Mapping[str, object]) -> str | None:
+    """The kind of pattern that a design's tables, not checked yet, give; None where they give none."""
+    pattern = tables.get("pattern")
+    kind = pattern.get("kind") if isinstance(pattern, Mapping) else None
+    return kind if isinstance(kind, str) else None

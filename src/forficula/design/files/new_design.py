@@ -1,0 +1,130 @@
+"""A commented design file to start from."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+from pydantic.fields import FieldInfo
+
+from forficula.design.design import Design
+from forficula.design.fans.fan import FanDesign
+from forficula.design.files.design_file import load_design
+from forficula.design.files.keys import entry_of, section_fields
+from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
+from forficula.design.law import LawSection
+from forficula.design.part import Part, field_quantity
+from forficula.errors import InputError
+from forficula.files import check_new, write_text
+from forficula.names import near_name
+from forficula.quantities import as_written
+
+
+def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
+    """Write a commented design file to start from: the reference, every key with what it means.
+
+    Args:
+        path: of the file.
+        kind: of its pattern, one of `KINDS`; "fold-file" is that of a file sheet.fold.
+
+    Raises:
+        InputError: no such kind, or the file exists already, or cannot be written.
+    """
+    path = Path(path)
+    if kind not in KINDS:
+        raise InputError(f"kind: need one of {', '.join(KINDS)}, got {as_written(kind)}{near_name(kind, KINDS)}")
+    reference = KINDS[kind].reference or OTHER_REFERENCE
+    check_new(path, ".toml")
+    lines = [
+        "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
+        f'based_on = "{reference}"',
+    ]
+    own_pattern = KINDS[kind].reference is None
+    if own_pattern:
+        lines += _own_pattern(kind, reference)
+    without = "pattern" if own_pattern else ""
+    write_text(path, "\n".join([*lines, *_commented(load_design(reference), without)]) + "\n")
+
+
+def _own_pattern(kind: str, reference: str) -> Iterator[str]:
+    """What a design has of its own that begins with another pattern: its sheet, and nothing that lies on the other."""
+    for key in ("tendon", "support", "measure"):
+        yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
+    section = _section_of(kind)
+    yield f"\n[pattern]  # {section.about}"
+    for key, value in {"kind": kind, **KINDS[kind].example}.items():
+        yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
+
+
+def _section_of(kind: str) -> type[Part]:
+    """The section of a kind of pattern."""
+    section: Any = KINDS[kind].model_fields["pattern"].annotation
+    found: type[Part] = section
+    return found
+
+
+def _commented(design: Design, without: str) -> Iterator[str]:
+    """The sections of a design but for one, every key with its meaning; what is done to it comes last."""
+    for section in sorted(type(design).model_fields, key=lambda name: name == "protocol"):
+        if section == without:
+            continue
+        part = getattr(design, section)
+        if isinstance(part, tuple):
+            yield from _commented_tables(section, part, type(design).model_fields[section])
+        if not isinstance(part, Part):
+            continue
+        values = part.as_tables()
+        yield f"\n[{section}]  # {part.about}"
+        for key, entry in type(part).model_fields.items():
+            if section_fields(entry_of(entry.annotation)):
+                # a table under a header of its own ends what stands under the section's
+                continue
+            if key not in values:
+                yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
+                continue
+            law = getattr(part, key)
+            value = law.name if isinstance(law, LawSection) else values[key]
+            yield f"{_line(key, value):<40}  # {entry.description}"
+        if section == "tendon" and isinstance(design, FanDesign):
+            yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
+        for key, entry in type(part).model_fields.items():
+            if key == "stages":
+                yield from _commented_stages(values["stages"], entry.description)
+            elif section_fields(entry_of(entry.annotation)):
+                yield from _commented_tables(f"{section}.{key}", getattr(part, key), entry)
+
+
+def _example(key: str, entry: FieldInfo) -> str:
+    """A line for a value that is absent."""
+    reader = field_quantity(entry)
+    return _line(key, (entry.examples or [reader.unit.example if reader else ""])[0])
+
+
+def _line(key: str, value: object) -> str:
+    """A value on one line."""
+    text = re.sub(r"\[\n\s+", "[", tomli_w.dumps({key: value}).strip())
+    return re.sub(r",\n\s+", ", ", re.sub(r",\n\s*\]", "]", text))
+
+
+def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
+    """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
+    yield f"\n# {field.description}; giving any replaces all of them."
+    for values in [part.as_tables() for part in entries] or [{}]:
+        yield f"# [[{header}]]"
+        for key, entry in section_fields(entry_of(field.annotation)).items():
+            if entries and key not in values:
+                continue
+            line = _line(key, values[key]) if key in values else _example(key, entry)
+            yield f"{'# ' + line:<40}  # {entry.description}"
+
+
+def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:
+    """The stages, commented out: a list of tables replaces the whole list."""
+    yield f"\n# {description}; giving any stage replaces all of them."
+    for stage in stages:
+        yield "# [[protocol.stages]]"
+        yield from (f"# {line}" for line in tomli_w.dumps(stage).strip().splitlines())

@@ -1,0 +1,170 @@
+"""Designs and other files that are not allowed: one line with the key, the rule and the value, and where it stands."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+from forficula.design.design import Design
+from forficula.design.fans.fan import FanDesign
+from forficula.design.files.key_table import key_facts
+from forficula.design.files.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
+from forficula.design.files.tables import RejectedError, written_key
+from forficula.design.part import Part
+from forficula.names import listed, near_name, unknown_key
+from forficula.quantities import as_written
+
+_PartOf = TypeVar("_PartOf", bound=Part)
+# a file's name and the tables that stand in it
+File = tuple[str, dict[str, Any]]
+
+
+def read_part(model: type[_PartOf], tables: Mapping[str, object]) -> _PartOf:
+    """Read the tables of a file, or one of them.
+
+    Args:
+        model: class of the file or the table.
+        tables: its values by key.
+
+    Raises:
+        RejectedError: an unknown key, or a value that is not allowed.
+    """
+    try:
+        return model.model_validate(tables)
+    except ValidationError as error:
+        raise rejected(error, model) from None
+
+
+def rejected(error: ValidationError, model: type[Part]) -> RejectedError:
+    """What pydantic finds wrong with a design or another file of a class, as one line: key, rule, value."""
+    # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
+    errors: list[Any] = list(error.errors(include_url=False))
+    worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
+    kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
+    # what pydantic puts in for a form or a kind of section
+    tags = [part for part in map(str, worst["loc"]) if re.fullmatch(r"<[a-z -]+>", part)]
+    place, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
+    if kind.startswith("union_tag_"):
+        # of a section of several kinds, that its key `kind` does not say which
+        kinds, place = section_kinds(place, model), [*place, "kind"]
+        if not isinstance(value, dict):
+            kind, place = "model_type", place[:-1]
+        elif "kind" in value:
+            kind, value, bounds = "literal_error", value["kind"], {"expected": listed(map(as_written, kinds), "or")}
+        else:
+            kind = "missing"
+    key = written_key(place)
+    if kind == "value_error":
+        return _of_a_check(place, str(bounds["error"]), model, which)
+    if kind == "extra_forbidden":
+        if place[-1] in siblings(place, model):
+            return RejectedError(place, f'{key}: is not for kind = "{which}"')
+        return RejectedError(place, unknown_key(key, value, hint(place, model)))
+    if kind == "missing":
+        return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model, which)}")
+    rule = _rule(place, kind, value, bounds, model)
+    near = near_name(value, rule.split('"')[1::2]) if kind == "literal_error" and isinstance(value, str) else ""
+    return RejectedError(place, f"{key}: need {rule}, got {as_written(value)}{near}")
+
+
+def origin(place: Sequence[str], files: Sequence[File], settings: Iterable[str]) -> str:
+    """The file where a value stands, or the design as a whole; nothing where it was set by hand.
+
+    Args:
+        place: of the value, part by part; empty for the design as a whole.
+        files: that a design is read from, the last one over all others.
+        settings: dotted keys of what was set by hand.
+    """
+    if not place:
+        return files[-1][0]
+    keys = [".".join(place)]
+    if place[0] == "tendon" and len(place) > 1 and place[1].isdecimal():
+        # what stands for all tendons
+        keys.append(".".join(["tendon", *place[2:]]))
+    for setting in settings:
+        if any(f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}.") for key in keys):
+            return ""
+    return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
+
+
+def _stands_in(tables: object, place: Sequence[str]) -> bool:
+    for part in place:
+        if isinstance(tables, list) and part.isdecimal():
+            # by the vein that they name, or one after another
+            entries = [(each.get("vein", at), each) for at, each in enumerate(tables) if isinstance(each, dict)]
+            tables = next((each for vein, each in entries if vein == int(part)), None)
+        elif isinstance(tables, dict) and part in tables:
+            tables = tables[part]
+        elif not (isinstance(tables, dict) and part.isdecimal()):
+            return False
+    return True
+
+
+def _of_a_check(place: list[str], message: str, model: type[Part], which: str) -> RejectedError:
+    """What a check of a value, of a section or of the whole design has found."""
+    name = message.partition(":")[0]
+    if name in siblings([*place, ""], model) and place:
+        place, missing = [*place, name], message.endswith(": is missing")
+        remedy = f"; {_remedy(place, model, which)}" if missing else ""
+        return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
+    if is_key(name, model):  # a check of several values, no one of them to blame
+        return RejectedError([], message)
+    if place and not message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
+        message = f"{written_key(place)}: {message}"
+    return RejectedError(place, message)
+
+
+def _remedy(place: list[str], model: type[Part], which: str) -> str:
+    """What to do about a key that is missing, of a section of a kind."""
+    if not issubclass(model, Design):
+        (fact,) = key_facts(".".join(place), model)
+        return f"give it ({fact.allowed})"
+    reference = model.reference
+    to_inherit = f'give it, or begin the file with based_on = "{reference}"' if reference else "give it"
+    if place[-2:-1] == ["law"]:
+        return 'give it, or name a material as in tendon.law = "tpu-82a"'
+    if model is FanDesign and place[0] == "tendon" and "law" not in place:
+        return to_inherit
+    section = model.model_fields.get(place[0])
+    if len(place) > 1 and section is not None and not section.is_required() and section.default is None:
+        # the design to begin from has no such section
+        return f"give it, or leave out [{place[0]}]"
+    if any(part.isdecimal() for part in place):
+        return f"needed here: {', '.join(needed_keys(place, model, which))}"
+    return to_inherit
+
+
+def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Part]) -> str:
+    """What is allowed, by pydantic's name of the error."""
+    header = ".".join(part for part in place if not part.isdecimal())
+    is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))
+    bare = " without quotes" if isinstance(value, str) else ""
+    rules = {
+        "greater_than": "> {gt:.12g}",
+        "greater_than_equal": ">= {ge:.12g}",
+        "less_than": "< {lt:.12g}",
+        "less_than_equal": "<= {le:.12g}",
+        "literal_error": "{expected}",
+        "too_short": "at least {min_length} entry",
+        "too_long": "at most {max_length} entries",
+        "string_too_short": "some text",
+        "int": f"a whole number{bare}",
+        "float": f"a number{bare}",
+        "finite_number": "a finite number",
+        "string": "text in quotes",
+        "bool": f"true or false{bare}",
+        "dict": "a table",
+        "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
+        "model": _table_rule(header, is_list=is_tables),
+    }
+    rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
+    return rule.format(**bounds).replace("'", '"')
+
+
+def _table_rule(header: str, *, is_list: bool) -> str:
+    if header == "tendon.law":
+        return "the name of a material, the path of a law file, or a table under [tendon.law]"
+    return f"a table under [[{header}]]" if is_list else f"a table under [{header}]"

@@ -1,0 +1,49 @@
+"""The crease pattern of a design, whatever is built on it, and folded states of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.design.design import Design
+from forficula.design.fans.fan import FanDesign
+from forficula.design.fans.joint import JointDesign
+from forficula.design.sheets.sheet import SheetDesign
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, earwig_pattern, folded_coordinates, folded_frames
+
+_SHARES = (0.25, 0.5, 0.75, 1.0)
+
+
+def design_pattern(design: Design) -> CreasePattern:
+    """The sheet of a design, in the units that its numbers are in.
+
+    Raises:
+        InputError: it has none.
+    """
+    if isinstance(design, FanDesign):
+        return earwig_pattern(design.fan)
+    if isinstance(design, JointDesign):
+        return design.pattern.sheet
+    if isinstance(design, SheetDesign):
+        return design.sheet
+    raise InputError(f"{design.name}: has no crease pattern")
+
+
+def design_frames(design: Design) -> list[tuple[str, Array, Array]]:
+    """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them.
+
+    Each crease by the same share of its angle; none of a sheet that is not built flat, or cannot fold so.
+    """
+    if isinstance(design, FanDesign):
+        return folded_frames(design.fan) if design.fan.ring_folds == 1 else []
+    pattern, frames = design_pattern(design), []
+    if np.ptp(pattern.vertices_coords[:, 2]) > 0:
+        return []
+    for share in _SHARES:
+        angles = share * pattern.edges_fold_angle
+        try:
+            frames.append((f"creases at {180 * share:g} deg", folded_coordinates(pattern, angles), angles))
+        except InputError:
+            return []
+    return frames

@@ -1,0 +1,344 @@
+"""What must fit together in the design of a sheet, whatever is built of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+from forficula.design.design import check_duration
+from forficula.design.medium import check_medium
+from forficula.design.part import ANGLE, LENGTH, SHORT_TIME, TORQUE
+from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
+from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
+from forficula.design.sheets.rigid_checks import (
+    check_rigid,
+    check_rigid_creases,
+    check_rigid_supports,
+    check_rigid_tendon,
+)
+from forficula.design.sheets.sheet_course import DisplacementDrive, RestAngleDrive, TorqueDrive, places_of
+from forficula.design.sheets.sheet_creases import crease_groups, crease_role, crease_sense, creases_of, fold_edges
+from forficula.design.sheets.sheet_places import GROUND_PLACE, SheetPlace, facet_of, is_vertex, place_on, vertex_of
+from forficula.design.stops import StopSection
+from forficula.errors import InputError
+from forficula.pattern import CreasePattern, built_fold_angles
+from forficula.pattern.shared_edges import shared_edges
+from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
+
+if TYPE_CHECKING:
+    from forficula.design.sheets.sheet import SheetDesign
+    from forficula.design.sheets.sheet_course import SheetMeasure, SheetTendon
+
+Found = TypeVar("Found")
+
+# rad; by which a crease may be beyond a stop as built: rounding
+_BESIDE = 1e-6
+# share of the largest torque that a sum of torques may be off by
+_ROUNDING = 1e-12
+# what tables of states have beside measures
+_COLUMNS = ("energy", "time", "sum")
+# what summaries and tables have beside the names of stages and states
+_TAKEN = (
+    *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
+    *("states", "stages", "branch", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
+)
+
+
+def check_sheet(design: SheetDesign) -> None:
+    """Refuse a design whose parts do not fit together.
+
+    Raises:
+        InputError: which key, the rule and what was given.
+    """
+    sheet, groups = design.sheet, design.crease.group
+    _check_edges(sheet)
+    if not fold_edges(sheet):
+        raise InputError("pattern: need a mountain or a valley between two facets, got none")
+    for number, group in enumerate(groups):
+        _keyed(f"crease.group.{number}.of", creases_of, sheet, group.of, groups[:number])
+    if design.facet.kind != "rigid":
+        _check_no_stops(design)
+    if design.facet.kind == "rigid":
+        if design.imperfection.size:
+            raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
+        # before its supports: a sheet that cannot be rigid is seldom held as one that is
+        check_rigid(design)
+    _check_supports(design, sheet)
+    if design.facet.kind == "rigid":
+        check_rigid_supports(design)
+        check_rigid_creases(design)
+    elif design.crease.start or any(group.start for group in groups):
+        raise InputError("crease.start: is for rigid facets; others start as the pattern is built")
+    else:
+        _check_built(design, sheet)
+    for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
+        if design.facet.kind != "rigid" and extension is not None:
+            key = f"crease.group.{number - 1}" if number else "crease"
+            raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
+    _check_names(design, sheet)
+    for number, _ in enumerate(design.tendon):
+        _check_tendon(design, sheet, number)
+    for number, _ in enumerate(design.drive):
+        _check_drive(design, sheet, number)
+    for number, measure in enumerate(design.measure):
+        if measure.of is not None:
+            _keyed(f"measure.{number}.of", creases_of, sheet, measure.of, groups)
+            continue
+        _check_apart(sheet, f"measure.{number}", measure, _ends(design, sheet, f"measure.{number}", measure))
+    if design.protocol.contact:
+        raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
+    if design.medium is not None:
+        lightest = design.settled().facet.density or 0.0
+        check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")
+    _check_protocol(design, sheet)
+    check_duration(design, len(sheet.faces_vertices), "facets")
+
+
+def _check_no_stops(design: SheetDesign) -> None:
+    """Refuse values of stops, which creases between facets that bend do not have."""
+    for key in StopSection.model_fields:
+        given = getattr(design.stops, key)
+        if given != getattr(StopSection(), key):
+            shown = show_quantity(given, SHORT_TIME) if key == "time_constant" else f"{given:g}"
+            raise InputError(
+                f"stops.{key}: is for stops of rigid bodies; where facets bend, stops of creases are springs, whose"
+                f" stiffness is crease.stop_stiffness; got {shown}"
+            )
+
+
+def _check_built(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse stops that creases are beyond as built."""
+    limited = {edge: stops(design, edge, crease) for edge, crease in creases_by_edge(design).items()}
+    if all(math.isinf(stop) for pair in limited.values() for stop in pair):
+        return
+    angles = built_fold_angles(sheet)
+    for edge, (low, high) in limited.items():
+        built = crease_sense(sheet, edge) * float(angles[edge])
+        if not low - _BESIDE <= built <= high + _BESIDE:
+            key, size, stop = ("fold_limit", built, high) if built > high else ("back_limit", -built, -low)
+            raise InputError(
+                f"{crease_key(design, edge, key)}: need >= {show_quantity(size, ANGLE)}, at which crease {edge} is"
+                f" built, got {show_quantity(stop, ANGLE)}"
+            )
+
+
+def _check_edges(sheet: CreasePattern) -> None:
+    """Refuse an edge between two facets that says nothing of how they hang together."""
+    for edge, _, _, left, right in shared_edges(sheet):
+        if sheet.edges_assignment[edge] == "B":
+            raise InputError(
+                f'pattern: edge {edge} lies between facets {left} and {right}: need "M" (mountain), "V" (valley),'
+                ' "F" (flat), "U" (unassigned) or "C" (cut), got "B"'
+            )
+
+
+def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse what is no part of the sheet, and more than one facet of rigid ones."""
+    rigid = design.facet.kind == "rigid"
+    if rigid and len(design.support) > 1 and not design.opens:
+        raise InputError(f"support: need at most 1 entry, got {len(design.support)}, for rigid facets hang on one")
+    for number, support in enumerate(design.support):
+        if rigid or support.of.strip().startswith("facet"):
+            _keyed(f"support.{number}.of", facet_of, sheet, support.of)
+        else:
+            _keyed(f"support.{number}.of", vertex_of, sheet, support.of)
+        if rigid and support.axes is not None:
+            raise InputError(f"support.{number}.axes: is for facets that bend; a rigid one is held as a whole")
+    if not rigid and len(_held_whole(design, sheet)) == len(sheet.vertices_coords):
+        raise InputError(
+            f"support: need a vertex that can move, got all {len(sheet.vertices_coords)} held; leave out an entry, or"
+            " hold vertices along some axes only"
+        )
+
+
+def _held_whole(design: SheetDesign, sheet: CreasePattern) -> set[int]:
+    """The vertices that supports hold along all axes."""
+    held: set[int] = set()
+    for support in design.support:
+        if set(support.axes or "xyz") < set("xyz"):
+            continue
+        if support.of.strip().startswith("facet"):
+            held.update(sheet.faces_vertices[facet_of(sheet, support.of)])
+        else:
+            held.add(vertex_of(sheet, support.of)[0])
+    return held
+
+
+def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse two things of one name, and a measure or a group that is called like a group of creases."""
+    groups = crease_groups(sheet)
+    for section in ("crease.group", "tendon", "drive", "measure"):
+        names: list[str] = []
+        entries = design.crease.group if section == "crease.group" else getattr(design, section)
+        for number, entry in enumerate(entries):
+            if entry.name is None:
+                continue
+            taken = section in ("measure", "crease.group") and entry.name in groups
+            if entry.name in names or taken:
+                raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
+            if section == "measure" and entry.name in _COLUMNS:
+                raise InputError(
+                    f"{section}.{number}.name: need a name that tables have for nothing else, got"
+                    f" {as_written(entry.name)}"
+                )
+            names.append(entry.name)
+
+
+def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
+    """Refuse a tendon between places that are none, or that keep their distance."""
+    ends = [_end(design.tendon[number], end) for end in ("from", "to")]
+    places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
+    if design.facet.kind == "rigid":
+        check_rigid_tendon(design, number, ends)
+    else:
+        _check_apart(sheet, f"tendon.{number}", design.tendon[number], places)
+
+
+def _check_apart(sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure, places: Sequence[object]) -> None:
+    """Refuse two ends at one place of a sheet that bends, however they are written."""
+    one, other = (_in_sheet(sheet, place) for place in places)
+    if one == other:
+        raise InputError(f"{key}.to: need another place than {key}.from, got {as_written(_end(joined, 'to'))}")
+
+
+def _end(joined: SheetTendon | SheetMeasure, end: str) -> str:
+    """The text of an end, "from" or "to"."""
+    return str(getattr(joined, end))
+
+
+def _in_sheet(sheet: CreasePattern, place: object) -> object:
+    """A place by the vertex that it is, or else by its facet and position."""
+    if not isinstance(place, SheetPlace):
+        return place[0] if isinstance(place, tuple) and place[1] is None else place
+    corners = sheet.faces_vertices[place.facet]
+    at = [vertex for vertex in corners if np.array_equal(sheet.vertices_coords[vertex], place.position)]
+    return at[0] if at else (place.facet, *place.position.tolist())
+
+
+def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
+    """The places of both ends, of which one may be on the ground."""
+    places = [_keyed(f"{key}.{end}", _place, design, sheet, getattr(joined, end)) for end in ("from", "to")]
+    if (GROUND_PLACE in places) != bool(joined.ground) or len(joined.ground) not in (0, 3):
+        raise InputError(
+            f'{key}.ground: need x, y and z where one end is "ground", as in ["0 cm", "0 cm", "-5 cm"], else nothing,'
+            f" got {len(joined.ground)} numbers"
+        )
+    return places
+
+
+def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
+    """Where a text says, as what may be told from others."""
+    if design.facet.kind != "rigid" and text.strip() == GROUND_PLACE:
+        return GROUND_PLACE
+    if design.facet.kind != "rigid" and is_vertex(text):
+        return vertex_of(sheet, text)
+    return place_on(sheet, text)
+
+
+def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
+    """Refuse a drive on what is not there."""
+    drive, key, rigid = design.drive[number], f"drive.{number}.of", design.facet.kind == "rigid"
+    if isinstance(drive, DisplacementDrive) and rigid:
+        raise InputError(f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"')
+    if not isinstance(drive, TorqueDrive) and rigid and not design.opens:
+        raise InputError(f'drive.{number}.kind: need "torque" where facets are hinged, got "{drive.kind}"')
+    for text in places_of(drive):
+        _keyed(key, _place, design, sheet, text)
+    if isinstance(drive, TorqueDrive | RestAngleDrive):
+        edges = _keyed(key, creases_of, sheet, drive.of, design.crease.group)
+    if not isinstance(drive, RestAngleDrive):
+        return
+    if not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
+        raise InputError(
+            f"{key}: need creases with springs, whose rest angle moves, got {as_written(drive.of)} with"
+            f" {crease_key(design, edges[0], 'stiffness')} = 0"
+        )
+    if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
+        raise InputError(f"{key}: need creases with a target, a mountain or a valley, got {as_written(drive.of)}")
+
+
+def _targeted(sheet: CreasePattern, edges: Sequence[int]) -> list[int]:
+    """Those of some creases that have a fold angle to go to."""
+    return [edge for edge in edges if not math.isnan(sheet.edges_fold_angle[edge])]
+
+
+def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse stages that name nothing there is, states twice, and goals that stops keep the creases from."""
+    edges = fold_edges(sheet)
+    measured: dict[str, Unit] = dict.fromkeys(("creases", *(crease_role(sheet, edge) for edge in edges)), ANGLE)
+    for measure in design.measure:
+        measured[measure.name] = LENGTH if measure.of is None else ANGLE
+    goals = ["target"] if _targeted(sheet, edges) else []
+    check_stages(design.protocol, [drive.name for drive in design.drive], goals, measured)
+    _check_torques(design, sheet)
+    # what becomes of stages and of states stands side by side in a summary, and in the rows of a table
+    names: list[str] = []
+    for number, stage in enumerate(design.protocol.stages):
+        for key, name in (("name", stage.name), ("state", stage.state)):
+            if name is not None:
+                _check_name(f"protocol.stages.{number}.{key}", name, names)
+                names.append(name)
+        written = read_goal(stage.until)
+        if written is not None and measured[written.name] is ANGLE:
+            _check_angle_goal(design, sheet, f"protocol.stages.{number}.until", written)
+        elif written is not None and parse_quantity(written.value, LENGTH) <= 0:
+            raise InputError(f"protocol.stages.{number}.until: need a distance > 0 m, got {as_written(stage.until)}")
+
+
+def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, written: GoalText) -> None:
+    """Refuse a bound on fold angles that a stop keeps a crease from."""
+    measure = next((each for each in design.measure if each.name == written.name), None)
+    creases = creases_by_edge(design)
+    name = written.name if measure is None else str(measure.of)
+    # creases that stop alike are as one
+    first: dict[tuple[float, float], int] = {}
+    for edge in creases_of(sheet, name, design.crease.group):
+        low, high = stops(design, edge, creases[edge])
+        if measure is not None and crease_sense(sheet, edge) < 0:
+            # measures are valley positive
+            low, high = -high, -low
+        first.setdefault((low, high), edge)
+    for (low, high), edge in first.items():
+        check_bound(key, written, low, high, whose=f"crease {edge}")
+
+
+def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
+    """Refuse a stage whose drives, at any time, cancel on every crease."""
+    for number, stage in enumerate(design.protocol.stages):
+        named = [drive for drive in design.drive if drive.name in stage_drives(stage)]
+        drives = [drive for drive in named if isinstance(drive, TorqueDrive)]
+        if len(drives) < 2 or drives != named:
+            continue
+        torques = dict.fromkeys(fold_edges(sheet), 0.0)
+        for drive in drives:
+            for edge in creases_of(sheet, drive.of, design.crease.group):
+                torques[edge] += drive.value
+        largest = max(abs(drive.value) for drive in drives)
+        alike = len({drive.rise for drive in drives}) == 1
+        if largest and alike and max(map(abs, torques.values())) <= _ROUNDING * largest:
+            values = " and ".join(show_quantity(drive.value, TORQUE) for drive in drives)
+            raise InputError(
+                f"protocol.stages.{number}.drive: need drives that do not cancel on every crease, got"
+                f" {as_written(stage.drive)}, {values}"
+            )
+
+
+def _check_name(key: str, name: str, names: Sequence[str]) -> None:
+    """Refuse a name of a stage or of a state that is empty, or that something else has."""
+    if not name.strip():
+        raise InputError(f"{key}: need a name, got {as_written(name)}")
+    if name in _TAKEN:
+        raise InputError(f"{key}: need a name that tables have for nothing else, got {as_written(name)}")
+    if name in names:
+        raise InputError(f"{key}: need a name that no stage and no other state has, got {as_written(name)} again")
+
+
+def _keyed(key: str, find: Callable[..., Found], *given: object) -> Found:
+    """What a function finds of what it is given; an error begins with a key."""
+    try:
+        return find(*given)
+    except InputError as error:
+        raise InputError(f"{key}: {error}") from None

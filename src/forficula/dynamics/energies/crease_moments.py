@@ -1,0 +1,72 @@
+"""Moments of the creases of structures of one topology, side by side: springs, damping, and what motors do."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.model import Model
+from forficula.material import CreaseLaw
+
+
+@dataclass(frozen=True, kw_only=True)
+class CreaseMoments:
+    """Laws and motors of creases, each in its model's units.
+
+    Attributes:
+        senses: +1 or -1, (structure, crease).
+        law: of the springs, arrays (structure, crease).
+        damping: (structure, crease).
+        rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
+        torques: by how much it turns each crease, (structure, motor, crease).
+        braking: by how much its size damps each crease, (structure, motor, crease).
+    """
+
+    senses: Array
+    law: CreaseLaw
+    damping: Array
+    rests: Array
+    torques: Array
+    braking: Array
+
+    def some(self, which: Indices) -> CreaseMoments:
+        """Of some of the structures, in a rising order."""
+        if len(which) == len(self.senses):
+            return self
+        rows = {each.name: getattr(self, each.name)[which] for each in dataclasses.fields(self) if each.name != "law"}
+        return CreaseMoments(law=self.law.some(which), **rows)
+
+    def at(self, angles: Array, turning: Array, efforts: Array) -> tuple[Array, Array]:
+        """Moments in own senses and their slopes by the angle, (structure, crease).
+
+        Args:
+            angles: in own senses, rad, (structure, crease).
+            turning: speeds of the angles between the flaps, valleys positive, (structure, crease).
+            efforts: what their motors are set to, (structure, motor).
+        """
+        rests, torques, braking = (
+            np.einsum("rm,rmc->rc", each, gains)
+            for each, gains in ((efforts, self.rests), (efforts, self.torques), (np.abs(efforts), self.braking))
+        )
+        moment, slope = self.law.moment_and_slope(angles, rests)
+        return moment + (self.damping + braking) * self.senses * turning - torques, slope
+
+
+def crease_moments(models: Sequence[Model]) -> CreaseMoments:
+    """Lay what turns the creases of structures of one topology side by side; they have some."""
+    creases = [model.creases for model in models if model.creases is not None]
+    unit = [np.eye(len(model.structure.motors)) for model in models]
+    settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
+    names = [each.name for each in dataclasses.fields(CreaseLaw)]
+    return CreaseMoments(
+        senses=np.array([each.senses for each in creases], dtype=np.float64),
+        law=CreaseLaw(**{name: np.array([np.asarray(getattr(each.law, name)) for each in creases]) for name in names}),
+        damping=np.array([each.damping for each in creases]),
+        rests=np.array([rests for rests, _ in settings]),
+        torques=np.array([torques for _, torques in settings]),
+        braking=np.array([model.braking(each) for model, each in zip(models, unit, strict=True)]),
+    )

@@ -1,0 +1,147 @@
+"""Creases in the engine: rows of a bending flex, which follow any law, torque and damping.
+
+MuJoCo's bending of a flex is by edge and exact: a moment k sin(angle - r), without a jump anywhere. A row can be
+changed between steps, so that it has at any angle the moment and the slope that the crease has there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.plate_angles import PRODUCTS, plate_directions
+from forficula.dynamics.stepping.folds import Folds
+from forficula.errors import InputError
+from forficula.material import CreaseLaw
+from forficula.structure import Structure, crease_flaps, crease_law
+
+_ROW = 17
+
+
+@dataclass(frozen=True, kw_only=True)
+class Creases:
+    """The creases of a structure in the engine's model.
+
+    Attributes:
+        rows: of each in the engine's flex_bending, (crease,); several a crease between plates that turn.
+        order: which of tail, head, left and right corner each of the four nodes of a row is, (row, 4); between plates
+            that turn, of start and end of a direction of the left one and of the right one.
+        senses: +1 or -1, (crease,).
+        law: of the springs and stops, arrays (crease,), in own senses and the model's units.
+        damping: (crease,), in the model's units.
+    """
+
+    rows: Indices
+    order: Indices
+    senses: Indices
+    law: CreaseLaw
+    damping: Array
+
+
+def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Add the flex whose edges are the creases of a structure in a model's units; its rows are set later."""
+    flaps = crease_flaps(structure)
+    if not len(flaps):
+        return
+    if structure.plates:
+        _add_couples(spec, structure)
+        return
+    points, corners = np.unique(flaps, return_inverse=True)
+    corners = corners.reshape(-1, 6)
+    triangles = {tuple(sorted(each)): each for each in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
+    # counterclockwise, as the left one is; the right one runs the other way along the crease
+    for each in corners[:, [4, 3, 5]].tolist():
+        triangles.setdefault(tuple(sorted(each)), each)
+    bodies = [structure.bodies[structure.points[point].body].name for point in points.tolist()]
+    _add_flex(spec, bodies, np.zeros(3 * len(points)), np.ravel(list(triangles.values())))
+
+
+def _add_flex(spec: mujoco.MjSpec, bodies: list[str], places: Array, triangles: Array) -> None:
+    flex = spec.add_flex(
+        name="creases", dim=2, radius=1e-3, young=1, thickness=1, elastic2d=1, contype=0, conaffinity=0, selfcollide=0
+    )
+    flex.vertbody, flex.vert, flex.elem = bodies, places, triangles
+
+
+def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
+    """Add four nodes for every row of a crease between plates: start and end of a direction of each, see `PRODUCTS`.
+
+    All are as long as the crease.
+    """
+    bodies: list[str] = []
+    places: list[Array] = []
+    for flaps in crease_flaps(structure).tolist():
+        corners = np.array([structure.points[point].place for point in flaps])
+        left, right = (structure.bodies[structure.points[flaps[place]].body].name for place in (0, 3))
+        along, other = corners[1] - corners[0], corners[4] - corners[3]
+        own = plate_directions(along, np.cross(along, corners[2] - corners[0]))
+        others = plate_directions(other, np.cross(corners[5] - corners[3], other))
+        length = float(np.linalg.norm(along))
+        for one, two in PRODUCTS:
+            bodies += [left, left, right, right]
+            places += [corners[0], corners[0] + length * own[one], corners[3], corners[3] + length * others[two]]
+    first = np.arange(0, len(bodies), 4)
+    _add_flex(spec, bodies, np.ravel(places), (first[:, None] + [0, 1, 2, 1, 0, 3]).ravel())
+
+
+def _couples(known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
+    """The edges of the rows of `_add_couples`."""
+    first = range(0, 4 * len(PRODUCTS) * count, 4)
+    return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
+
+
+def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Creases | None:
+    """Find the creases in the compiled model, of a structure in its units; None where there are none.
+
+    Raises:
+        InputError: an edge between two triangles that are not the flaps of its crease.
+    """
+    hinges = [structure.hinges[number] for number in folds.creases]
+    if not hinges:
+        return None
+    flex = mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, "creases")
+    first, count = int(engine.flex_edgeadr[flex]), int(engine.flex_edgenum[flex])
+    edges = np.column_stack([engine.flex_edge, engine.flex_edgeflap])[first : first + count]
+    known = {(frozenset(edge[:2]), frozenset(edge[2:])): number for number, edge in enumerate(edges.tolist())}
+    found: list[int] = []
+    if folds.placement is not None:
+        numbers = _couples(known, len(hinges))
+        return Creases(
+            rows=numbers + _first_row(engine, flex),
+            order=np.asarray(edges[numbers] % 4, dtype=np.int64),
+            senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
+            law=crease_law(structure, folds.creases),
+            damping=np.array([hinge.damping for hinge in hinges]),
+        )
+    for hinge, (tail, head, left, _, _, right) in zip(hinges, folds.flaps.tolist(), strict=True):
+        number = known.get((frozenset((tail, head)), frozenset((left, right))))
+        if number is None:
+            raise InputError(f"{hinge.name}: need two facets that no others meet at their edge, got more")
+        found.append(number)
+    mine = edges[found]
+    ahead, on_left = mine[:, 0] == folds.flaps[:, 0], mine[:, 2] == folds.flaps[:, 2]
+    return Creases(
+        rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
+        order=np.column_stack([~ahead, ahead, 2 + ~on_left, 2 + on_left]).astype(np.int64),
+        senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
+        law=crease_law(structure, folds.creases),
+        damping=np.array([hinge.damping for hinge in hinges]),
+    )
+
+
+def clear_rows(engine: mujoco.MjModel) -> None:
+    """Take the bending of all edges out of a model; what creases there are sets its own."""
+    if mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, "creases") >= 0:
+        engine.flex_bending[:] = 0
+
+
+def engine_rows(engine: mujoco.MjModel) -> Array:
+    """The rows of a model's flexes, (row, 17), to be written to."""
+    return np.asarray(engine.flex_bending).reshape(-1, _ROW)
+
+
+def _first_row(engine: mujoco.MjModel, flex: int) -> int:
+    return int(engine.flex_bendingadr[flex]) // _ROW

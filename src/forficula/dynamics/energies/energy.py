@@ -1,0 +1,230 @@
+"""Energies of states, and what tendons with branches take, from what the engine recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import reduce
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.couplings import coupling_energies
+from forficula.dynamics.engine.membrane import stretch_energy
+from forficula.dynamics.engine.model import Model
+
+# of the engine's fields, what `letting_go_work` needs
+LETTING_GO = ("ten_length", "ten_velocity", "ten_J")
+# of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
+_NODES = 16
+
+
+def letting_go_work(
+    model: Model, travel: Array, forces: Mapping[str, Array], late: Mapping[str, Array], activations: Array
+) -> tuple[Array, Array]:
+    """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in the model's units.
+
+    Where a tendon without branches would push, its damper takes what its spring gives, and no more.
+
+    Args:
+        model: the model.
+        travel: of the joints in each step, (step, dof), in the model's units.
+        forces: ten_length, ten_velocity and ten_J before each step.
+        late: alike after each step, of steps of Runge and Kutta; empty of others.
+        activations: forces of Maxwell branches before the first step and after each, (step + 1, activation).
+    """
+    which = np.flatnonzero(model.lets_go)
+    if late:
+        ends = [_letting_go(model, which, *each) for each in ((forces, activations[:-1]), (late, activations[1:]))]
+        powers = [
+            [part * each["ten_velocity"][:, model.tendons[which]] for part in end]
+            for end, each in zip(ends, (forces, late), strict=True)
+        ]
+        damper, spared = ((one + other) * model.timestep / 2 for one, other in zip(*powers, strict=True))
+        return -np.sum(damper, axis=1), -np.sum(spared, axis=1)
+    levers = [model.levers(tendon) for tendon in model.tendons[which]]
+    entries = np.concatenate([np.arange(each.start, each.stop) for each, _ in levers])
+    first = np.cumsum([0, *(len(dofs) for _, dofs in levers[:-1])])
+    turned = forces["ten_J"][:, entries] * travel[:, np.concatenate([dofs for _, dofs in levers])]
+    longer = np.add.reduceat(turned, first, axis=1)
+    # the engine takes the branches' forces after the step
+    damper, spared = _letting_go(model, which, forces, activations[1:])
+    return -np.sum(damper * longer, axis=1), -np.sum(spared * longer, axis=1)
+
+
+def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
+    """What dampers of some tendons pull, and by how much more than its parts each tendon pulls, (step, tendon)."""
+    length = forces["ten_length"][:, model.tendons]
+    laws = [model.in_units.tendons[tendon].law for tendon in which]
+    spring = model.elastic.force(length)[:, which]
+    viscous = np.array([(law.damping or (0.0,))[0] for law in laws])
+    damper = viscous * forces["ten_velocity"][:, model.tendons[which]]
+    taut = length[:, which] > np.asarray(model.elastic.rest_length)[which]
+    if not model.branches.size:
+        pull = np.where(taut, np.maximum(spring + damper, 0.0), 0.0)
+        return pull - spring, np.zeros_like(pull)
+    # they are > 0 where they push
+    push = branch_forces(model, activations)[:, which].sum(axis=2)
+    pull = np.where(taut, np.maximum(spring + damper - push, 0.0), 0.0)
+    alone = np.array([not law.branches for law in laws])
+    damper = np.where(alone, pull - spring, np.where(taut, damper, 0.0))
+    return damper, pull - spring - damper + push
+
+
+def branch_losses(model: Model, activations: Array) -> Array:
+    """What Maxwell branches turn into heat in each step, (step, tendon, branch), in the model's units.
+
+    The integral of F^2 / (k tau), with the force between two steps as the engine has it at a constant velocity:
+    F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
+    """
+    force = branch_forces(model, activations)
+    before, after = force[:-1], force[1:]
+    time, stiffness = branch_numbers(model)
+    # tendons mostly have the same branches
+    different, which = np.unique(time, axis=0, return_inverse=True)
+    integrals = np.array([_square_integrals(each, model.timestep) for each in different])
+    squares = np.moveaxis(integrals[which.ravel()], 1, 0)
+    total = squares[0] * before**2 + squares[1] * before * after + squares[2] * after**2
+    return np.asarray(total / (stiffness * time))
+
+
+def _square_integrals(time: Array, timestep: float) -> Array:
+    """Integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), by relaxation times (branch,).
+
+    They are of positive numbers, by quadrature: their closed forms lose all digits where h is far below tau.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    share, width = (nodes[:, None] + 1) / 2, timestep / time
+    late = np.expm1(-share * width) / np.expm1(-width)
+    early = np.exp(-share * width) - np.exp(-width) * late
+    return np.array([weights @ product * timestep / 2 for product in (early * early, 2 * early * late, late * late)])
+
+
+def branch_forces(model: Model, activations: Array) -> Array:
+    """Forces of Maxwell branches, (state, tendon, branch), 0 where a tendon has fewer; of (state, activation)."""
+    if model.branches.size and model.branches.min() < 0:
+        activations = np.concatenate([activations, np.zeros((len(activations), 1))], axis=1)
+    return np.asarray(activations[:, model.branches])
+
+
+def branch_numbers(model: Model) -> tuple[Array, Array]:
+    """Relaxation times and stiffnesses of Maxwell branches, (tendon, branch), in model units; 1 for none."""
+    time, stiffness = np.ones(model.branches.shape), np.ones(model.branches.shape)
+    for number, tendon in enumerate(model.in_units.tendons):
+        for place, branch in enumerate(tendon.law.branches):
+            time[number, place], stiffness[number, place] = branch.time, branch.stiffness
+    return time, stiffness
+
+
+def state_series(
+    model: Model, angles: Array, derived: Mapping[str, Array], efforts: Array | None = None
+) -> dict[str, Array]:
+    """What the record says of states, SI.
+
+    Args:
+        model: the model.
+        angles: of the hinges in their own senses, rad, (state, hinge).
+        derived: of the same states, by MuJoCo's names, in the model's units: energy, ten_length, flexvert_xpos, xpos,
+            xipos, site_xpos; or ten_length alone.
+
+        efforts: what the motors are set to, in the model's units, (state, motor); none if not given.
+
+    Returns:
+        Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work; of ten_length alone
+        only those that need nothing else.
+    """
+    units, built = model.units, model.in_units
+    length = derived["ten_length"][:, model.tendons]
+    rest = model.elastic.rest_length
+    # 0 where the resting length stays
+    crept = np.zeros_like(length)
+    yielding = model.creep >= 0
+    if yielding.any():
+        crept[:, yielding] = derived["plastic"][:, model.creep[yielding]] - np.asarray(rest)[yielding]
+    series = {
+        "hinge_angle": angles,
+        "tendon_length": units.length * length,
+        "tendon_energy": units.energy * model.elastic.energy(length - crept),
+    }
+    series |= _hinge_series(model, angles, np.zeros((len(angles), len(built.motors))) if efforts is None else efforts)
+    if any(not coupling.rigid for coupling in built.couplings):
+        series["coupling_energy"] = units.energy * coupling_energies(built, angles)
+    if built.springs:
+        stiffness, lengths = (
+            np.array([getattr(spring, name) for spring in built.springs]) for name in ("stiffness", "rest_length")
+        )
+        longer = derived["ten_length"][:, model.springs] - lengths
+        series["spring_force"] = units.energy / units.length * stiffness * longer
+        series["spring_energy"] = units.energy * stiffness / 2 * longer**2
+    if model.distances.size:
+        series["distance"] = units.length * derived["ten_length"][:, model.distances]
+    if yielding.any():
+        series["tendon_rest_length"] = units.length * (rest + crept)
+        # ideal plasticity: the yield force times the creep since the first state
+        force = np.array([tendon.law.yield_force or 0.0 for tendon in built.tendons])
+        further = crept - crept[0]
+        of_forces = [
+            -units.energy * each * np.sum(further[:, force == each], axis=1) for each in np.unique(force).tolist()
+        ]
+        series["yield_work"] = reduce(np.add, of_forces)
+    if model.branches.size:
+        _, stiffness = branch_numbers(model)
+        energy = branch_forces(model, derived["act"]) ** 2 / (2 * stiffness)
+        series["branch_energy"] = units.energy * np.sum(energy, axis=-1)
+        pull = model.elastic.force(length - crept) - branch_forces(model, derived["act"]).sum(axis=-1)
+        silent = model.lets_go & ((pull < 0) | (length < rest))
+        series["tendon_pull"] = units.energy / units.length * np.where(silent, 0.0, pull)
+    if "xpos" not in derived:
+        return series
+    at_origin = model.sites < 0
+    points = np.where(at_origin[:, None], derived["xpos"][:, model.carriers], _site_places(model, derived["site_xpos"]))
+    return series | {
+        **state_energies(model, derived),
+        "point_position": units.length * points,
+        # after them come the surfaces that touch
+        "membrane_position": units.length * derived["flexvert_xpos"][:, : len(model.mesh.bodies)],
+    }
+
+
+def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Array]:
+    """Energies of hinges' springs, where there are any, and where they rest, where motors move that."""
+    hinges, series = model.in_units.hinges, dict[str, Array]()
+    springs, rests = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("stiffness", "rest_angle"))
+    energy = model.units.energy * springs / 2 * (angles - rests) ** 2
+    if model.creases is not None:
+        creases, (further, _) = model.folds.creases, model.settings(efforts)
+        law = model.creases.law
+        energy[:, creases] = model.units.energy * law.energy(angles[:, creases], further)
+        springs = springs + np.bincount(
+            creases, (np.isfinite(law.lower) | np.isfinite(law.upper)).astype(float), len(hinges)
+        )
+        if any(motor.kind == "rest-angle" for motor in model.structure.motors):
+            series["hinge_rest_angle"] = np.broadcast_to(rests, angles.shape).copy()
+            series["hinge_rest_angle"][:, creases] += further
+    if springs.any():
+        series["hinge_energy"] = energy
+    return series
+
+
+def _site_places(model: Model, sites: Array) -> Array:
+    """Where the points that are sites are, (state, point, 3); anything for the others."""
+    if not sites.shape[1]:
+        return np.zeros((len(sites), len(model.sites), 3))
+    return np.asarray(sites[:, np.maximum(model.sites, 0)])
+
+
+def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Array]:
+    """Energies of states but for the tendons' and the hinges', J, (state,).
+
+    Args:
+        model: the model.
+        derived: of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
+    """
+    # what moves with a body of the medium around it does not weigh
+    weighs = model.engine.body_mass * (1 - model.engine.body_gravcomp)
+    units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
+    with np.errstate(over="ignore", invalid="ignore"):  # of what blows up
+        return {
+            "membrane_energy": units.energy * stretch_energy(derived["flexvert_xpos"], model.mesh),
+            "kinetic_energy": units.energy * derived["energy"][:, 1],
+            "gravitational_energy": units.energy * model.in_units.gravity * height,
+        }

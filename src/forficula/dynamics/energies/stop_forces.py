@@ -1,0 +1,68 @@
+"""Forces of stops apart from those of contacts, which the engine adds up: it tells them by sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import mujoco
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.dynamics.engine.model import Model, joint_ranges
+
+
+def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> Array:
+    """Forces of the stops of hinges and of length limits on the joints, (step, dof), in the model's units.
+
+    Args:
+        model: with contacts.
+        position: before each step, (step, position).
+        derived: sensordata and ten_J before each step.
+    """
+    engine, sensed = model.engine, derived["sensordata"]
+    forces = np.zeros((len(position), engine.nv))
+    low, high = joint_ranges(model)
+    for column, (kind, part) in enumerate(zip(engine.sensor_type, engine.sensor_objid, strict=True)):
+        if kind == mujoco.mjtSensor.mjSENS_JOINTLIMITFRC:
+            place = engine.jnt_qposadr[part]
+            # at most one of its two stops pushes, the nearer one
+            nearer = position[:, place] - low[place] < high[place] - position[:, place]
+            forces[:, engine.jnt_dofadr[part]] += np.where(nearer, 1, -1) * sensed[:, column]
+        else:
+            # a length has no lower limit
+            entries, dofs = model.levers(int(part))
+            forces[:, dofs] -= sensed[:, column, None] * derived["ten_J"][:, entries]
+    return forces
+
+
+# share of the friction by which the engine's solver and this computation may differ
+_ROUNDING = 1e-6
+
+
+def friction_torques(model: Model, velocity: Array, acceleration: Array, constraints: Array) -> Array:
+    """Compute the torques of dry friction on joints, (step, dof), in the model's units.
+
+    The engine's friction is a damper that decelerates a joint within a time constant and whose torque is at most that
+    of the friction: f = clip(-(a + b v) / R, -F, F) with b = 2 / (d T) and R = (1 - d) / d by the joint's mobility
+    (MuJoCo's manual, "Computation", friction loss). The engine reports the sum of all constraints only, therefore the
+    torque is computed again from the acceleration, of which it is a function.
+
+    Args:
+        model: in which some joints have friction.
+        velocity: before each step, (step, dof).
+        acceleration: at the start of each step, constraints included, (step, dof).
+        constraints: sum of the torques of friction and of all other constraints, (step, dof).
+    """
+    engine = model.engine
+    impedance = engine.dof_solimp[:, 0]
+    rate = 2 / (engine.dof_solimp[:, 1] * np.maximum(engine.dof_solref[:, 0], 2 * model.timestep))
+    yielding = (1 - impedance) / impedance * engine.dof_invweight0
+    largest = np.asarray(engine.dof_frictionloss)
+    torques = np.zeros_like(velocity)
+    rough = largest > 0
+    torques[:, rough] = np.clip(
+        -(acceleration[:, rough] + rate[rough] * velocity[:, rough]) / yielding[rough], -largest[rough], largest[rough]
+    )
+    # where nothing but friction acts, the sum is the friction without the rounding of this computation
+    alone = np.abs(constraints - torques) <= _ROUNDING * largest
+    return np.where(alone & rough, constraints, torques)

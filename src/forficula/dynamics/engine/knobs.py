@@ -1,0 +1,211 @@
+"""Values of a design that a compiled model takes in place: which of its numbers each changes, and by how much.
+
+That is found and not known: the design is built with the lowest and the highest value, and what differs must lie on a
+straight line. So nothing of how structures are built is written a second time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.design import Design, key_quantity, key_value, with_values
+from forficula.dynamics.engine.model import Model, compile_model
+from forficula.dynamics.engine.portable_model import model_numbers
+from forficula.dynamics.stepping.timestep import stable_timestep
+from forficula.errors import InputError
+from forficula.quantities import Unit
+
+# keys that may be such; and by what their values are multiplied at the ends of their ranges
+_FACTORS = {
+    "tendon.stiffness": (0.1, 10.0),
+    "tendon.rest_length": (0.5, 1.5),
+    "tendon.damping": (0.01, 10.0),
+    "membrane.youngs_modulus": (0.2, 5.0),
+    "membrane.damping": (0.0, 10.0),
+    "hinge.stiffness": (0.0, 10.0),
+    "hinge.damping": (0.1, 10.0),
+    "crease.stiffness": (0.1, 10.0),
+    "crease.rest_angle": (-1.0, 1.0),
+    "crease.damping": (0.1, 10.0),
+    "protocol.gravity": (0.0, 1.0),
+}
+_SAFE = ("protocol.gravity", "crease.rest_angle")
+# of values that are 0 there, in SI
+_GRAVITY = 20.0
+_MOST_TENDONS = 4
+_OPTIONS = "gravity"
+_EXACT = 1e-9  # of the largest change: how straight a line must be
+_NARROWER = 0.7  # of the way to the value, where an end of a range is not allowed
+_TRIES = 12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Change:
+    """By how much a value changes some numbers of a compiled model.
+
+    Attributes:
+        field: MuJoCo's name of them; of an option "opt.gravity".
+        places: of these in the flat field, (number,).
+        low: what they are at the lowest value, (number,).
+        slopes: by the SI unit of the value, (number,).
+    """
+
+    field: str
+    places: Indices
+    low: Array
+    slopes: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Knob:
+    """A value of a design that can be changed while it moves.
+
+    Attributes:
+        key: of the design.
+        unit: of the value.
+        value: that the design has, SI.
+        lowest: of its range, SI.
+        highest: alike; no longer a timestep than the design's is needed up to there.
+        changes: what it does.
+    """
+
+    key: str
+    unit: Unit
+    value: float
+    lowest: float
+    highest: float
+    changes: tuple[Change, ...]
+
+
+def knobs_of(model: Model) -> tuple[Knob, ...]:
+    """The values of a structure's design that its compiled model takes in place."""
+    return _knobs(model.design)
+
+
+@lru_cache(maxsize=8)  # pages of a study, and of what is run again, are of the same design
+def _knobs(design: Design) -> tuple[Knob, ...]:
+    model = compile_model(design)
+    found: list[Knob] = []
+    taken: set[tuple[str, int]] = set()
+    for key in _keys(model):
+        knob = _knob(model, key)
+        if knob is None:
+            continue
+        mine = {(change.field, place) for change in knob.changes for place in change.places.tolist()}
+        # what another one changes, too, would need both
+        if not mine & taken:
+            taken |= mine
+            found.append(knob)
+    return tuple(found)
+
+
+def _keys(model: Model) -> list[str]:
+    """Keys that may be knobs; of tendons that differ, or have names, those of each, where they are few."""
+    each = list(dict.fromkeys(tendon.key for tendon in model.structure.tendons))
+    if not 0 < len(each) <= _MOST_TENDONS or each == ["tendon"]:
+        return list(_FACTORS)
+    of_tendons = [f"{tendon}{key.removeprefix('tendon')}" for tendon in each for key in _FACTORS if "tendon." in key]
+    return [*of_tendons, *(key for key in _FACTORS if "tendon." not in key)]
+
+
+def _factors(key: str) -> tuple[float, float]:
+    section, _, rest = key.partition(".")
+    return _FACTORS.get(key) or _FACTORS[f"{section}.{rest.rpartition('.')[2]}"]
+
+
+def _knob(model: Model, key: str) -> Knob | None:
+    """The knob of a key; None where the design has none, or where it is not taken in place."""
+    design = model.design
+    try:
+        quantity, value = key_quantity(key, type(design)), key_value(design, key)
+    except InputError:
+        return None
+    if quantity is None or not isinstance(value, float):
+        return None
+    low, high = _range(key, value)
+    if low == high:
+        return None
+    lowest, highest = (_allowed(design, key, value, end) for end in (low, high))
+    if lowest is None or highest is None:
+        return None
+    try:
+        ends = _numbers(compile_model(lowest)), _numbers(compile_model(highest))
+    except InputError:
+        return None
+    first, last = float(key_value(lowest, key)), float(key_value(highest, key))
+    changes = _changes(ends[0], ends[1], _numbers(model), (first, value, last))
+    if not changes:
+        return None
+    return Knob(key=key, unit=quantity.unit, value=value, lowest=first, highest=last, changes=changes)
+
+
+def _range(key: str, value: float) -> tuple[float, float]:
+    """The range that a slider would have."""
+    low, high = _factors(key)
+    if key == "protocol.gravity":
+        return 0.0, max(_GRAVITY, 2 * value)
+    if key == "crease.rest_angle":
+        return -math.pi, math.pi
+    return low * value, high * value
+
+
+def _allowed(design: Design, key: str, value: float, end: float) -> Design | None:
+    """A design with the value at an end of a range, or as near to it as is allowed and as its timestep allows."""
+    for _ in range(_TRIES):
+        try:
+            changed = with_values(design, {key: end})
+            # less of anything allows as long a timestep, and some of these do not count for it
+            if end <= value or key in _SAFE or float(design.protocol.timestep) <= stable_timestep(changed):
+                return changed
+        except InputError:
+            pass
+        end = value + _NARROWER * (end - value)
+    return None
+
+
+def _numbers(model: Model) -> dict[str, Array]:
+    numbers, engine = model_numbers(model), model.engine
+    # what only measures has no spring, and a length that the engine makes up for one
+    sprung = np.isin(np.arange(engine.ntendon), [*model.tendons, *model.springs])
+    if "tendon_lengthspring" in numbers:
+        numbers["tendon_lengthspring"][np.repeat(~sprung, 2)] = 0.0
+    gravity = np.asarray(getattr(engine.opt, _OPTIONS), dtype=np.float64)
+    return {**numbers, f"opt.{_OPTIONS}": gravity.copy()}
+
+
+def _changes(
+    low: Mapping[str, Array], high: Mapping[str, Array], here: Mapping[str, Array], values: tuple[float, float, float]
+) -> tuple[Change, ...]:
+    """What differs between two models, on a straight line through a third; nothing where it is not on one.
+
+    Args:
+        low: numbers of the model of the lowest value.
+        high: of that of the highest.
+        here: of that of the value between.
+        values: these three, rising.
+    """
+    first, value, last = values
+    changes = []
+    for name, lowest in low.items():
+        highest, mine = high.get(name), here.get(name)
+        if highest is None or mine is None or not lowest.shape == highest.shape == mine.shape:
+            return ()
+        places = np.flatnonzero((lowest != highest) | (lowest != mine))
+        if not len(places):
+            continue
+        slopes = (highest[places] - lowest[places]) / (last - first)
+        on_line = lowest[places] + slopes * (value - first)
+        size = np.abs(np.stack([lowest[places], highest[places]])).max(axis=0)
+        if np.any(np.abs(on_line - mine[places]) > _EXACT * size):
+            return ()
+        # what differs by rounding alone does not change
+        moved = np.abs(highest[places] - lowest[places]) > _EXACT * size
+        if moved.any():
+            changes.append(Change(field=name, places=places[moved], low=lowest[places][moved], slopes=slopes[moved]))
+    return tuple(changes)

@@ -1,0 +1,415 @@
+"""Structure -> compiled model, where its parts are, and its scale."""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from forficula.arrays import Array, Flags, Indices
+from forficula.design import Design
+from forficula.dynamics.energies.creases import Creases, add_creases, clear_rows, creases_of
+from forficula.dynamics.engine.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
+from forficula.dynamics.engine.closures import add_closures, gap_name
+from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
+from forficula.dynamics.engine.couplings import add_couplings
+from forficula.dynamics.engine.drag import HELD, Drag, add_medium, drag_of
+from forficula.dynamics.engine.membrane import Mesh, add_membranes, joined_mesh
+from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
+from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
+from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
+from forficula.dynamics.stepping.node_modes import followed_steps
+from forficula.errors import InputError
+from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
+from forficula.structure import Measure, Structure, structure_of
+
+# a step of more takes tens of milliseconds and gigabytes
+_MOST_BODIES = 2002
+
+
+@dataclass(frozen=True, kw_only=True)
+class Model:
+    """A compiled structure and where its parts are.
+
+    Attributes:
+        design: the design, SI.
+        structure: what was built of it, SI.
+        units: of the compiled model.
+        in_units: the structure in the model's units.
+        timestep: in the model's units.
+        engine: the compiled model; copy it before changing anything.
+        spec: the source that compiles to it.
+        mesh: its membranes, in the model's units.
+        folds: how its hinges' angles follow from the engine's positions.
+        creases: those of its hinges that no joint makes; None where there are none.
+        drag: of what surrounds it; None for empty space.
+        followed: steps over which the engine's rows of creases and the drag stay as they are.
+        pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors
+            and on plates, where it changes.
+        springs: index of each spring among the engine's tendons, (spring,).
+        tendons: index of each tendon, (tendon,).
+        distances: index of the tendon that measures each distance that is watched, (distance,).
+        gaps: index of the tendons that measure the gaps of closures, (gap,).
+        branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 where a
+            tendon has fewer.
+        creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
+        motors: number of the structure's motor that each control follows, (control,); -1 for none.
+        holds: number of the motor whose servo each control switches on, (control,), after the control that sets where
+            it goes; -1 of others.
+        brakes: number of the motor whose size each control follows, which takes of its torque at a joint as that turns,
+            (control,); -1 of others.
+        ways: by what each coordinate's shift takes the point of a servo on its way, or the joint of a brake, (control,
+            dof); 0 of others.
+        sites: index of the site of each point, (point,); -1 where it is the origin of its body.
+        carriers: index of the body of each point, (point,).
+        elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
+        lets_go: whether each tendon lets go where its damper or branches would push, (tendon,).
+    """
+
+    design: Design
+    structure: Structure
+    units: ModelUnits
+    in_units: Structure
+    timestep: float
+    engine: mujoco.MjModel
+    spec: mujoco.MjSpec
+    mesh: Mesh
+    folds: Folds
+    creases: Creases | None
+    drag: Drag | None
+    followed: int
+    pushed: Array
+    springs: Indices
+    tendons: Indices
+    distances: Indices
+    gaps: Indices
+    branches: Indices
+    creep: Indices
+    motors: Indices
+    holds: Indices
+    brakes: Indices
+    ways: Array
+    sites: Indices
+    carriers: Indices
+    elastic: ElasticLaw
+    lets_go: Flags
+
+    @property
+    def explicit(self) -> bool:
+        """Whether steps are those of Runge and Kutta, and not of semi-implicit Euler."""
+        return bool(self.engine.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4)
+
+    def settings(self, efforts: Array) -> tuple[Array, Array]:
+        """What motors do to creases: by how much their springs rest further on, rad, and torques, (..., crease).
+
+        Args:
+            efforts: of all motors, in the model's units, (..., motor).
+        """
+        rests, torques = (np.zeros((*efforts.shape[:-1], len(self.structure.hinges))) for _ in range(2))
+        for number, motor in enumerate(self.structure.motors):
+            acting = efforts[..., number, None] * np.array(motor.gains or (1.0,) * len(motor.hinges))
+            if motor.kind == "rest-angle":
+                rests[..., list(motor.hinges)] += acting
+            elif motor.kind == "torque":
+                torques[..., list(motor.hinges)] += acting
+        return rests[..., self.folds.creases], torques[..., self.folds.creases]
+
+    def braking(self, sizes: Array) -> Array:
+        """By how much motors damp creases, for the sizes of what they are set to, (..., motor), (..., crease)."""
+        damping = np.zeros((*sizes.shape[:-1], len(self.structure.hinges)))
+        for number, motor in enumerate(self.in_units.motors):
+            gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+            damping[..., list(motor.hinges)] += sizes[..., number, None] * gains / motor.no_load_speed
+        return damping[..., self.folds.creases]
+
+    def levers(self, tendon: int) -> tuple[slice, Indices]:
+        """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
+        first = int(self.engine.ten_J_rowadr[tendon])
+        entries = slice(first, first + int(self.engine.ten_J_rownnz[tendon]))
+        return entries, np.asarray(self.engine.ten_J_colind[entries], dtype=np.int64)
+
+    @property
+    def xml(self) -> str:
+        """The source as text, for any MuJoCo viewer; lengths to six digits."""
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
+            return str(self.spec.to_xml())
+
+
+def compile_model(design: Design) -> Model:
+    """Compile a design.
+
+    Args:
+        design: with a timestep in seconds; see `with_timestep` for "auto".
+
+    Raises:
+        InputError: it cannot be built, or MuJoCo refuses the model, and why.
+    """
+    structure = structure_of(design)
+    _check_size(design, structure)
+    units = model_units(structure)
+    model = compile_structure(design, structure, structure_of(design_in_model_units(design, units)), units)
+    check_apart(model.engine, model.in_units, units.length)
+    return model
+
+
+def compile_structure(design: Design, structure: Structure, in_units: Structure, units: ModelUnits) -> Model:
+    """Compile a structure.
+
+    Args:
+        design: of which the timestep is taken.
+        structure: SI.
+        in_units: the same in the model's units. Built of the design in these units rather than rescaled, for that keeps
+            all digits.
+        units: of the model.
+
+    Raises:
+        InputError: as of `compile_model`.
+    """
+    _check_size(design, structure)
+    _check_pushes(design, structure)
+    timestep = float(design.protocol.timestep) / units.time
+    mesh = joined_mesh(in_units.membranes)
+    distances = [measure for measure in in_units.measures if measure.points is not None]
+    spec = _spec_of(in_units, timestep, mesh, distances)
+    spec.add_text(
+        name="units", data=f"length {units.length:g} m, mass {units.mass:g} kg, time {units.time:g} s, angle rad"
+    )
+    spec.add_text(name="viewers", data=_viewers(in_units))
+    engine = _compiled(spec, design.name)
+    clear_rows(engine)
+    folds, drag = folds_of(engine, in_units), drag_of(engine, in_units)
+    tendons = _indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [tendon.name for tendon in in_units.tendons])
+    plastic = engine.tendon_plasticadr[tendons]
+    (holds, servo_ways), (brakes, brake_ways) = _servos(engine, in_units), _brakes(engine, in_units)
+    gaps = [gap_name(closure, end) for closure in in_units.closures for end in range(len(closure.points))]
+    return Model(
+        design=design,
+        structure=structure,
+        units=units,
+        in_units=in_units,
+        timestep=timestep,
+        engine=engine,
+        spec=spec,
+        mesh=mesh,
+        folds=folds,
+        creases=creases_of(engine, in_units, folds),
+        drag=drag,
+        followed=_followed_steps(in_units),
+        pushed=_pushed(engine, in_units),
+        springs=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [spring.name for spring in in_units.springs]),
+        tendons=tendons,
+        distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
+        gaps=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
+        branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
+        # of the two numbers of a tendon the dead band's upper end
+        creep=np.where(plastic >= 0, plastic + 1, -1),
+        motors=_followed(engine, in_units),
+        holds=holds,
+        brakes=brakes,
+        ways=servo_ways + brake_ways,
+        sites=_sites(engine, in_units),
+        carriers=_carriers(engine, in_units),
+        elastic=stacked_laws([tendon.law.elastic for tendon in in_units.tendons]),
+        lets_go=np.array([tendon.law.lets_go for tendon in in_units.tendons], dtype=bool),
+    )
+
+
+def _check_size(design: Design, structure: Structure) -> None:
+    if (count := len(structure.bodies)) > _MOST_BODIES:
+        pattern = getattr(design, "pattern", ())
+        counts = [f"pattern.{key} = {value}" for key, value in pattern if type(value) is int and value > 1]
+        follows = [text for text in (structure.appearance.bodies, *counts) if text]
+        reason = f" ({', '.join(follows)})" if follows else ""
+        raise InputError(f"{design.name}: need at most {_MOST_BODIES} bodies to simulate it{reason}, got {count}")
+
+
+def _check_pushes(design: Design, structure: Structure) -> None:
+    for tendon in structure.tendons:
+        if tendon.law.must_push and not tendon.law.pushes:
+            raise InputError(
+                f"{design.name}: {tendon.key}.pushes_when_slack: need true to simulate a law that has a yield_strain or"
+                " a nonlinear viscosity beside damping or branches, because nothing keeps such a tendon from pushing"
+                " when it is slack; a law without these only pulls"
+            )
+
+
+def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """The site of every point, (point,), -1 where it has none."""
+    sites = np.full(len(structure.points), -1, dtype=np.int64)
+    for number in engine_sites(structure):
+        sites[number] = _indices(engine, mujoco.mjtObj.mjOBJ_SITE, [structure.points[number].name])[0]
+    return sites
+
+
+def _carriers(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """The body that carries every point, (point,); 0 is the ground."""
+    bodies = _indices(engine, mujoco.mjtObj.mjOBJ_BODY, [body.name for body in structure.bodies])
+    return np.array([0 if point.body < 0 else bodies[point.body] for point in structure.points], dtype=np.int64)
+
+
+def joint_ranges(model: Model) -> tuple[Array, Array]:
+    """Positions at which stops end the ranges of hinges, (position,) each, infinite where nothing does."""
+    engine = model.engine
+    limited = np.array(engine.jnt_limited, dtype=bool)
+    ends = np.full((2, engine.nq), [[-np.inf], [np.inf]])
+    ends[:, np.array(engine.jnt_qposadr)[limited]] = np.array(engine.jnt_range)[limited].T
+    return ends[0], ends[1]
+
+
+def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[Measure]) -> mujoco.MjSpec:
+    """All parts of a structure, not compiled yet."""
+    spec = _empty_spec(structure, timestep)
+    add_bodies(spec, structure)
+    add_medium(spec, structure)
+    add_creases(spec, structure)
+    add_couplings(spec, structure, timestep)
+    add_closures(spec, structure, timestep)
+    for spring in structure.springs:
+        add_spring(spec, spring, structure)
+    for tendon in structure.tendons:
+        add_tendon(spec, tendon, structure)
+    # after all motors, so that a motor and its control have the same index: branches have no control
+    for tendon in structure.tendons:
+        add_pulls(spec, tendon, structure)
+    for limit in structure.limits:
+        add_limit(spec, limit, structure)
+    for measure in distances:
+        if measure.points is not None:
+            add_distance(spec, f"distance_{measure.name}", measure.points, structure)
+    add_membranes(spec, mesh, structure)
+    add_panels(spec, structure)
+    add_stop_sensors(spec, structure)
+    return spec
+
+
+def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
+    spec = mujoco.MjSpec()
+    spec.modelname = structure.name
+    spec.compiler.degree = False
+    option = spec.option
+    option.timestep = timestep
+    option.gravity = [0, 0, -structure.gravity]
+    # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
+    option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
+    # the default, 1e-8, would end the solver at a place that depends on the model's units
+    option.tolerance = 1e-12
+    # the sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and no faster for fewer than fifteen veins
+    # what slides is free of both: it has no constraints, and many nodes
+    free = not structure.limits and any(body.slides for body in structure.bodies)
+    option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if free else mujoco.mjtJacobian.mjJAC_DENSE
+    option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
+    # what has diverged must stay so, not start again
+    option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
+    if structure.contact is None:
+        option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+        return spec
+    # like the other one: where panels touch would be found to 1e-6 of the length unit
+    option.ccd_tolerance = 1e-10
+    if structure.contact.friction:
+        # a pyramid would be friction that depends on the direction
+        option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    return spec
+
+
+def _viewers(structure: Structure) -> str:
+    """Which viewers show a structure as it moves here."""
+    if any(hinge.flaps for hinge in structure.hinges) or structure.medium is not None:
+        return "layout only: creases or drag are set anew between steps"
+    if structure.membranes:
+        return "MuJoCo 4.0 on: before, membranes stretch otherwise"
+    if any(tendon.law.yield_extension is not None for tendon in structure.tendons):
+        return "MuJoCo 4.0 on: before, no tendon yields"
+    return "MuJoCo 3.9 on"
+
+
+def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+    """The engine's model; raise InputError where MuJoCo refuses it."""
+    try:
+        with warnings.catch_warnings():
+            # said of a membrane without damping, although its elasticity is there
+            warnings.filterwarnings("ignore", message=".*has no.*passive forces")
+            return spec.compile()
+    except (ValueError, MemoryError, RuntimeError, mujoco.FatalError) as error:
+        raise InputError(f"{name}: MuJoCo cannot build it: {' '.join(str(error).split())}") from None
+
+
+def _followed_steps(structure: Structure) -> int:
+    """Steps over which creases and drag stay as they are; 1 where there is neither."""
+    most = [] if structure.medium is None else [HELD]
+    if any(hinge.flaps for hinge in structure.hinges):
+        most.append(followed_steps(structure))
+    return min(most, default=1)
+
+
+def _branches(counts: list[int]) -> Indices:
+    """Numbers of branches, which come one tendon after another, by tendon; -1 where one has fewer than another."""
+    first = np.cumsum([0, *counts])
+    rows = [[*range(low, high)] for low, high in itertools.pairwise(first)]
+    most = max(counts, default=0)
+    return np.array([[*row, *[-1] * (most - len(row))] for row in rows], dtype=np.int64).reshape(len(counts), most)
+
+
+def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
+    """Number of the motor that each control of the engine follows, (control,), or -1."""
+    follows = np.full(engine.nu, -1, dtype=np.int64)
+    for number, motor in enumerate(structure.motors):
+        names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
+        force = force_name(motor.name)
+        on_plates = [f"{force}_{point}" for point in motor.points] if structure.plates else []
+        served = [target for target, _ in servo_names(motor)]
+        names += served or on_plates or ([force] if motor.points else [])
+        follows[_indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, names)] = number
+    return follows
+
+
+def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
+    """By what the shift of each coordinate takes the points of every force along it, (motor, dof)."""
+    pushed = np.zeros((len(structure.motors), engine.nv))
+    for number, motor in enumerate(structure.motors):
+        if motor.direction is None or structure.plates:
+            continue
+        for point in motor.points:
+            pushed[number] += _way(engine, structure, point, motor.direction)
+    return pushed
+
+
+def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
+    """By what the shift of each coordinate takes a node along a direction, (dof,)."""
+    way, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
+    names = [slide_name(body.name, axis) for axis in body.slides]
+    way[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
+    return way
+
+
+def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
+    """`Model.holds` and the ways of servos."""
+    holds, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    for number, motor in enumerate(structure.motors):
+        for point, names in zip(motor.points, servo_names(motor), strict=False):
+            assert motor.direction is not None
+            parts = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, list(names))
+            ways[parts] = _way(engine, structure, point, motor.direction)
+            holds[parts[1]] = number
+    return holds, ways
+
+
+def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
+    """`Model.brakes` and the ways of brakes."""
+    brakes, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
+    for number, motor in enumerate(structure.motors):
+        hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
+        if np.isfinite(motor.no_load_speed) and hinges:
+            controls = _indices(engine, mujoco.mjtObj.mjOBJ_ACTUATOR, [brake_name(hinge) for hinge in hinges])
+            joints = _indices(engine, mujoco.mjtObj.mjOBJ_JOINT, [hinge.name for hinge in hinges])
+            brakes[controls] = number
+            ways[controls, engine.jnt_dofadr[joints]] = [hinge.sense for hinge in hinges]
+    return brakes, ways
+
+
+def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:
+    """Ids of parts by their names."""
+    return np.array([mujoco.mj_name2id(engine, kind, name) for name in names], dtype=np.int64)

@@ -1,0 +1,285 @@
+"""The fastest mode of nodes that slide, in closed form and sparse, and of plates that turn, too."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.sparse import csr_array, diags_array
+from scipy.sparse.linalg import eigsh
+
+from forficula.arrays import Array, Indices
+from forficula.dynamics.engine.drag import HELD
+from forficula.dynamics.engine.placement import Placement, placement_of
+from forficula.dynamics.stepping.folds import flap_turns
+from forficula.pattern.geometry import triangle_areas
+from forficula.structure import (
+    Hinge,
+    Membrane,
+    Structure,
+    built_points,
+    crease_flaps,
+    crease_law,
+    crease_numbers,
+    mass_of,
+)
+
+# coordinates from which a shortened iteration is faster than all eigenvalues
+_FEW = 60
+# of the largest eigenvalue; a thousandth of the step
+_CLOSE = 1e-3
+# share of the span
+_NO_LENGTH = 1e-9
+# of the longest step that creases allow, by that which all allow
+_FOLLOWED = 0.2
+# of four plates that snap: what the account misses is as with 1, with 10 it is ten times as much
+_BETWEEN_PLATES = 5
+# the same of a clasp that is thrown on its stops: what the account misses is as with 1
+_AT_STOPS = 2
+# all divide the steps between two looks at goals
+_BLOCKS = (1, 2, 5, 10, 20, 50, 100)
+
+
+class _Elements(NamedTuple):
+    """Energies k (g x)^2 / 2 and dampers: points, (element, point), g, (element, point, 3), k and c, (element,)."""
+
+    points: Indices
+    gradients: Array
+    stiffness: Array
+    damping: Array
+
+
+def followed_steps(structure: Structure) -> int:
+    """Steps over which the engine's rows of creases stay as they are: the more, the stiffer bars are beside creases.
+
+    While a row stays, strains of its flaps change its moment by about their share, and what it does to them by as much:
+    when it is set anew, that energy is lost. So many steps of free bars lost 1e-2 of the energy in ten swings, as their
+    timestep does; with fewer or shorter ones it falls. Between plates rows mind no strain.
+    """
+    if structure.plates:
+        stops = any(hinge.flaps and (hinge.upper < math.pi or hinge.lower > -math.pi) for hinge in structure.hinges)
+        return _AT_STOPS if stops else _BETWEEN_PLATES
+    creases = node_timestep(replace(structure, springs=(), tendons=(), membranes=(), motors=()))
+    allowed = _FOLLOWED * creases / node_timestep(structure)
+    return max(steps for steps in _BLOCKS if steps <= max(allowed, 1))
+
+
+def node_timestep(structure: Structure) -> float:
+    """The longest timestep at which no mode of nodes as built flips and grows, in the structure's units.
+
+    One step of semi-implicit Euler on a mode of angular frequency w, with a damper that takes c from its speed: the
+    condition of Jury is h^2 w^2 + 2 h c < 4, for c = 0 the textbook limit 2 / w. The fastest mode and the strongest
+    damping count, of any modes. Tendons count with the stiffest spring of their law.
+    """
+    if structure.plates:
+        return _step(*_plate_modes(structure))
+    groups = [
+        _lines(structure),
+        _servos(structure),
+        _creases(structure),
+        *(_strains(structure, each) for each in structure.membranes),
+    ]
+    free = np.array([[axis in body.slides for axis in range(3)] for body in structure.bodies]).ravel()
+    masses = np.repeat([body.mass for body in structure.bodies], 3)[free]
+    if not free.any():
+        return math.inf
+    carriers = np.array([point.body for point in structure.points], dtype=np.int64)
+    square = rate = 0.0
+    matrices = []
+    for points, gradients, stiffness, damping in groups:
+        if not len(points):
+            continue
+        columns = (3 * carriers[points][:, :, None] + np.arange(3)).reshape(len(points), -1)
+        rows = np.broadcast_to(np.arange(len(points))[:, None], columns.shape)
+        shape = (len(points), 3 * len(structure.bodies))
+        gradient = csr_array((gradients.ravel(), (rows.ravel(), columns.ravel())), shape=shape)
+        matrices.append((csr_array(gradient[:, free] @ diags_array(1 / np.sqrt(masses))), stiffness, damping))
+    square, rate = (
+        _largest(
+            sum((csr_array(each[0].T @ diags_array(each[kind]) @ each[0]) for each in matrices), start=_none(masses))
+        )
+        for kind in (1, 2)
+    )
+    return _step(square, rate + _viscous_rate(structure))
+
+
+def _viscous_rate(structure: Structure) -> float:
+    """The most by which the medium's viscosity slows a node, as many times as steps see the same of it.
+
+    A triangle takes no more than if each corner had a third of its area.
+    """
+    medium = structure.medium
+    if medium is None:
+        return 0.0
+    corners = np.array([body.position for body in structure.bodies])[medium.carriers]
+    each = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
+    on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(each, 3), len(structure.bodies))
+    return HELD * float(max(on_nodes / [body.mass for body in structure.bodies]))
+
+
+def _step(square: float, rate: float) -> float:
+    """The longest timestep by the square of the largest angular frequency and the largest rate of damping."""
+    if not square:
+        return 2 / rate if rate else math.inf
+    return 4 / (rate + math.hypot(rate, 2 * math.sqrt(square)))
+
+
+def _plate_modes(structure: Structure) -> tuple[float, float]:
+    """The square of the largest angular frequency and the largest rate of damping of plates as built."""
+    placement = placement_of(structure)
+    origins, frames = placement.poses(_built_position(structure, placement))
+    moves, turns = placement.rates(origins, frames, np.eye(placement.velocity_count))
+    inertia = np.zeros((placement.velocity_count, placement.velocity_count))
+    for number in range(len(structure.bodies)):
+        mass, centre, own = mass_of(structure, number)
+        own = frames[number] @ own @ frames[number].T
+        moved = moves[:, number] + np.cross(turns[:, number], frames[number] @ centre)
+        inertia += mass * moved @ moved.T + turns[:, number] @ own @ turns[:, number].T
+    matrices = [np.zeros_like(inertia), np.zeros_like(inertia)]
+    for hinge, place in zip(_joints(structure), placement.velocities[placement.hinges].tolist(), strict=True):
+        inertia[place, place] += hinge.armature
+        matrices[0][place, place] += hinge.stiffness
+    carriers = np.array([point.body for point in structure.points], dtype=np.int64)
+    arms = np.array([frames[point.body] @ point.place for point in structure.points])
+    for points, gradients, *strengths in (_lines(structure), _creases(structure)):
+        if len(points):
+            shifts = moves[:, carriers[points]] + np.cross(turns[:, carriers[points]], arms[points])
+            along = np.einsum("depx,epx->ed", shifts, gradients)
+            for number, strength in enumerate(strengths):
+                matrices[number] += along.T @ (strength[:, None] * along)
+    square, rate = (float(eigh(matrix, inertia, eigvals_only=True)[-1]) for matrix in matrices)
+    return max(square, 0.0), max(rate, 0.0)
+
+
+def _joints(structure: Structure) -> list[Hinge]:
+    """The hinges that turn bodies, in their order."""
+    return [hinge for hinge in structure.hinges if not hinge.flaps]
+
+
+def _built_position(structure: Structure, placement: Placement) -> Array:
+    """The engine's positions in the built shape."""
+    position = np.zeros(placement.position_count)
+    for number in placement.free.tolist():
+        position[placement.slides[number]] = structure.bodies[number].position
+    position[placement.quaternions] = 1.0
+    position[placement.hinges] = placement.built
+    return position
+
+
+def _none(masses: Array) -> csr_array:
+    return csr_array((len(masses), len(masses)))
+
+
+def _largest(matrix: csr_array) -> float:
+    """The largest eigenvalue of a symmetric matrix without negative ones."""
+    if matrix.shape[0] <= _FEW or not matrix.nnz:
+        return float(np.linalg.eigvalsh(matrix.toarray()).max()) if matrix.nnz else 0.0
+    start = np.random.default_rng(0).normal(size=matrix.shape[0])
+    found = eigsh(matrix, k=1, which="LM", return_eigenvectors=False, v0=start, tol=_CLOSE)
+    return float(found[0]) * (1 + _CLOSE)
+
+
+def _lines(structure: Structure) -> _Elements:
+    """Springs and tendons."""
+    places = built_points(structure)
+    ends = [*(spring.points for spring in structure.springs), *(tendon.points for tendon in structure.tendons)]
+    points = np.array(ends, dtype=np.int64).reshape(-1, 2)
+    along = places[points[:, 1]] - places[points[:, 0]]
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    # one without a length pulls any way
+    short = length[:, 0] <= _NO_LENGTH * structure.span
+    along = np.where(short[:, None], np.array([1.0, 0.0, 0.0]), along / np.where(short[:, None], 1.0, length))
+    stiffness, damping = ([getattr(spring, name) for spring in structure.springs] for name in ("stiffness", "damping"))
+    built = length[len(structure.springs) :, 0]
+    for tendon, own in zip(structure.tendons, built.tolist(), strict=True):
+        law = tendon.law
+        # what nothing keeps from being stretched further is taken to come to twice its length
+        longest = tendon.longest if np.isfinite(tendon.longest) else 2 * own
+        # a cubic's slope is largest at an end of its range
+        both = law.elastic.stiffness([law.rest_length, max(longest, law.rest_length)])
+        stiffness.append(float(np.max(both)) + sum(branch.stiffness for branch in law.branches))
+        damping.append((law.damping or (0.0,))[0])
+    every = np.concatenate([np.arange(len(points)), *[np.flatnonzero(short)] * 2])
+    ways = np.concatenate([along, *(np.tile(np.eye(3)[axis], (int(short.sum()), 1)) for axis in (1, 2))])
+    return _Elements(
+        points[every], np.stack([-ways, ways], axis=1), np.array(stiffness)[every], np.array(damping)[every]
+    )
+
+
+def _servos(structure: Structure) -> _Elements:
+    """What displaces points."""
+    served = [motor for motor in structure.motors if motor.kind == "displacement"]
+    ways = [motor.direction for motor in served for _ in motor.points]
+    return _Elements(
+        np.array([point for motor in served for point in motor.points], dtype=np.int64).reshape(-1, 1),
+        np.array(ways, dtype=np.float64).reshape(-1, 1, 3),
+        np.array([motor.stiffness for motor in served for _ in motor.points]),
+        np.array([damping for motor in served for damping in motor.damping]),
+    )
+
+
+def _creases(structure: Structure) -> _Elements:
+    """Creases, with the stiffness of their springs where they are, and of their stops beside that."""
+    hinges = [hinge for hinge in structure.hinges if hinge.flaps]
+    flaps = crease_flaps(structure)
+    corners = built_points(structure)[flaps]
+    unit = np.eye(18).reshape(18, 1, 6, 3)
+    turns = flap_turns(np.broadcast_to(corners, (18, *corners.shape)), np.broadcast_to(unit, (18, *corners.shape)))
+    law = crease_law(structure, crease_numbers(structure))
+    stopped = np.isfinite(law.lower) | np.isfinite(law.upper)
+    return _Elements(
+        flaps,
+        turns.T.reshape(-1, 6, 3),
+        law.slope(np.array([hinge.start for hinge in hinges])) + np.where(stopped, law.stop_stiffness, 0.0),
+        np.array([hinge.damping for hinge in hinges]) + _braking(structure)[crease_numbers(structure)],
+    )
+
+
+def _braking(structure: Structure) -> Array:
+    """By how much motors damp each hinge at most, (hinge,)."""
+    most = np.zeros(len(structure.hinges))
+    for number, motor in enumerate(structure.motors):
+        size = max((abs(drive.strengths[number]) for drive in structure.drives), default=0.0)
+        gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
+        most[list(motor.hinges)] += size * gains / motor.no_load_speed
+    return most
+
+
+def _strains(structure: Structure, membrane: Membrane) -> _Elements:
+    """Strains of a membrane's triangles, which have a stiffness of 1 with the square root of theirs in them.
+
+    Plane stress, triangles of constant strain (Zienkiewicz and Taylor, The Finite Element Method): the energy is
+    |L' B x|^2 area t / 2 with D = L L'.
+    """
+    law, nu = membrane.law, membrane.law.poisson_ratio
+    plane = law.youngs_modulus / (1 - nu**2) * np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]])
+    corners = membrane.built[membrane.triangles]
+    edge, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    normal = np.cross(edge, other)
+    twice = np.linalg.norm(normal, axis=1)
+    along = edge / np.linalg.norm(edge, axis=1, keepdims=True)
+    across = np.cross(normal / twice[:, None], along)
+    x, y = (np.einsum("tcx,tx->tc", corners - corners[:, :1], each) for each in (along, across))
+    by_x, by_y = (
+        np.stack([each[:, 1] - each[:, 2], each[:, 2] - each[:, 0], each[:, 0] - each[:, 1]], axis=1) / twice[:, None]
+        for each in (y, -x)
+    )
+    strain = np.stack(
+        [
+            by_x[:, :, None] * along[:, None],
+            by_y[:, :, None] * across[:, None],
+            by_y[:, :, None] * along[:, None] + by_x[:, :, None] * across[:, None],
+        ],
+        axis=1,
+    )
+    rows = np.einsum("ij,tjcx->ticx", np.linalg.cholesky(plane).T, strain)
+    rows *= np.sqrt(twice / 2 * law.thickness)[:, None, None, None]
+    number = np.full(len(structure.bodies), -1, dtype=np.int64)
+    for place, point in enumerate(structure.points):
+        number[point.body] = place
+    points = np.repeat(number[membrane.bodies[membrane.triangles]], 3, axis=0)
+    unit = np.ones(len(points))
+    return _Elements(points, rows.reshape(-1, 3, 3), unit, law.damping * unit)

@@ -1,0 +1,234 @@
+"""What the protocols of many structures ask for, stage by stage and in steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from forficula.arrays import Array
+from forficula.design import Stage, stage_drives
+from forficula.dynamics.engine.model import Model, joint_ranges
+from forficula.structure import Goal, drive_of, goal_of, sums_of
+
+Numbers = NDArray[np.int64]
+Booleans = NDArray[np.bool_]
+
+# torques on all motors, and the time over which they rise, s
+Effort = tuple[tuple[float, ...], float]
+
+# relaxation times after which a Maxwell branch has lost 95 % of its force
+_RELAXED = 3
+# steps, more than any run takes
+NEVER = 10**15
+_FAR = np.radians(45.0)  # beyond a stop: a stop that yields so far is none
+
+
+@dataclass(frozen=True, kw_only=True)
+class Watched:
+    """The coordinates that some goal bounds, see `forficula.structure.goal_coordinates`.
+
+    Attributes:
+        hinges: numbers of those whose angles it takes, (hinge,).
+        angles: places among these of the angles that are bounded themselves.
+        distances: numbers of the distances, among those that are measured.
+        sums: by what each of these hinges counts in each sum, (sum, hinge).
+    """
+
+    hinges: Numbers
+    angles: Numbers
+    distances: Numbers
+    sums: Array
+
+    @classmethod
+    def of(cls, model: Model, kept: Numbers) -> Watched:
+        """Those of a structure with these numbers, rising."""
+        structure = model.structure
+        turns, apart = len(structure.hinges), len(model.distances)
+        rows = [
+            np.bincount(part, weights=[measure.signs[measure.hinges.index(hinge)] for hinge in part], minlength=turns)
+            for measure in sums_of(structure)
+            for part in measure.parts
+        ]
+        sums: Array = np.array(rows, dtype=np.float64).reshape(-1, turns)[kept[kept >= turns + apart] - turns - apart]
+        angles = kept[kept < turns]
+        hinges = np.union1d(angles, np.flatnonzero(sums.any(axis=0)))
+        return cls(
+            hinges=hinges,
+            angles=np.searchsorted(hinges, angles),
+            distances=kept[(kept >= turns) & (kept < turns + apart)] - turns,
+            sums=sums[:, hinges],
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class StagePlan:
+    """The protocols of structures of one topology; all rows are as long as the longest protocol and one stage more.
+
+    Attributes:
+        timestep: s, (structure,).
+        last: number of the last stage, (structure,).
+        lowest: positions far beyond the stops of hinges, which no sound run comes to, (structure, position).
+        highest: likewise.
+        rest_speed: below which it rests, by unit of time, (structure, dof).
+        window: for how many steps it may rest short of its goal before it is stuck, (structure,).
+        least_hold: share of the time to a goal for which it must hold, (structure,).
+        watched: what some goal bounds; only that is looked at.
+        least: of what is watched, (structure, stage, coordinate).
+        most: likewise.
+        ends_at_rest: whether the goal of a stage is rest, (structure, stage).
+        has_bounds: whether it is bounds, (structure, stage).
+        may_stick: whether a drive leads to it, (structure, stage).
+        hold: for how many steps the goal must hold, (structure, stage).
+        limit: after how many steps the stage is over, (structure, stage).
+        wait: for how long it waits once it rests, s, (structure, stage).
+        torques: of every drive on all motors, in own senses and the models' units, (structure, stage, drive, motor); of
+            as many drives as the stage with the most, the others push with nothing.
+        rise: over which they rise, steps, (structure, stage, drive).
+    """
+
+    timestep: Array
+    last: Numbers
+    lowest: Array
+    highest: Array
+    rest_speed: Array
+    window: Numbers
+    least_hold: Array
+    watched: Watched
+    least: Array
+    most: Array
+    ends_at_rest: Booleans
+    has_bounds: Booleans
+    may_stick: Booleans
+    hold: Numbers
+    limit: Numbers
+    wait: Array
+    torques: Array
+    rise: Array
+
+    @property
+    def risen(self) -> Numbers:
+        """After how many steps all torques of a stage have risen, (structure, stage)."""
+        return np.asarray(np.ceil(np.minimum(self.rise.max(axis=2), NEVER)).astype(np.int64))
+
+
+def stage_plan(models: Sequence[Model]) -> StagePlan:
+    """What the protocols of models of one topology ask for."""
+    protocols = [model.design.protocol for model in models]
+    timestep = np.array([float(protocol.timestep) for protocol in protocols])
+    last = np.array([len(protocol.stages) for protocol in protocols]) - 1
+    length = int(last.max()) + 2
+    stages = [[*protocol.stages, *[protocol.stages[-1]] * (length - len(protocol.stages))] for protocol in protocols]
+
+    def of_stages(value: Callable[[Stage], float | bool]) -> NDArray[Any]:
+        return np.array([[value(stage) for stage in row] for row in stages])
+
+    lowest, highest = (np.array(each) for each in zip(*map(far_beyond, models), strict=True))
+    hold, wait = _in_steps(of_stages(lambda stage: stage.hold), timestep), of_stages(lambda stage: stage.wait or 0.0)
+    # a structure that waits rests for as long before every leap as its states are averaged over
+    windows = _in_steps([[protocol.window] for protocol in protocols], timestep)
+    goals = _goals(models, stages)
+    return StagePlan(
+        timestep=timestep,
+        last=last,
+        lowest=lowest,
+        highest=highest,
+        rest_speed=np.array([rest_speeds(model) for model in models]),
+        window=_in_steps([[longest_rest(model)] for model in models], timestep)[:, 0],
+        least_hold=np.array([protocol.least_hold for protocol in protocols]),
+        may_stick=of_stages(lambda stage: bool(stage_drives(stage))) & goals["has_bounds"],
+        hold=np.where(wait > 0, np.maximum(hold, windows), hold),
+        limit=_in_steps(of_stages(lambda stage: stage.time_limit), timestep),
+        wait=wait,
+        **goals,
+        **_drives(models, stages, timestep),
+    )
+
+
+def _goals(models: Sequence[Model], stages: Sequence[Sequence[Stage]]) -> dict[str, Any]:
+    """Of every stage the goal, by the names of a plan."""
+    goals = [[stage_goal(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
+    least, most = (np.array([[getattr(goal, end) for goal in row] for row in goals]) for end in ("least", "most"))
+    kept = np.flatnonzero(np.isfinite(least).any(axis=(0, 1)) | np.isfinite(most).any(axis=(0, 1)))
+    return {
+        "watched": Watched.of(models[0], kept),
+        "least": least[:, :, kept],
+        "most": most[:, :, kept],
+        "ends_at_rest": np.array([[goal.kind == "rest" for goal in row] for row in goals]),
+        "has_bounds": np.array([[goal.kind == "bounds" for goal in row] for row in goals]),
+    }
+
+
+def _drives(models: Sequence[Model], stages: Sequence[Sequence[Stage]], timestep: Array) -> dict[str, Any]:
+    """Of every stage the drives, by the names of a plan."""
+    together = max((len(stage_drives(stage)) for row in stages for stage in row), default=0) or 1
+    efforts = [[_efforts(model, stage, together) for stage in row] for model, row in zip(models, stages, strict=True)]
+    rise = np.array([[[rise for _, rise in drives] for drives in row] for row in efforts])
+    return {
+        "torques": np.array([[[torques for torques, _ in drives] for drives in row] for row in efforts]),
+        "rise": rise / timestep[:, None, None],
+    }
+
+
+def _in_steps(times: ArrayLike, timestep: Array) -> Numbers:
+    # a time that is never over would overflow as a number of steps
+    longest = NEVER * timestep[:, None]
+    return np.asarray(np.rint(np.minimum(times, longest) / timestep[:, None]), dtype=np.int64)
+
+
+def rest_speeds(model: Model) -> Array:
+    """Below which a structure rests, by unit of time, (dof,): of turns as it is, of slides by the structure's size."""
+    speed = model.design.protocol.rest_speed / (1 / model.units.time)
+    engine, kinds = model.engine, mujoco.mjtJoint
+    joint = np.array(engine.dof_jntid)
+    kind, place = np.array(engine.jnt_type)[joint], np.arange(engine.nv) - np.array(engine.jnt_dofadr)[joint]
+    slides = (kind == kinds.mjJNT_SLIDE) | ((kind == kinds.mjJNT_FREE) & (place < 3))
+    return np.where(slides, speed * model.in_units.span, speed)
+
+
+def longest_rest(model: Model) -> float:
+    """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too.
+
+    Those that take longer than any stage do nothing in one.
+    """
+    protocol = model.design.protocol
+    longest = max(stage.time_limit for stage in protocol.stages)
+    times = [branch.time for tendon in model.structure.tendons for branch in tendon.law.branches]
+    return max(protocol.window, _RELAXED * max((time for time in times if time <= longest), default=0.0))
+
+
+def far_beyond(model: Model) -> tuple[Array, Array]:
+    """Positions far beyond the stops of hinges, (position,) each, which no sound run comes to."""
+    low, high = joint_ranges(model)
+    return low - _FAR, high + _FAR
+
+
+def stage_torques(model: Model, stage: Stage) -> tuple[Effort, ...]:
+    """Of every drive of a stage the torques on all motors, in own senses and the model's units, and the rise, s."""
+    return tuple(
+        (drive_of(model.in_units, name).strengths, drive_of(model.structure, name).rise) for name in stage_drives(stage)
+    )
+
+
+def _efforts(model: Model, stage: Stage, count: int) -> tuple[Effort, ...]:
+    """So many drives of a stage, those that it lacks without torques."""
+    own = stage_torques(model, stage)
+    nothing: Effort = ((0.0,) * len(model.structure.motors), 0.0)
+    return (*own, *[nothing] * (count - len(own)))
+
+
+def stage_goal(model: Model, stage: Stage) -> Goal:
+    """The goal of a stage, in the model's units."""
+    return goal_in_units(model, goal_of(model.structure, stage.until))
+
+
+def goal_in_units(model: Model, goal: Goal) -> Goal:
+    """A goal of a structure in its model's units: what is written of a distance is SI."""
+    hinges = len(model.structure.hinges)
+    place = np.arange(len(goal.least)) - hinges
+    unit = np.where((place < 0) | (place >= len(model.distances)), 1.0, model.units.length)
+    return replace(goal, least=goal.least / unit, most=goal.most / unit)

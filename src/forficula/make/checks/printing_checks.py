@@ -1,0 +1,98 @@
+"""What is checked of parts as they are printed: walls, what hangs over, and what a strap is like."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from forficula.make.checks.check import Check, count_check, least_check
+from forficula.make.part import Part, PartSet
+from forficula.make.solid.mesh import mesh_of, solid_of
+from forficula.make.solid.solids import Cut, Joined, Rod, Shared, Solid
+from forficula.pattern.geometry import triangle_normals
+
+# lines of the nozzle that a wall has at least
+_LINES = 2
+# cos of the steepest slope that filament holds on its own, 45 deg from the vertical
+_SLOPE = np.sqrt(0.5)
+# of what lies on the bed, that may hang free; chosen
+_HANGS = 0.05
+# m, of a round hole that filament bridges
+_BRIDGED = 5e-3
+# mm: what is so near to the bed lies on it
+_ON_BED = 1e-3
+
+
+def printing_checks(parts: PartSet) -> Iterator[Check]:
+    """Check the printed parts of a set."""
+    for joint in parts.joints:
+        make = joint.make
+        least = _LINES * make.nozzle
+        walls = {"make.hinge_wall": make.hinge_wall, "knuckles (make.hinge_width)": 2 * joint.side_widths[0]}
+        if joint.strap is not None:
+            walls |= {"make.strap_thickness": joint.strap.thickness, "strap width": joint.strap.width}
+            walls |= {"make.peg_diameter": make.peg_diameter}
+        thin, wall = min(walls.items(), key=lambda each: each[1])
+        text = f"{thin} is the thinnest, beside two lines of make.nozzle"
+        yield least_check("thinnest wall", joint.name, found=wall, least=least, text=text)
+        if joint.strap is not None:
+            strap = joint.strap
+            yield Check(
+                name="strap bends on its flat side",
+                part=joint.name,
+                ok=strap.width > strap.thickness,
+                value=strap.width,
+                limit=strap.thickness,
+                unit="m",
+                text="a strap must be wider than thick, or it bows sideways into the joint"
+                + ("" if strap.width > strap.thickness else ": take a thinner one (make.strap_thickness)"),
+            )
+    for part in parts.parts:
+        pieces = len(part.shape.decompose())
+        missed = f"it falls into {pieces} pieces: make it longer or wider"
+        yield count_check(
+            "in one piece", part.name, found=pieces, wanted=1, held="all of it hangs together", missed=missed
+        )
+    if parts.joints and parts.joints[0].make.process == "filament":
+        yield from (_overhang(part) for part in parts.parts if part.printed)
+
+
+def _overhang(part: Part) -> Check:
+    """How much of a part hangs further over than filament holds, by the area that lies on the bed.
+
+    Round holes of 5 mm and less close over themselves.
+    """
+    mesh = mesh_of(solid_of(_without_small_holes(part.solid)))
+    corners = (mesh.points @ part.bed.T)[mesh.triangles]
+    normals = triangle_normals(corners) / 2
+    areas = np.linalg.norm(normals, axis=1)
+    down = -normals[:, 2] / np.where(areas > 0, areas, 1.0)
+    on_bed = corners[:, :, 2].max(axis=1) < corners[:, :, 2].min() + _ON_BED
+    lies = float(np.sum(areas[on_bed]))
+    hangs = float(np.sum(areas[~on_bed & (down > _SLOPE)]))
+    share = hangs / lies if lies else np.inf
+    return Check(
+        name="overhang",
+        part=part.name,
+        ok=bool(share <= _HANGS),
+        value=float(share),
+        limit=_HANGS,
+        unit="",
+        text=f"{lies:.0f} mm^2 lie on the bed, and {hangs:.0f} mm^2 hang over by more than 45 deg"
+        + ("" if share <= _HANGS else ': print it with supports, or by make.process = "powder"'),
+    )
+
+
+def _without_small_holes(solid: Solid) -> Solid:
+    """A solid with its small round holes filled."""
+    match solid:
+        case Cut():
+            kept = tuple(each for each in solid.taken if not (isinstance(each, Rod) and each.diameter <= _BRIDGED))
+            return Cut(solid=_without_small_holes(solid.solid), taken=kept)
+        case Joined():
+            return Joined(solids=tuple(_without_small_holes(each) for each in solid.solids))
+        case Shared():
+            return Shared(solids=tuple(_without_small_holes(each) for each in solid.solids))
+        case _:
+            return solid

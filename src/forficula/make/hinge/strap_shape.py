@@ -1,0 +1,193 @@
+"""Straps as solids: as they are made, taut between their pegs, and bowed where they are slack."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.make.hinge.elastica import elastica
+from forficula.make.hinge.joint import turned
+from forficula.make.hinge.joint_layout import Arm, JointLayout
+from forficula.make.hinge.straps import Strap
+from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Solid, band, box
+
+# shorter than this, seen along the hinge, a strap's ends have no direction to bow square to, m
+_NOWHERE = 1e-9
+# corners of a bow
+_CORNERS = 49
+# straps are moved aside at most so often, by as much as is missing and a little, m, at so many angles
+_TRIES, _STEP, _ANGLES = 40, 1e-4, 31
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StrapPlace:
+    """Where a tendon's straps end as the structure is built, in the axes of the ground.
+
+    Attributes:
+        tendon: its number.
+        strap: what it is made as.
+        bodies: of the two pegs, proximal first.
+        ends: middles of a strap's eyes on them, m, (strap, 2, 3).
+        across: unit vectors along the two pegs, (2, 3).
+        up: unit vector to the side of the overbend, (3,).
+        peg_diameter: m.
+    """
+
+    tendon: int
+    strap: Strap
+    bodies: tuple[int, int]
+    ends: Array
+    across: Array
+    up: Array
+    peg_diameter: float
+
+    @property
+    def eye_diameter(self) -> float:
+        """Outer one of a strap's eyes, with walls as thick as the strap, m."""
+        return self.peg_diameter + 2 * self.strap.thickness
+
+
+def strap_places(joints: Sequence[JointLayout]) -> tuple[StrapPlace, ...]:
+    """Where the straps of all tendons end, by what the joints have of their pegs; a tendon may cross several joints."""
+    pegs: dict[int, list[tuple[JointLayout, Arm]]] = {}
+    for joint in joints:
+        if joint.tendon is not None:
+            pegs.setdefault(joint.tendon, []).extend((joint, arm) for arm in (joint.proximal, joint.distal) if arm.peg)
+    places = []
+    for tendon, ((first, inner), (last, outer)) in pegs.items():
+        if first.strap is None:
+            continue
+        across = np.array([first.across(inner), last.across(outer)])
+        middles = np.array([first.peg_of(inner), last.peg_of(outer)])
+        sides = (1, -1) if first.strap.count == 2 else (0,)
+        places.append(
+            StrapPlace(
+                tendon=tendon,
+                strap=first.strap,
+                bodies=(inner.body, outer.body),
+                ends=np.array([middles + side * first.aside * across for side in sides]),
+                across=across,
+                up=first.frame[:, 2],
+                peg_diameter=first.make.peg_diameter,
+            )
+        )
+    return tuple(places)
+
+
+def bows_beside(joints: tuple[JointLayout, ...]) -> tuple[JointLayout, ...]:
+    """Move pairs of straps aside until their bows pass both bars of a joint by the clearance, at all angles.
+
+    Bars of an oblique hinge lie across one another when they are folded, so that straps which are beside the one as it
+    is flat are over the other then. Of tendons across several joints the bows are left as they are.
+    """
+    of = [joint.tendon for joint in joints]
+    return tuple(
+        _beside(joint) if joint.strap is not None and joint.strap.count == 2 and of.count(joint.tendon) == 1 else joint
+        for joint in joints
+    )
+
+
+def _beside(joint: JointLayout) -> JointLayout:
+    """A joint whose straps are moved aside until their bows pass its bars."""
+    for _ in range(_TRIES):
+        (place,) = strap_places([joint])
+        missing = joint.bar_diameter / 2 + place.strap.width / 2 + joint.make.clearance - _nearest(joint, place)
+        if missing <= 0:
+            return joint
+        joint = replace(joint, aside=joint.aside + missing + _STEP)
+    return joint
+
+
+def _nearest(joint: JointLayout, place: StrapPlace) -> float:
+    """How near the middles of slack straps come to the axes of the bars, from the hinge to their ends, m."""
+    rise, nearest = joint.standoff * joint.frame[:, 2], math.inf
+    for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
+        pose = turned(joint, float(angle))
+        bars = [(joint.origin + rise, joint.proximal), (pose.of(joint.origin + rise), joint.distal)]
+        for start, end in place.ends:
+            there = pose.of(end)
+            if np.linalg.norm(there - start) >= place.strap.rest_length:
+                continue
+            for side in (1, -1):
+                line = strap_line(place, start, there, joint.frame[:, 1], side)
+                for (origin, arm), turn in zip(bars, (np.eye(3), pose.rotation), strict=True):
+                    off, way = line - origin, turn @ arm.along
+                    along = np.clip(off @ way, 0.0, arm.length)
+                    nearest = min(nearest, float(np.linalg.norm(off - along[:, None] * way, axis=1).min()))
+    return nearest
+
+
+def made_strap(place: StrapPlace) -> Solid:
+    """A strap at its resting length, straight from its proximal peg towards the other, with an eye at either end."""
+    start, end = place.ends[0]
+    along = (end - start) / np.linalg.norm(end - start)
+    return _with_eyes(place, np.array([start, start + place.strap.rest_length * along]), place.up)
+
+
+def strap_line(place: StrapPlace, start: Array, end: Array, axis: Array, side: int) -> Array:
+    """The middle of a strap between two places, m, (corner, 3): straight where it is taut, else bowed to a side.
+
+    It bends about its width, which stays along the hinge, and goes evenly along that from one end to the other.
+
+    Args:
+        place: of the tendon's straps.
+        start: of its proximal eye, m, (3,).
+        end: of the other, m, (3,).
+        axis: unit vector along the hinge, (3,).
+        side: +1 or -1, of the two that it can bow to.
+    """
+    along = float((end - start) @ axis)
+    chord = end - start - along * axis
+    apart, length = float(np.linalg.norm(chord)), place.strap.rest_length
+    ahead = chord / apart if apart > _NOWHERE else np.cross(axis, place.up)
+    bowed = math.sqrt(length**2 - along**2) if length > math.hypot(apart, along) else apart
+    flat = elastica(max(bowed, _NOWHERE), apart, _CORNERS)
+    shares = np.linspace(0.0, along, _CORNERS)
+    line: Array = start + flat @ np.array([ahead, side * np.cross(axis, ahead)]) + shares[:, None] * axis
+    return line
+
+
+def strap_along(place: StrapPlace, line: Array, axis: Array) -> Solid:
+    """A strap without its eyes along its middle, (corner, 3), as a chain of blocks as wide as it is along the hinge.
+
+    Taut, it keeps its width and thickness: it is drawn too thick.
+    """
+    blocks = []
+    for start, end in itertools.pairwise(line):
+        step = end - start - float((end - start) @ axis) * axis
+        length = float(np.linalg.norm(step))
+        ahead = step / length
+        frame = np.column_stack([ahead, np.cross(axis, ahead), axis])
+        half = place.strap.thickness / 2
+        wide = (place.strap.width + abs(float((end - start) @ axis))) / 2
+        middle = (start + end) / 2
+        # over the corners of a bend
+        reach = length / 2 + half / 4
+        blocks.append(box((-reach, -half, -wide), (reach, half, wide), middle, frame))
+    return Joined(solids=tuple(blocks))
+
+
+def _with_eyes(place: StrapPlace, ends: Array, up: Array) -> Solid:
+    """A straight strap between the middles of two eyes."""
+    along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+    across = np.cross(up, along) / np.linalg.norm(np.cross(up, along))
+    half = place.strap.width / 2 * across
+
+    def disc(middle: Array, diameter: float, longer: float) -> Rod:
+        return Rod(start=middle - longer * half, end=middle + longer * half, diameter=diameter)
+
+    length = float(np.linalg.norm(ends[1] - ends[0]))
+    middle = Prism(
+        outline=band(np.array([[0.0, 0.0], [length, 0.0]]), place.strap.thickness),
+        origin=ends[0],
+        frame=np.column_stack([along, np.cross(across, along), across]),
+        height=place.strap.width,
+    )
+    eyes = [disc(end, place.eye_diameter, 1.0) for end in ends]
+    holes = tuple(disc(end, place.peg_diameter, 2.0) for end in ends)
+    return Cut(solid=Joined(solids=(middle, *eyes)), taken=holes)

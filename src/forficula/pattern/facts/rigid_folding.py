@@ -1,0 +1,165 @@
+"""Whether a flat sheet of rigid facets begins to fold as its creases are assigned, and a state in which it has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import scipy
+from scipy.sparse import coo_array, csr_array, eye_array
+from scipy.sparse.linalg import splu
+
+from forficula.arrays import Array, Indices
+from forficula.errors import InputError
+from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
+from forficula.pattern.facts.vertex_closure import vertex_walk
+from forficula.pattern.facts.vertex_creases import VertexCreases, vertex_creases
+from forficula.pattern.kinematics import folded_coordinates
+from forficula.pattern.shared_edges import shared_edges
+
+_IN_LINE = 1e-6  # rad; what files with seven digits leave of a straight angle
+_START = math.radians(60)  # by which creases are folded before the sheet closes, at first all alike
+_TRIES, _SPREAD = 6, (0.3, 1.5)  # starts, and by how much those after the first may differ from that
+_STEPS = 30
+_CLOSED = 1e-13  # largest entry of the walks around the vertices
+_LEAST_FOLD = math.radians(1)  # of a state that counts as folded
+
+
+def senses(pattern: CreasePattern) -> Indices:
+    """The assigned sense of every edge: 1 valley, -1 mountain, 0 of any other, shape (E,)."""
+    return np.array([{"V": 1, "M": -1}.get(letter, 0) for letter in pattern.edges_assignment], dtype=np.int64)
+
+
+def vertex_folds(pattern: CreasePattern, around: VertexCreases) -> bool | None:
+    """Whether a flat vertex alone folds rigidly with every crease in its sense, however little: exact, not first order.
+
+    It does where creases of one sense lie in no half plane and one of the other sense is among the rest; and where it
+    is one straight crease (Abel, Cantarella, Demaine, Eppstein, Hull, Ku, Lang and Tachi 2016, J. Comput. Geom. 7,
+    171-184: bird's foot).
+
+    Returns:
+        None where a crease has no sense and any would do.
+    """
+    letters = np.array([pattern.edges_assignment[edge] for edge in around.edges])
+    if len(letters) == 0:
+        return True
+    directions = np.concatenate([[0.0], np.cumsum(around.sectors[:-1])])
+    if len(letters) < 4:
+        straight = len(letters) == 2 and abs(around.sectors[0] - math.pi) < _IN_LINE
+        return None if straight and "U" in letters else bool(straight and letters[0] == letters[1])
+    if "U" in letters:
+        return None if _span(directions) else False
+    return any(
+        _span(directions[letters == one]) and bool((letters == other).any()) for one, other in (("M", "V"), ("V", "M"))
+    )
+
+
+def _span(directions: Array) -> bool:
+    """Whether no half plane holds all directions, rad and rising."""
+    if len(directions) < 3:
+        return False
+    gaps = np.diff([*directions, directions[0] + 2 * math.pi])
+    return bool(gaps.max() < math.pi - _IN_LINE)
+
+
+def begins_as_assigned(pattern: CreasePattern) -> bool:
+    """Whether a flat sheet has a first-order motion in which every mountain and valley folds in its sense.
+
+    Around every interior vertex the fold rates, as vectors along the creases, add up to 0 (Belcastro and Hull 2002);
+    flat edges stay, unassigned ones are free. Necessary to fold rigidly, not enough: the second order may forbid it. A
+    linear programme looks for the rates.
+
+    Raises:
+        InputError: the sheet is not flat and unfolded.
+    """
+    _check_unfolded(pattern)
+    signs = senses(pattern)
+    rows: list[tuple[Array, Indices]] = []
+    for each in vertex_creases(pattern):
+        along = np.concatenate([[0.0], np.cumsum(each.sectors[:-1])]) if len(each.edges) else np.zeros(0)
+        rows += [(np.cos(along), each.edges), (np.sin(along), each.edges)]
+    lower = np.where(signs > 0, 1.0, -np.inf)
+    upper = np.where(signs < 0, -1.0, np.inf)
+    equations = _sparse(rows, len(signs))
+    found = scipy.optimize.linprog(
+        np.zeros(len(signs)), A_eq=equations, b_eq=np.zeros(len(rows)), bounds=np.stack([lower, upper], 1)
+    )
+    return bool(found.status == 0)
+
+
+def folded_as_assigned(pattern: CreasePattern) -> Array | None:
+    """Look for a state of a flat sheet of rigid facets in which every mountain and valley is folded in its sense.
+
+    All creases are folded alike, then moved by damped least squares until the panels around every interior vertex meet
+    (Tachi 2009); a few more starts draw how far each is folded, always the same numbers. It proves nothing where it
+    finds none.
+
+    Returns:
+        Fold angles, rad, shape (E,), 0 on flat edges and borders, each mountain and valley by 1 deg at least; None
+        where none was found, or where no crease has a sense.
+
+    Raises:
+        InputError: the sheet is not flat and unfolded.
+    """
+    _check_unfolded(pattern)
+    moving = np.zeros(len(pattern.edges_vertices), dtype=bool)
+    moving[[each.edge for each in shared_edges(pattern) if pattern.edges_assignment[each.edge] != "F"]] = True
+    signs = np.where(moving, senses(pattern), 0)
+    if not signs.any():
+        return None
+    around = [each for each in vertex_creases(pattern) if len(each.edges)]
+    draw = np.random.default_rng(0)
+    for attempt in range(_TRIES if around else 1):
+        share = draw.uniform(*_SPREAD, len(signs)) if attempt else np.ones(len(signs))
+        angles = _closed(around, _START * share * signs)
+        if angles is None or (angles * signs)[signs != 0].min() < _LEAST_FOLD or np.abs(angles).max() >= math.pi:
+            continue
+        try:
+            folded_coordinates(pattern, angles)
+        except InputError:  # closed around vertices, torn around a hole
+            continue
+        return angles
+    return None
+
+
+def _check_unfolded(pattern: CreasePattern) -> None:
+    """Refuse a sheet that has begun to fold."""
+    if not is_unfolded(pattern):
+        raise InputError("vertices_coords: need a sheet that lies flat and unfolded, got one that does not")
+
+
+def _closed(around: Sequence[VertexCreases], angles: Array) -> Array | None:
+    """Move fold angles until all vertices close."""
+    angles = angles.astype(np.float64)
+    for _ in range(_STEPS if around else 1):
+        gaps, slope = _gaps(around, angles)
+        size = float(gaps @ gaps)
+        if np.abs(gaps).max(initial=0.0) < _CLOSED:
+            return angles
+        normal = slope.T @ slope + max(min(size, 1.0), 1e-14) * eye_array(len(angles))
+        step = splu(normal.tocsc(), permc_spec="MMD_AT_PLUS_A").solve(slope.T @ gaps)
+        angles = angles - step * min(1.0, 0.5 / float(np.abs(step).max()))
+    return None
+
+
+def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_array]:
+    """By how much every vertex fails to close, three numbers each, and the slope by every fold angle."""
+    gaps: list[Array] = []
+    rows: list[tuple[Array, Indices]] = []
+    for degree in sorted({len(each.edges) for each in around}):
+        alike = [each for each in around if len(each.edges) == degree]
+        edges = np.array([each.edges for each in alike])
+        product, creases = vertex_walk(np.array([each.sectors for each in alike]), angles[edges])
+        skew = product - np.swapaxes(product, 1, 2)
+        gaps.append(np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1).ravel() / 2)
+        rows += [(creases[place, :, axis], edges[place]) for place in range(len(alike)) for axis in range(3)]
+    return np.concatenate(gaps) if gaps else np.zeros(0), _sparse(rows, len(angles))
+
+
+def _sparse(rows: Sequence[tuple[Array, Indices]], columns: int) -> csr_array:
+    """Rows given by values and columns."""
+    numbers = np.repeat(np.arange(len(rows)), [len(values) for values, _ in rows]) if rows else np.zeros(0, dtype=int)
+    values = np.concatenate([values for values, _ in rows]) if rows else np.zeros(0)
+    across = np.concatenate([places for _, places in rows]) if rows else np.zeros(0, dtype=int)
+    return coo_array((values, (numbers, across)), shape=(len(rows), columns)).tocsr()

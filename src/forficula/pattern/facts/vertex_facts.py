@@ -1,0 +1,90 @@
+"""What is known of each vertex that the sheet surrounds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from forficula.pattern.crease_pattern import CreasePattern, is_unfolded
+from forficula.pattern.facts.flat_folding import VertexCheck, vertex_checks
+from forficula.pattern.facts.rigid_folding import vertex_folds
+from forficula.pattern.facts.vertex_closure import vertex_freedoms
+from forficula.pattern.facts.vertex_creases import VertexCreases, vertex_creases
+
+_SURROUNDED = 1e-6  # rad; what files with seven digits leave of 360 deg
+
+
+@dataclass(frozen=True, kw_only=True)
+class VertexFacts:
+    """Facts of an interior vertex.
+
+    Attributes:
+        vertex: its number.
+        creases: how many meet there, flat ones left out.
+        total: the angle around it, rad.
+        missing: the angle by which every second sector together falls short of the others, halved, rad: so much must go
+            from these to those for it to fold flat; inf of an odd number of creases (Kawasaki 1989; Justin 1986).
+        check: the conditions of folding flat, None where the sheet is not flat.
+        freedoms: fold angles that may be chosen, once it is folded.
+        folds: whether rigid panels can leave the flat state with every crease in its sense; None where creases have no
+            sense or the sheet is not flat.
+    """
+
+    vertex: int
+    creases: int
+    total: float
+    missing: float
+    check: VertexCheck | None
+    freedoms: int
+    folds: bool | None
+
+    @property
+    def developable(self) -> bool:
+        """Whether the angle around it is 360 deg."""
+        return abs(self.total - 2 * math.pi) < _SURROUNDED
+
+
+def vertex_facts(pattern: CreasePattern) -> tuple[VertexFacts, ...]:
+    """Facts of every interior vertex, in the order of `interior_vertices`.
+
+    Raises:
+        InputError: faces that are not counterclockwise.
+    """
+    flat = is_unfolded(pattern)
+    around = vertex_creases(pattern)
+    checks = vertex_checks(pattern) if flat else (None,) * len(around)
+    return tuple(
+        VertexFacts(
+            vertex=each.vertex,
+            creases=len(each.edges),
+            total=each.total,
+            missing=_missing(each),
+            check=check,
+            freedoms=vertex_freedoms(len(each.edges)),
+            folds=vertex_folds(pattern, each) if flat else None,
+        )
+        for each, check in zip(around, checks, strict=True)
+    )
+
+
+def fault_words(facts: VertexFacts) -> tuple[str, ...]:
+    """Why a flat vertex does not fold flat, a few words for each condition that it fails."""
+    check, words = facts.check, []
+    if check is None:
+        return ()
+    if math.isinf(check.kawasaki):
+        words.append(f"{check.creases} creases: odd" if check.creases > 1 else "a single crease")
+    elif abs(check.kawasaki) > check.allowed:
+        words.append(f"{math.degrees(facts.missing):.2g}° missing")
+    if check.maekawa and not math.isinf(check.kawasaki):
+        words.append(f"|M − V| = {check.maekawa + 2}")
+    if check.big_little_big:
+        words.append("trapped sector")
+    return tuple(words)
+
+
+def _missing(around: VertexCreases) -> float:
+    """Half the alternating sum of sectors."""
+    if len(around.edges) % 2:
+        return math.inf
+    return abs(math.fsum([*around.sectors[0::2], *-around.sectors[1::2]])) / 2

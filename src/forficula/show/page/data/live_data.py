@@ -1,0 +1,333 @@
+"""A run's structure as data for the engine in its page: its model, its protocol in steps, and what can be changed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from forficula.analysis.advice import SHORTER_STEP
+from forficula.analysis.verdict import ENDING_TEXTS
+from forficula.design import Design, design_text, key_quantity, with_values
+from forficula.dynamics import (
+    Knob,
+    Model,
+    SteppedProtocol,
+    compile_model,
+    goal_in_units,
+    knobs_of,
+    portable_model,
+    stepped_protocol,
+    why_not_portable,
+)
+from forficula.dynamics.engine.closures import APART_TEXT
+from forficula.names import listed
+from forficula.quantities import READING_UNITS, Unit, show_quantity
+from forficula.show.page.data.packed_arrays import PackedArrays
+from forficula.show.page.parts.design_rows import key_meanings
+from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
+from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
+from forficula.structure import Goal, Measure, Structure, Transition, goal_of, measure_of, sums_of
+
+_MOST_STRENGTH = 3.0  # of a drive, by that of the design
+
+
+def live_data(
+    design: Design,
+    shown: Sequence[Measure],
+    anchors: Sequence[int],
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+) -> dict[str, Any]:
+    """What the engine in a page needs of a design that runs with this timestep.
+
+    Args:
+        design: as it ran.
+        shown: measures in the order of the page's readings.
+        anchors: numbers of the points that are drawn, then of nodes of membranes, as of a `ShapeMesh`.
+        ranges: lowest and highest values, SI, by the keys that must be changed, of a study.
+
+    Returns:
+        Data for JSON; of a structure that the engine there would move otherwise only "refused", why.
+    """
+    model = compile_model(design)
+    if why := why_not_portable(model):
+        return {"refused": why}
+    arrays, protocol = PackedArrays(), stepped_protocol(model)
+    found = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
+    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in found if each is not None]
+    if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
+        return {"refused": f"a model does not take {listed(missing)} in place"}
+    data = {
+        **_model_data(model, arrays),
+        **_structure_data(model, anchors),
+        "readings": [_reading(model.structure, measure) for measure in shown],
+        "protocol": _protocol_data(protocol),
+        "course": _course_data(model),
+        "texts": {
+            "endings": ENDING_TEXTS,
+            "apart": APART_TEXT,
+            # without statics and an energy balance a page knows less to advise than a run
+            "advice": {"diverged": SHORTER_STEP, "untrusted": SHORTER_STEP},
+            "outcome": LIVE_OUTCOME_TEXTS,
+            "reading_units": READING_UNITS,
+        },
+        "knobs": knobs,
+        "design": {"name": design.name, "text": design_text(design)},
+    }
+    return data | {"arrays": arrays.text()}
+
+
+def shown_measures(structure: Structure) -> tuple[Measure, ...]:
+    """What a page reads of a structure: what is measured, then what is driven beside it."""
+    measured = shown_angles(structure)
+    return (*measured, *shown_distances(structure), *driven_angles(structure, measured))
+
+
+def _model_data(model: Model, arrays: PackedArrays) -> dict[str, Any]:
+    portable = portable_model(model)
+    return {
+        "source": portable.source,
+        "numbers": {name: arrays.doubles(values) for name, values in portable.numbers.items()},
+        "layout": {name: values.tolist() for name, values in portable.layout.items()},
+        "options": {name: values.tolist() for name, values in portable.options.items()},
+        "start": arrays.doubles(portable.start),
+    }
+
+
+def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
+    """Where things are in the engine: hinges, motors, tendons, distances, and the points that are drawn."""
+    structure, built = model.structure, model.in_units
+    count, mesh = len(structure.points), model.mesh
+    bodies, places, names = [], [], []
+    for number in anchors:
+        if number < count:
+            names.append(_spoken(structure.points[number].name))
+            bodies.append(int(model.carriers[number]))
+            places += np.asarray(built.points[number].place).tolist()
+        else:
+            names.append(f"membrane {number - count}")
+            bodies.append(int(model.engine.flex_vertbodyid[number - count]))
+            places += np.asarray(mesh.places[number - count]).tolist()
+    return {
+        "units": {"length": model.units.length, "time": model.units.time, "energy": model.units.energy},
+        "anchors": {"names": names, "bodies": bodies, "places": places},
+        "hinges": {"positions": model.folds.joints.tolist(), "speeds": model.folds.speeds.tolist()}
+        | {"senses": model.folds.senses.tolist()},
+        "controls": model.motors.tolist(),
+        "brakes": model.brakes.tolist(),
+        "brakeWays": [
+            {"control": control, "motor": int(model.brakes[control])}
+            | {"way": [[dof, float(way[dof])] for dof in np.flatnonzero(way).tolist()]}
+            for control, way in enumerate(model.ways)
+            if model.brakes[control] >= 0
+        ],
+        "motors": [
+            {"kind": motor.kind, "hinges": list(motor.hinges), "pushed": model.pushed[number].tolist()}
+            for number, motor in enumerate(structure.motors)
+        ],
+        "tendons": {
+            "numbers": model.tendons.tolist(),
+            "points": [[int(model.sites[point]) for point in tendon.points] for tendon in structure.tendons],
+            "springs": [_spring(model, number) for number in range(len(built.tendons))],
+            "stiffness": [list(tendon.law.stiffness) for tendon in built.tendons],
+        },
+        "distances": model.distances.tolist(),
+        "gaps": model.gaps.tolist(),
+        "size": structure.span / model.units.length,
+        "sums": [_reading(structure, measure)["parts"] for measure in sums_of(structure)],
+    }
+
+
+def _spring(model: Model, tendon: int) -> dict[str, Any] | None:
+    """Where the engine has the stiffness of a linear tendon that lets go: a force there, by a width; None of others."""
+    law = model.in_units.tendons[tendon].law
+    if not model.lets_go[tendon] or any(law.stiffness[1:]) or not law.stiffness[0]:
+        return None
+    engine = model.engine
+    muscle = engine.actuator(f"{model.in_units.tendons[tendon].name}_spring0")
+    force = float(muscle.biasprm[2])
+    return {"at": int(muscle.id) * engine.actuator_biasprm.shape[1] + 2, "width": force / law.stiffness[0]}
+
+
+def _spoken(name: str) -> str:
+    """The name of a point as it is read aloud: "facet1_vertex2" is "facet 1 vertex 2"."""
+    return re.sub(r"(?<=[a-z])(?=[0-9])", " ", name.replace("_", " "))
+
+
+def _reading(structure: Structure, measure: Measure) -> dict[str, Any]:
+    """What a measure reads: of sums of angles with their signs, or the number of a distance."""
+    if measure.points is not None:
+        apart = [each.name for each in structure.measures if each.points is not None]
+        return {"distance": apart.index(measure.name)}
+    signs = dict(zip(measure.hinges, measure.signs, strict=True))
+    parts = [[[hinge, signs[hinge]] for hinge in part] for part in measure.parts]
+    return {"parts": parts, "groups": list(role_groups(structure, measure).values())}
+
+
+def _protocol_data(protocol: SteppedProtocol) -> dict[str, Any]:
+    return {
+        "timestep": protocol.timestep,
+        "explicit": protocol.explicit,
+        "largestGap": protocol.largest_gap,
+        "restSpeeds": protocol.rest_speeds.tolist(),
+        "window": protocol.window,
+        "stuck": protocol.stuck,
+        "leastHold": protocol.least_hold,
+        "interval": protocol.interval,
+        "lowest": _bounds(protocol.lowest),
+        "highest": _bounds(protocol.highest),
+        "drives": [
+            {
+                "name": each.drive.name,
+                "key": each.drive.key,
+                "strength": each.drive.strength,
+                "torques": each.torques.tolist(),
+                "rise": each.rise,
+            }
+            for each in protocol.drives
+        ],
+        "stages": [
+            {"name": each.name, "drives": list(each.drives), "hold": each.hold, "limit": each.limit}
+            | _goal_data(each.goal)
+            for each in protocol.stages
+        ],
+    }
+
+
+def _course_data(model: Model) -> dict[str, Any]:
+    """Where the protocol rests and how it gets there, with the words for it."""
+    structure = model.structure
+    return {
+        "stageStates": list(structure.stage_states),
+        "states": [
+            {"name": state.name, "missed": state.missed, "unknown": state.unknown}
+            | {"bounds": _goal_data(_goal_named(model, state.goal))}
+            for state in structure.states
+        ],
+        "transitions": [_transition_data(model, each) for each in structure.transitions],
+    }
+
+
+def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
+    structure, words = model.structure, transition.wording
+    measure = measure_of(structure, transition.measure)
+    reading = None if measure is None else _reading(structure, measure) | {"groups": []}
+    length = model.units.length
+    # distances are read in the model's units
+    begun = transition.begun
+    return {
+        "name": transition.name,
+        "drive": transition.drive,
+        "stage": transition.stage,
+        "goal": transition.goal,
+        "asked": _goal_data(_goal_named(model, transition.goal)),
+        "state": transition.state,
+        "released": _goal_data(_goal_named(model, transition.released)),
+        "reading": reading,
+        "furthest": transition.furthest,
+        "kind": transition.kind,
+        "begun": None if begun is None else begun / (length if transition.kind == "distance" else 1),
+        "words": {name: getattr(words, name) for name in ("verb", "done", "doing", "stays", "did")},
+    }
+
+
+def _goal_named(model: Model, name: str) -> Goal:
+    return goal_in_units(model, goal_of(model.structure, name))
+
+
+def _goal_data(goal: Goal) -> dict[str, Any]:
+    return {"until": goal.name, "kind": goal.kind, "least": _bounds(goal.least), "most": _bounds(goal.most)}
+
+
+def _bounds(values: Any) -> list[float | None]:
+    """Bounds for JSON, which has no infinite numbers: None where there is none."""
+    return [value if np.isfinite(value) else None for value in np.asarray(values, dtype=float).tolist()]
+
+
+def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any] | None]:
+    """Sliders for how strong the drives of the protocol are."""
+    used = {number for stage in protocol.stages for number in stage.drives}
+    found = []
+    for number in sorted(used):
+        each = protocol.drives[number]
+        strength, quantity = each.drive.strength, key_quantity(each.drive.key, type(model.design))
+        if quantity is None or not strength:
+            continue
+        most = _MOST_STRENGTH * strength
+        low, high = sorted((0.0, most))
+        data = _slider(model.design, each.drive.key, quantity.unit, strength, low, high)
+        found.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
+    return found
+
+
+def _knob_data(design: Design, knob: Knob) -> dict[str, Any] | None:
+    data = _slider(design, knob.key, knob.unit, knob.value, knob.lowest, knob.highest)
+    return data and data | {
+        "changes": [
+            {
+                "field": change.field,
+                "places": change.places.tolist(),
+                "low": change.low.tolist(),
+                "slopes": change.slopes.tolist(),
+            }
+            for change in knob.changes
+        ]
+    }
+
+
+def _widened(knob: dict[str, Any], *ends: float) -> dict[str, Any]:
+    """A slider that has some values in its range, too."""
+    lowest, highest = min((knob["lowest"], *ends)), max((knob["highest"], *ends))
+    further = lowest - knob["lowest"]
+    changes = [
+        change | {"low": [low + slope * further for low, slope in zip(change["low"], change["slopes"], strict=True)]}
+        for change in knob.get("changes", [])
+    ]
+    return knob | {"lowest": lowest, "highest": highest} | ({"changes": changes} if changes else {})
+
+
+def _slider(design: Design, key: str, unit: Unit, value: float, low: float, high: float) -> dict[str, Any] | None:
+    """A slider over values of a key; None where the design file has no place of its own for it."""
+    line = _line_of(design, key, low if value != low else high)
+    if line is None:
+        return None
+    shown, factor = _display(unit, max(abs(low), abs(high)))
+    return {
+        "key": key,
+        "title": dict(key_meanings(design)).get(key) or key,
+        "unit": shown,
+        "factor": factor,
+        "value": value,
+        "lowest": low,
+        "highest": high,
+        "line": line,
+    }
+
+
+def _display(unit: Unit, largest: float) -> tuple[str, float]:
+    """The unit in which a design file has a value, and its factor from SI."""
+    number, _, name = show_quantity(largest or 1.0, unit, 17).partition(" ")
+    return name, float(number) / (largest or 1.0)
+
+
+def _line_of(design: Design, key: str, other: float) -> dict[str, Any] | None:
+    """Where a design's file has a key's value: number of the line, and what stands before and after it there."""
+    try:
+        texts = [design_text(each).splitlines() for each in (design, with_values(design, {key: other}))]
+    except ValueError:
+        return None
+    own, changed = ([line for line in text if not line.startswith("source = ")] for text in texts)
+    if len(own) != len(changed):
+        return None
+    differing = [number for number, lines in enumerate(zip(own, changed, strict=True)) if lines[0] != lines[1]]
+    if len(differing) != 1:
+        return None
+    line, twin = own[differing[0]], changed[differing[0]]
+    same = next(place for place, letters in enumerate(zip(line, twin, strict=False)) if letters[0] != letters[1])
+    before = line.rfind('"', 0, same)
+    after = line.find('"', before + 1)
+    if before < 0 or after < 0:
+        return None
+    return {"number": texts[0].index(line), "before": line[: before + 1], "after": line[after:]}

@@ -1,0 +1,137 @@
+"""Points that lie where they were drawn or proposed as data for a page: values, numbers, and what became of each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from forficula.quantities import Unit, parse_quantity
+from forficula.show.page.data.study_data import factor_data, rounded
+from forficula.show.page.parts.outcome_words import OTHER_LOOK, Signs, Words
+from forficula.show.page.parts.words import unbuilt_text
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+
+# a margin of what holds
+MET = ((">=", 0.0),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Number:
+    """A number that every point may have.
+
+    Attributes:
+        variable: its name in the table.
+        title: what the page calls it.
+        aim: "least" or "largest", where it is to be that.
+        bounds: that it is held to, ">=" or "<=" with a value in SI.
+    """
+
+    variable: str
+    title: str
+    aim: str = ""
+    bounds: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Samples:
+    """Points, and what a page says of them.
+
+    Attributes:
+        name: of what they belong to.
+        noun: what one of them is called.
+        file: of the folder that has them all.
+        keeps: why a run may not be there to play.
+        table: over one dimension.
+        factors: names of coordinates that differ from point to point.
+        numbers: that they have beside these.
+        words: what became of each, a few words, (point,).
+        signs: of these words, those that came furthest first.
+        statuses: the same in full, (point,).
+        built: whether each could run, (point,).
+        own: values of the design that the points lie about, SI, by name of the factor.
+    """
+
+    name: str
+    noun: str
+    file: str
+    keeps: str
+    table: Dataset
+    factors: tuple[str, ...]
+    numbers: tuple[Number, ...]
+    words: Sequence[str]
+    signs: Signs
+    statuses: Sequence[str]
+    built: Sequence[bool]
+    own: dict[str, float] = field(default_factory=dict)
+
+
+def samples_data(samples: Samples) -> dict[str, Any]:
+    """What a page needs to know of points, as data for JSON.
+
+    Returns:
+        As `study_data` has it of a study whose points were drawn. A factor may have `own`, the value of the design;
+        a quantity has `aim` and `limits`, each with `kind` and `bound`, in its unit.
+    """
+    words = Words(sorted(set(samples.words), key=samples.signs.rank), samples.signs)
+    verdicts = [words.number(word) for word in samples.words]
+    outcome = {"name": "status", "title": "outcome", "group": "outcome", "unit": "", "values": None}
+    quantities = [
+        outcome | {"energy": False, "reasons": verdicts, "transition": None},
+        *(_number_data(samples.table[each.variable], each, verdicts) for each in samples.numbers),
+    ]
+    return {
+        "name": samples.name,
+        "noun": samples.noun,
+        "file": samples.file,
+        "keeps": samples.keeps,
+        "unbuilt": unbuilt_text(samples.noun),
+        "points": len(verdicts),
+        "sampled": True,
+        "search": False,
+        "factors": [_factor(samples, name) for name in samples.factors],
+        "axes": list(range(len(samples.factors))),
+        "cuts": [0] * len(samples.factors),
+        "built": list(samples.built),
+        "statuses": list(samples.statuses),
+        "verdicts": verdicts,
+        "quantities": quantities,
+        "words": words.data(verdicts),
+        "other": OTHER_LOOK,
+    }
+
+
+def _factor(samples: Samples, name: str) -> dict[str, Any]:
+    coordinate = samples.table[name]
+    own = samples.own.get(name)
+    return factor_data(coordinate) | {"own": None if own is None else rounded(own * scale_of(coordinate))}
+
+
+def _number_data(variable: DataArray, number: Number, verdicts: Sequence[int]) -> dict[str, Any]:
+    scale = scale_of(variable)
+    values = [rounded(float(scale * value)) for value in variable.values.astype(float)]
+    return {
+        "name": number.variable,
+        "title": number.title,
+        "group": "number",
+        "unit": str(variable.attrs.get("display") or variable.attrs.get("units", "")),
+        "energy": variable.attrs.get("units") == "J",
+        "values": values,
+        "reasons": [word if value is None else None for value, word in zip(values, verdicts, strict=True)],
+        "transition": None,
+        "aim": number.aim,
+        "limits": [{"kind": kind, "bound": rounded(scale * bound)} for kind, bound in number.bounds],
+    }
+
+
+def scale_of(variable: DataArray) -> float:
+    """The factor from SI to the unit for people of a variable; shares are in per cent."""
+    display, si = str(variable.attrs.get("display", "")), str(variable.attrs.get("units", ""))
+    if display == "%" and not si:
+        return 100.0
+    if variable.dtype.kind not in "iuf" or not display or not si or display == si:
+        return 1.0
+    return 1.0 / parse_quantity(f"1 {display}", Unit(display=display, si=si, example=f"1 {display}"))

@@ -1,0 +1,207 @@
+"""A study's table as data for its page: factors, columns, quantities to map, and why values are missing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from forficula.analysis import Verdict
+from forficula.quantities import reading_unit
+from forficula.show.page.parts.outcome_words import OTHER_LOOK, Words, signs_of
+from forficula.show.page.parts.words import unbuilt_text
+from forficula.show.study.factor_text import display_values, number_text, plain_name, value_with_unit
+from forficula.show.study.maps import energy_noun, missing_reasons, times_by_value
+from forficula.study import Study
+from forficula.study.assumptions.choices import CHOICE
+from forficula.study.tables.outcome_kinds import table_transitions
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+_DIGITS = 7
+# the group of what a point has a value of for every torque that was tried
+
+
+def study_data(study: Study, table: Dataset) -> dict[str, Any]:
+    """What a page needs to know of a study, as data for JSON.
+
+    Args:
+        study: what was asked.
+        table: what came out.
+
+    Returns:
+        Every list with an entry a point has the study's order, in which the last factor runs fastest; numbers are in
+        the unit that stands beside them, None where there is none.
+
+        - `noun`: what one of them is called; `file`: that has them all; `points`: how many; `sampled`: whether they
+          were drawn.
+        - `keeps`: why a run may not be there to play.
+        - `factors`: `key`, `name`, `unit`, `log`, whether they were drawn by their logarithms, and `values`: of the
+          grid, or a point each where they were drawn. Where factors are varied one at a time, their choices are the
+          first of these.
+        - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
+          value at which maps of the others lie.
+        - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
+          it as their outcome.
+        - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether any could run.
+        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, `reasons`: a
+          number of `words` a point, None where there is a value, and `transition`: number of the one that it is of or
+          that led there, None where it is of no single one. The first is the verdict and has no values.
+    """
+    signs = signs_of(table)
+    words = Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
+    verdicts = words.numbers(table["outcome"])
+    quantities = [
+        {
+            "name": "status",
+            "title": "outcome",
+            "group": "outcome",
+            "unit": "",
+            "values": None,
+            "reasons": verdicts,
+            "transition": None,
+        },
+        *(_quantity(table, drawn, words) for drawn in _drawn(table)),
+        *_times_by_value(table, words),
+    ]
+    drawn = [factor.dimension for factor in study.factors]
+    names = drawn if study.sampled else [str(name) for name in table["status"].dims]
+    return {
+        "name": study.name,
+        "noun": "point",
+        "file": "table.csv",
+        "keeps": "The study keeps the runs of as many points as --keep says.",
+        "unbuilt": unbuilt_text("point"),
+        "design": study.base.name,
+        "points": len(study.points),
+        "sampled": study.sampled,
+        "search": study.search is not None,
+        "factors": [factor_data(table[name]) for name in names],
+        "axes": sorted(range(len(names)), key=lambda index: names[index] == CHOICE),
+        "cuts": [0 if name == CHOICE else table[name].size // 2 for name in names],
+        "built": [str(verdict) != Verdict.NOT_BUILT for verdict in table["verdict"].values.ravel()],
+        "statuses": [str(status) for status in table["status"].values.ravel()],
+        "verdicts": verdicts,
+        "quantities": quantities,
+        "words": words.data(verdicts),
+        "other": OTHER_LOOK,
+    }
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Drawn:
+    """A number of a table: its variable, what the page calls it, with which others, and of which transition it is."""
+
+    group: str
+    name: str
+    title: str
+    transition: int | None
+
+
+def _drawn(table: Dataset) -> list[_Drawn]:
+    """The numbers that a table has, in the order of the page's choice."""
+    transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
+    numbered, noun = list(enumerate(transitions)), energy_noun(table)
+    states: dict[str, int | None] = {start: None} if start else {}
+    for number, each in numbered:
+        states.setdefault(each.state, number)
+    drawn = [
+        *(("torque", each.least, each.least.replace("_", " "), number) for number, each in numbered if each.least),
+        *(("time", f"{each.name}_time", each.wording.time, number) for number, each in numbered),
+        *(("work", f"{each.name}_work", f"work of {each.wording.noun}", number) for number, each in numbered),
+        *(("energy", f"{state}_energy", f"{noun} when {state}", number) for state, number in states.items()),
+        *(
+            ("energy", f"{state}_hinge_energy", f"springs' energy when {state}", number)
+            for state, number in states.items()
+        ),
+        *(
+            ("energy", f"{state}_spring_energy", f"energy of what stretches when {state}", number)
+            for state, number in states.items()
+        ),
+        *(
+            ("energy", f"{state}_coupling_energy", f"couplings' energy when {state}", number)
+            for state, number in states.items()
+        ),
+    ]
+    return [
+        _Drawn(group=group, name=name, title=title, transition=transition)
+        for group, name, title, transition in drawn
+        if name in table
+    ]
+
+
+def factor_data(factor: DataArray) -> dict[str, Any]:
+    """A factor as data for JSON, with its values in the unit for people."""
+    values, unit = display_values(factor)
+    return {
+        "key": str(factor.attrs.get("key", factor.name)),
+        "name": plain_name(factor),
+        "unit": unit,
+        "values": [rounded(value) for value in values.tolist()],
+        "log": factor.attrs.get("prior") == "log-uniform",
+        "texts": [number_text(value) for value in values.tolist()],
+    }
+
+
+def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
+    numbers = table[drawn.name].values.ravel()
+    unit, scale = _unit(table[drawn.name], numbers)
+    values = [rounded(scale * value) for value in numbers.tolist()]
+    return {
+        "name": drawn.name,
+        "title": drawn.title,
+        "group": drawn.group,
+        "unit": unit,
+        "energy": table[drawn.name].attrs["units"] == "J",
+        "shares": drawn.group == "energy",
+        "values": values,
+        "reasons": _reasons(values, missing_reasons(table, drawn.name).values.ravel(), words),
+        "transition": drawn.transition,
+    }
+
+
+def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: Words) -> list[int | None]:
+    """Why there is no value, where there is none."""
+    pairs = zip(values, reasons.tolist(), strict=True)
+    return [words.number(str(reason)) if value is None else None for value, reason in pairs]
+
+
+def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
+    """A map for every value of the first transition that was tried, all in one unit."""
+    found = times_by_value(table)
+    if found is None:
+        return
+    times, tried = table[found.times], table[found.value]
+    unit, scale = _unit(times, times.values)
+    for index in range(tried.size):
+        values = [rounded(scale * value) for value in times.isel({found.value: index}).values.ravel().tolist()]
+        became = table[found.outcomes].isel({found.value: index}).values.ravel()
+        yield {
+            "name": f"{found.times}:{index}",
+            "title": f"{found.label} with {value_with_unit(tried, index)}",
+            "group": "time by torque",
+            "unit": unit,
+            "shares": True,
+            "tried": True,
+            "values": values,
+            "reasons": _reasons(values, became, words),
+            "transition": 0,
+        }
+
+
+def _unit(variable: DataArray, values: Any) -> tuple[str, float]:
+    """The unit in which values read well, and its factor from SI."""
+    largest = np.nanmax(np.abs(values), initial=0.0, where=np.isfinite(values))
+    return reading_unit(str(variable.attrs["units"]), float(largest))
+
+
+def rounded(value: Any) -> Any:
+    """A number with the digits that anyone reads; None for none."""
+    if not isinstance(value, float):
+        return value
+    return float(f"{value:.{_DIGITS}g}") if math.isfinite(value) else None

@@ -1,0 +1,117 @@
+"""What became of points, in words with a sign each, so that no one needs to tell colours apart."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from forficula.study.tables.map_comparison import NOT_SIMULATED
+from forficula.study.tables.outcome_kinds import Kind, outcome_kinds
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+# the sign of what did all that was asked of it
+_GOOD = "●"
+_SIGNS = {
+    Kind.DID_ALL: _GOOD,
+    Kind.DID_FIRST: "◆",
+    Kind.LOST_LATER: "↻",
+    Kind.MOVING_LATER: "◁",
+    Kind.STUCK_LATER: "■",
+    Kind.STUCK: "×",
+    Kind.UNDER_WAY: "✱",
+    Kind.MOVING: "▷",
+    Kind.LOST: "↺",
+    Kind.UNDECIDED: "≷",
+    Kind.DIVERGED: "✚",
+    Kind.UNTRUSTED: "≠",
+    Kind.NOT_BUILT: "⊘",
+    Kind.NOT_TRIED: "–",
+}
+_WITH_TORQUE, _OTHER = "⊗", "?"
+# the class of each sign in the style of pages
+_PATTERNS = {
+    _GOOD: "opened",
+    "◆": "folded",
+    "↻": "reclosed",
+    "◁": "opening",
+    "■": "closed",
+    "×": "unfolded",
+    "✱": "stuck",
+    "▷": "moving",
+    "↺": "returned",
+    "≷": "undecided",
+    "✚": "diverged",
+    "≠": "untrusted",
+    "⊘": "unbuilt",
+    "–": "untried",
+    "·": "unrun",
+    _WITH_TORQUE: "before",
+    "◐": "missed",
+    "◒": "missed",
+    "○": "apart",
+    "△": "placed",
+}
+
+
+def look_data(sign: str) -> dict[str, Any]:
+    """Return a sign as data for JSON, with its class in the style, and whether it stands for all that was asked."""
+    return {"sign": sign, "pattern": _PATTERNS.get(sign, "other"), "good": sign == _GOOD}
+
+
+OTHER_LOOK = look_data(_OTHER)  # of a word that no point of a page has
+
+
+class Words:
+    """What became of points, each word once, with a number."""
+
+    def __init__(self, first: Sequence[str], signs: Signs) -> None:
+        self._numbers = {word: number for number, word in enumerate(first)}
+        self._signs = signs
+
+    def number(self, word: str) -> int:
+        """The number of a word, a new one where it is new."""
+        return self._numbers.setdefault(word, len(self._numbers))
+
+    def numbers(self, words: DataArray) -> list[int]:
+        """A number a point."""
+        return [self.number(str(word)) for word in words.values.ravel()]
+
+    def data(self, verdicts: Sequence[int]) -> list[dict[str, Any]]:
+        """All words as data for JSON, each with its sign and how many points have it as their outcome."""
+        counts = Counter(verdicts)
+        return [
+            {"word": word, "count": counts[number]} | look_data(self._signs.sign(word))
+            for word, number in self._numbers.items()
+        ]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Signs:
+    """Signs of words, those that came furthest first."""
+
+    signs: Mapping[str, str]
+
+    def rank(self, word: str) -> tuple[int, str]:
+        """What words are ordered by."""
+        return [*self.signs, word].index(word), word
+
+    def sign(self, word: str) -> str:
+        """The sign of a word; that of others where it has none."""
+        return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
+
+
+def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> Signs:
+    """The signs of the words that a table may have.
+
+    Args:
+        table: with the attribute that names its transitions, or without.
+        own: further words that come before these, with a sign each.
+    """
+    kinds = outcome_kinds(table)
+    by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}
+    others = {word: sign for word, sign in {**by_kind, NOT_SIMULATED: "·"}.items() if word not in (own or {})}
+    return Signs(signs={**(own or {}), **others})

@@ -1,0 +1,127 @@
+"""Couplings between joints at rest: what elastic ones store, and the coordinates that rigid ones leave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.errors import InputError
+from forficula.statics.tree.elements import Expansion
+from forficula.structure import Coupling, Structure, coupling_rows
+
+_ROUNDING = 1e-9  # of a ratio of turns
+
+
+@dataclass(frozen=True, kw_only=True)
+class Twists:
+    """Elastic couplings.
+
+    Attributes:
+        rows: by what each angle twists each of them, (coupling, hinge).
+        built: angles at which nothing twists them, rad, (hinge,).
+        stiffness: N m/rad, (coupling,).
+    """
+
+    rows: Array
+    built: Array
+    stiffness: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ties:
+    """Joints that rigid couplings make turn as one: each group has the angle of its first joint for its coordinate.
+
+    Attributes:
+        coordinate: number of the one that each hinge follows, (hinge,).
+        ratio: by how much each hinge turns where its coordinate turns by 1, (hinge,).
+        shift: its angle where that is 0, rad, (hinge,).
+    """
+
+    coordinate: Indices
+    ratio: Array
+    shift: Array
+
+    @property
+    def spread(self) -> Array:
+        """By how much each hinge turns with each coordinate, (hinge, coordinate)."""
+        return np.asarray(np.eye(int(self.coordinate.max()) + 1)[self.coordinate] * self.ratio[:, None])
+
+    def angles(self, coordinates: Array) -> Array:
+        """Angles of the hinges, rad, (case, hinge), by coordinates, (case, coordinate)."""
+        return np.asarray(coordinates[:, self.coordinate] * self.ratio + self.shift)
+
+    def bounds(self, lower: Array, upper: Array) -> tuple[Array, Array]:
+        """Least and largest coordinates with all hinges within their bounds, (case, coordinate).
+
+        Where the bounds of two hinges that turn as one leave no room, the coordinate is held between them.
+        """
+        ends = [(each - self.shift) / self.ratio for each in (lower, upper)]
+        low, high = np.minimum(*ends), np.maximum(*ends)
+        count = int(self.coordinate.max()) + 1
+        least, most = np.full((len(lower), count), -np.inf), np.full((len(lower), count), np.inf)
+        for hinge, coordinate in enumerate(self.coordinate.tolist()):
+            least[:, coordinate] = np.maximum(least[:, coordinate], low[:, hinge])
+            most[:, coordinate] = np.minimum(most[:, coordinate], high[:, hinge])
+        apart = least > most
+        least[apart] = most[apart] = (least[apart] + most[apart]) / 2
+        return least, most
+
+    def start(self, angles: Array) -> Array:
+        """Coordinates nearest to some angles: the mean of what the hinges of each say, (case, coordinate)."""
+        sums = ((angles - self.shift) / self.ratio) @ (self.spread != 0)
+        return np.asarray(sums / np.bincount(self.coordinate))
+
+
+def twists_of(structure: Structure) -> Twists | None:
+    """The elastic couplings of a structure; None where there are none."""
+    elastic = [number for number, coupling in enumerate(structure.couplings) if not coupling.rigid]
+    if not elastic:
+        return None
+    return Twists(
+        rows=coupling_rows(structure)[elastic],
+        built=np.array([hinge.built for hinge in structure.hinges]),
+        stiffness=np.array([structure.couplings[number].stiffness for number in elastic]),
+    )
+
+
+def twist_energy(twists: Twists, angles: Array) -> Expansion:
+    """Energy of elastic couplings, J, (case,), with slope and curvature by the angles, rad, (case, hinge)."""
+    turned = (angles - twists.built) @ twists.rows.T
+    moments = twists.stiffness * turned
+    curvature = twists.rows.T @ (twists.stiffness[:, None] * twists.rows)
+    return np.sum(moments * turned, axis=1) / 2, moments @ twists.rows, np.tile(curvature, (len(angles), 1, 1))
+
+
+def ties_of(structure: Structure) -> Ties | None:
+    """The groups of joints that the rigid couplings of a structure make; None where there are none.
+
+    Raises:
+        InputError: couplings tie two joints to each other in two ways.
+    """
+    rigid = [coupling for coupling in structure.couplings if coupling.rigid]
+    if not rigid:
+        return None
+    built = np.array([hinge.built for hinge in structure.hinges])
+    leader, ratio = np.arange(len(built)), np.ones(len(built))
+    for coupling in rigid:
+        first, second = coupling.hinges
+        if leader[first] == leader[second]:
+            _check_loop(structure, coupling, float(ratio[second] / ratio[first]))
+            continue
+        joined, target = leader == leader[second], leader[first]
+        ratio[joined] *= coupling.ratio * ratio[first] / ratio[second]
+        leader[joined] = target
+    leaders, coordinate = np.unique(leader, return_inverse=True)
+    led = leaders[coordinate]
+    return Ties(coordinate=coordinate.astype(np.int64), ratio=ratio, shift=built - ratio * built[led])
+
+
+def _check_loop(structure: Structure, coupling: Coupling, ratio: float) -> None:
+    if abs(ratio - coupling.ratio) > _ROUNDING * abs(ratio):
+        names = " and ".join(structure.hinges[number].name for number in coupling.hinges)
+        raise InputError(
+            f"{structure.name}: need couplings that let joints turn, got {names} tied with the ratios"
+            f" {ratio:g} and {coupling.ratio:g}"
+        )

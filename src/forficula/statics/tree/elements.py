@@ -1,0 +1,234 @@
+"""What stretches between bodies: sides that add up from points, and how slopes and curvatures by sides add up again.
+
+A membrane's triangle has two sides, the columns of its deformation gradient; a tendon or a length limit has one, the
+way from one end to the other. Elements that join the same hinges have a dense block of the curvature together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
+
+# energy, slope and curvature
+Expansion = tuple[Array, Array, Array]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """Something that stretches, before it is laid out.
+
+    Attributes:
+        points: numbers of the carried points that it hangs on, (point,).
+        sides: by which these add up to its sides, (side, point).
+    """
+
+    points: tuple[int, ...]
+    sides: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Group:
+    """Pieces of one shape side by side.
+
+    Attributes:
+        pieces: their numbers.
+        points: numbers of the points that each hangs on, one piece after another, as a slice where no point is shared.
+        gathers: by which forces on the points of pieces add up to those on points, (piece x point, point); None where
+            none is shared.
+        sides: by which points add up to sides, (piece, side, point).
+        pairs: numbers of the pairs of points and hinges that move the sides, one piece after another.
+        turns: by which the moves of these add up to those of the sides by the hinges of the block,
+            (piece, pair, side x hinge).
+        size: of the blocks, how many hinges.
+        blocks: number of the block of each piece among those of this size.
+    """
+
+    pieces: Span
+    points: Span
+    gathers: Array | None
+    sides: Array
+    pairs: Span
+    turns: Array
+    size: int
+    blocks: Span
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elements:
+    """What stretches between the bodies of a tree.
+
+    Attributes:
+        tree: of bodies.
+        carried: the points that everything hangs on.
+        groups: of pieces.
+        blocks: by how many hinges they have: where in the curvature each block is, rows and columns, or all its numbers
+            in a curvature laid out row by row.
+    """
+
+    tree: Tree
+    carried: Carried
+    groups: tuple[Group, ...]
+    blocks: dict[int, tuple[tuple[Span, Span] | Indices, ...]]
+
+
+def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[Piece]) -> Elements:
+    """Lay out pieces on points.
+
+    Args:
+        tree: of bodies.
+        bodies: that carry the points, (point,).
+        places: of the points in the axes of these bodies, m, (point, 3).
+        pieces: that hang on them.
+    """
+    carried = carried_points(tree, bodies, places)
+    joined = [_joined(tree, [bodies[point] for point in piece.points]) for piece in pieces]
+    known: dict[int, dict[tuple[int, ...], int]] = {}
+    shapes: dict[tuple[int, ...], list[int]] = {}
+    seen: dict[tuple[tuple[int, ...], tuple[int, ...]], int] = {}
+    for number, (piece, hinges) in enumerate(zip(pieces, joined, strict=True)):
+        of_size = known.setdefault(len(hinges), {})
+        of_size.setdefault(hinges, len(of_size))
+        shape = (*piece.sides.shape, len(hinges), len(_pairs(carried, piece.points, hinges)))
+        # pieces of a group have blocks of their own
+        again = seen[shape, hinges] = seen.get((shape, hinges), -1) + 1
+        shapes.setdefault((*shape, again), []).append(number)
+    blocks = {size: tuple(_rows(hinges, tree.size) for hinges in of_size) for size, of_size in known.items()}
+    groups = tuple(_group(carried, pieces, joined, numbers, known) for numbers in shapes.values())
+    return Elements(tree=tree, carried=carried, groups=groups, blocks=blocks)
+
+
+def _joined(tree: Tree, bodies: Sequence[int]) -> tuple[int, ...]:
+    """Hinges that move some of these bodies; sides turn with those that move all of them."""
+    return tuple(sorted({hinge for body in bodies for hinge in tree.chain(body)}))
+
+
+def _rows(hinges: tuple[int, ...], count: int) -> tuple[Span, Span] | Indices:
+    rows = span(hinges)
+    if isinstance(rows, slice):
+        return rows, rows
+    return np.asarray(rows[:, None] * count + rows).ravel()
+
+
+def _group(
+    carried: Carried,
+    pieces: Sequence[Piece],
+    joined: Sequence[tuple[int, ...]],
+    numbers: list[int],
+    known: dict[int, dict[tuple[int, ...], int]],
+) -> Group:
+    points = np.array([pieces[number].points for number in numbers])
+    sides = np.array([pieces[number].sides for number in numbers])
+    size = len(joined[numbers[0]])
+    pairs = [_pairs(carried, pieces[number].points, joined[number]) for number in numbers]
+    turns = np.zeros((*pairs[0].shape, sides.shape[1], size))[None].repeat(len(numbers), axis=0)
+    for turn, its, each, number in zip(turns, pairs, sides, numbers, strict=True):
+        columns = [pieces[number].points.index(point) for point in carried.pairs[0, its]]
+        hinges = [joined[number].index(hinge) for hinge in carried.pairs[1, its]]
+        turn[np.arange(len(its)), :, hinges] = each[:, columns].T
+    flat = points.ravel()
+    every = span(flat)
+    own = isinstance(every, slice) and every.step == 1
+    return Group(
+        pieces=span(numbers),
+        points=every,
+        gathers=None if own else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
+        sides=sides,
+        pairs=span(np.concatenate(pairs)),
+        turns=turns.reshape(len(numbers), len(pairs[0]), sides.shape[1] * size),
+        size=size,
+        blocks=span([known[size][joined[number]] for number in numbers]),
+    )
+
+
+def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> Indices:
+    """Numbers of the pairs of some points with some hinges."""
+    return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
+
+
+def _sides(group: Group, places: Array, moves: Array) -> tuple[Array, Array]:
+    """The sides of a group in some poses, and how they move with the hinges of their block.
+
+    Args:
+        group: of pieces.
+        places: of all points, m, (3, case, point).
+        moves: of all pairs of points and hinges, m, (3, case, pair).
+
+    Returns:
+        m or 1, (case, piece, side, 3); by the angles, (case, piece, side, 3, hinge).
+    """
+    cases = places.shape[1]
+    count, length, _ = group.sides.shape
+    sides = _by_piece(places[:, :, group.points], count) @ np.swapaxes(group.sides, 1, 2)
+    turned = _by_piece(moves[:, :, group.pairs], count) @ group.turns
+    return (
+        np.transpose(sides.reshape(count, 3, cases, length), (2, 0, 3, 1)),
+        np.ascontiguousarray(np.transpose(turned.reshape(count, 3, cases, length, group.size), (2, 0, 3, 1, 4))),
+    )
+
+
+def _by_piece(vectors: Array, count: int) -> Array:
+    """Vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
+    cases, each = vectors.shape[1], vectors.shape[2] // count
+    by_piece = np.transpose(vectors.reshape(3, cases, count, each), (2, 0, 1, 3))
+    return by_piece.reshape(count, 3 * cases, each)
+
+
+def _block(moves: Array, stiffness: Array) -> Array:
+    """Stiffness of what sides stretch, by the hinges of blocks, (case, piece, hinge, hinge).
+
+    Args:
+        moves: of the sides, (case, piece, side, 3, hinge).
+        stiffness: (case, piece, element, coordinate, coordinate).
+    """
+    joints = moves.shape[-1]
+    by_element = moves.reshape(*stiffness.shape[:4], joints)
+    by_piece = (*stiffness.shape[:2], stiffness.shape[2] * stiffness.shape[3], joints)
+    pulls = (stiffness @ by_element).reshape(by_piece)
+    return np.asarray(np.swapaxes(by_element.reshape(by_piece), 2, 3) @ pulls)
+
+
+def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion]]) -> Expansion:
+    """Energy of all groups, its slope and its curvature by the hinges' angles.
+
+    Args:
+        laid: what stretches.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+        laws: of every group, by its sides, m or 1, (case, piece, side, 3): energy, J, (case,); slope by the sides,
+            (case, piece, side, 3); curvature by the sides of each element, (case, piece, element, coordinate,
+            coordinate).
+
+    Returns:
+        J, (case,); N m, (case, hinge); N m/rad, (case, hinge, hinge).
+    """
+    at = pose(laid.tree, angles)
+    places = places_of(laid.carried, at)
+    moves = moves_of(laid.carried, at, places)
+    cases = places.shape[1]
+    blocks = {size: np.zeros((cases, len(each), size, size)) for size, each in laid.blocks.items()}
+    forces, total = np.zeros(places.shape), np.zeros(cases)
+    for group, law in zip(laid.groups, laws, strict=True):
+        sides, turned = _sides(group, places, moves)
+        energy, pull, stiffness = law(sides)
+        total += energy
+        blocks[group.size][:, group.blocks] += _block(turned, stiffness)
+        count, length, points = group.sides.shape
+        by_piece = np.transpose(pull, (1, 3, 0, 2)).reshape(count, -1, length) @ group.sides
+        on_points = np.transpose(by_piece.reshape(count, 3, cases, points), (1, 2, 0, 3)).reshape(3, cases, -1)
+        if group.gathers is None:
+            forces[:, :, group.points] += on_points
+        else:
+            forces += on_points @ group.gathers
+    slope, curvature = pulled(laid.tree, laid.carried, at, places, forces)
+    by_number = curvature.reshape(cases, -1)  # a view: it is in order of rows
+    for size, rows in laid.blocks.items():
+        for number, where in enumerate(rows):
+            if isinstance(where, tuple):
+                curvature[:, where[0], where[1]] += blocks[size][:, number]
+            else:
+                by_number[:, where] += blocks[size][:, number].reshape(cases, size * size)
+    return total, slope, curvature

@@ -1,0 +1,448 @@
+"""What a hinge is like: energy and moment over its angle, its stable states, and the numbers that describe them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from forficula.arrays import Array
+from forficula.errors import InputError
+from forficula.quantities import reading_unit
+from forficula.statics.tree.equilibrium import PathState, states_along
+from forficula.statics.tree.hinge import TendonHinge, slack_angle, tendon_hinge
+from forficula.statics.tree.snap import FOLD_START, final_speed, fold_time, time_scale
+from forficula.structure import Structure
+
+_QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
+_FINE, _COARSE = 1801, 46  # angles among which states and peaks are looked for, with a spring and without one
+
+
+@dataclass(frozen=True, kw_only=True)
+class PeakTorque:
+    """The largest moment that keeps a hinge from opening.
+
+    Attributes:
+        torque: N m, positive.
+        angle: where, rad.
+    """
+
+    torque: float
+    angle: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class HingeState:
+    """Where a hinge stays.
+
+    Attributes:
+        kind: "stop", pressed onto a stop; "minimum", at the least energy without a press; "neutral", a range over which
+            the tendon is slack and nothing moves the hinge.
+        angle: rad; of a neutral range the end nearer to the top, or the overbend stop where the tendon never pulls.
+        far_angle: the other end of a neutral range, rad; otherwise the angle.
+        energy: J.
+        holding_torque: that presses it onto its stop, N m; 0 unless the kind is "stop".
+    """
+
+    kind: Literal["stop", "minimum", "neutral"]
+    angle: float
+    far_angle: float
+    energy: float
+    holding_torque: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class HingeSpring:
+    """The spring of a hinge itself.
+
+    Attributes:
+        stiffness: N m/rad.
+        rest_angle: rad.
+    """
+
+    stiffness: float
+    rest_angle: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class HingeLandscape:
+    """A hinge over its whole range. What does not exist is None, and the remarks say why.
+
+    Folding is negative in all angles here; those that the structure has are these times `sense`. With a spring of the
+    hinge the energy and the moment are still those of the tendon, and everything else is of both.
+
+    Attributes:
+        hinge: whose landscape it is.
+        angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, the top, and where
+            the tendon goes slack, or is shortest between the ends.
+        energy: J, (angle,).
+        moment: positive towards the overbend, N m, (angle,).
+        barrier: from the overbend stop to the top, J.
+        barrier_angle: where the top is, rad: at straight, but for offsets of the tendon's ends.
+        holding_torque: onto the overbend stop, N m.
+        peak_opening: the largest moment against opening.
+        slack_angle: beyond which the folding hinge is free, rad.
+        states: the stable ones, from the overbend to the fold limit.
+        time_scale: t*, s.
+        growth_rate: at the top, 1/s.
+        fold_start: from which the fold is let go, rad past the top.
+        final_speed: at the fold limit, rad/s.
+        remarks: sentences on what does not exist and what to know of the rest.
+        spring: of the hinge; None for none.
+    """
+
+    hinge: TendonHinge
+    angle: Array
+    energy: Array
+    moment: Array
+    barrier: float | None
+    barrier_angle: float | None
+    holding_torque: float | None
+    peak_opening: PeakTorque | None
+    slack_angle: float | None
+    states: tuple[HingeState, ...]
+    time_scale: float | None
+    growth_rate: float | None
+    fold_start: float
+    final_speed: float | None
+    remarks: tuple[str, ...]
+    spring: HingeSpring | None = None
+
+    @property
+    def sense(self) -> int:
+        """+1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense."""
+        return self.hinge.sense
+
+    @cached_property
+    def fold_time(self) -> float | None:
+        """From where the fold is let go to the fold limit, s: an integral, for whoever asks. None with a spring."""
+        return self.time_to(self.hinge.fold_limit)
+
+    def time_to(self, angle: float) -> float | None:
+        """From where the fold is let go to an angle past straight, rad, or to the fold limit before it, s.
+
+        None with a spring, and where the hinge does not fold.
+        """
+        if self.spring is not None:
+            return None
+        return fold_time(replace(self.hinge, fold_limit=min(angle, self.hinge.fold_limit)), self.fold_start)
+
+    @property
+    def spring_energy(self) -> Array:
+        """Of the hinge's spring, J, (angle,)."""
+        if self.spring is None:
+            return np.zeros_like(self.angle)
+        return np.asarray(self.spring.stiffness / 2 * (self.angle - self.spring.rest_angle) ** 2)
+
+    def stored_energy(self, angle: ArrayLike) -> Array:
+        """Of the tendon and the hinge's spring, J, in the shape of `angle` (rad, folding negative)."""
+        energy = self.hinge.energy(angle)
+        if self.spring is None:
+            return energy
+        turned = np.asarray(angle, dtype=np.float64) - self.spring.rest_angle
+        return np.asarray(energy + self.spring.stiffness / 2 * turned**2)
+
+    @property
+    def spring_moment(self) -> Array:
+        """Of the hinge's spring, positive towards the overbend, N m, (angle,)."""
+        if self.spring is None:
+            return np.zeros_like(self.angle)
+        return np.asarray(self.spring.stiffness * (self.spring.rest_angle - self.angle))
+
+
+def hinge_landscape(
+    hinge: TendonHinge,
+    points: int = 181,
+    fold_start: float = FOLD_START,
+    overbend: str = "overbend",
+    spring: HingeSpring | None = None,
+) -> HingeLandscape:
+    """Survey a hinge along its angle, whether it has a spring of its own or not.
+
+    How fast it snaps is left open where it has a spring.
+
+    Args:
+        hinge: the hinge, folding towards negative angles.
+        points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
+        fold_start: how far past the top the fold of `fold_time` is let go, rad.
+        overbend: what sentences call the overbend.
+        spring: of the hinge, its angles counted alike; None for none.
+
+    Raises:
+        InputError: fewer than 2 points, or a start that is not > 0.
+    """
+    angle = special_angles(hinge, points)
+    path = _Path(hinge=hinge, spring=spring)
+    found = _places(path)
+    stable = [place for place in found if place.stable]
+    top = _top_of(found)
+    climbed = top is not None and top is not found[0]
+    slack = slack_angle(hinge)
+    return HingeLandscape(
+        hinge=hinge,
+        angle=angle,
+        energy=hinge.energy(angle),
+        moment=hinge.moment(angle),
+        barrier=top.energy - stable[0].energy if top is not None and climbed else None,
+        barrier_angle=0.0 - top.coordinate if top is not None and climbed else None,
+        holding_torque=_holding_torque(hinge, found[0]),
+        peak_opening=_peak(path, top, found),
+        slack_angle=slack,
+        states=tuple(_hinge_state(hinge, place) for place in stable),
+        time_scale=None if spring is not None else time_scale(hinge),
+        growth_rate=None if top is None else _growth_rate(path, top),
+        fold_start=fold_start,
+        final_speed=None if spring is not None else final_speed(hinge, fold_start),
+        remarks=hinge_remarks(hinge, fold_start, overbend) if spring is None else _spring_remarks(hinge, stable, slack),
+        spring=spring,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Path:
+    """A hinge and its spring along the angle with its sign changed, so that folding rises.
+
+    Attributes:
+        hinge: with its tendon.
+        spring: of the hinge; None for none.
+    """
+
+    hinge: TendonHinge
+    spring: HingeSpring | None
+
+    def __call__(self, fold: Array) -> tuple[Array, Array]:
+        """Energy, J, and its slope, N m."""
+        energy, slope = self.hinge.energy(-fold), self.hinge.moment(-fold)
+        if self.spring is None:
+            return energy, slope
+        turned = -fold - self.spring.rest_angle
+        return energy + self.spring.stiffness / 2 * turned**2, slope - self.spring.stiffness * turned
+
+    @property
+    def places(self) -> int:
+        """How many angles to look at; a tendon alone has its special angles among any."""
+        return _COARSE if self.spring is None else _FINE
+
+    def curvature(self, fold: float) -> float:
+        """Second derivative of the energy, N m/rad."""
+        return float(self.hinge.stiffness(-fold)) + (0.0 if self.spring is None else self.spring.stiffness)
+
+
+def _places(path: _Path) -> tuple[PathState, ...]:
+    """Where a hinge stays, and the tops between, from the overbend to the fold limit."""
+    folds = -special_angles(path.hinge, path.places)
+    largest = float(np.abs(path(folds)[1]).max())
+    if path.spring is not None:
+        return states_along(path, folds, force=_QUIET * largest)
+    # a place between any two special ones, at which the moment may be none
+    folds = np.sort(np.concatenate([folds, (folds[1:] + folds[:-1]) / 2]))
+    # where the tendon is slack nothing moves the hinge, however short that range is
+    return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
+
+
+def _top_of(found: tuple[PathState, ...]) -> PathState | None:
+    """The first top that a hinge climbs to; else that from which it starts, where its overbend is none."""
+    tops = [place for place in found if not place.stable]
+    return next((top for top in tops if top is not found[0]), next(iter(tops), None))
+
+
+def _holding_torque(hinge: TendonHinge, first: PathState) -> float | None:
+    """Torque that presses a hinge onto its overbend stop; 0 where its tendon is slack there; None where none does."""
+    at_stop = first.stable and first.coordinate == -hinge.overbend
+    return first.press if at_stop and (first.kind == "stop" or hinge.pulls) else None
+
+
+def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> PeakTorque | None:
+    """The largest moment that folds it from its top, or where that lies beyond its stop from there, to where it stays.
+
+    At the zero of the energy's second derivative (Brent 1973), or at the fold limit where the moment still grows
+    there.
+    """
+    hinge, places = path.hinge, [place.coordinate for place in found]
+    if top is not None and top is not found[-1]:
+        start, end = top.coordinate, places[found.index(top) + 1]
+    elif path.spring is None and hinge.pulls and hinge.top_to_overbend < 0:
+        start, end = -hinge.overbend, places[0]
+    else:
+        return None
+    folds = np.linspace(start, end, path.places)
+    slope = path(folds)[1]
+    steepest = int(np.argmin(slope))
+    before, after = folds[max(steepest - 1, 0)], folds[min(steepest + 1, len(folds) - 1)]
+    fold = float(folds[steepest])
+    if path.curvature(before) < 0 < path.curvature(after):
+        fold = float(scipy.optimize.brentq(path.curvature, before, after, xtol=1e-15))
+    return PeakTorque(torque=-float(path(np.array([fold]))[1][0]), angle=-fold)
+
+
+def _growth_rate(path: _Path, top: PathState) -> float | None:
+    """Rate at which a hinge leaves its top, 1/s: sqrt(-stiffness of tendon and spring / inertia).
+
+    For a linear law without a spring that is sqrt(1 - lambda) / t*, lambda being the resting length by the length at
+    the top (theory.md, section 3).
+    """
+    stiffness = path.curvature(top.coordinate)
+    return math.sqrt(-stiffness / path.hinge.inertia) if stiffness < 0 else None
+
+
+def _hinge_state(hinge: TendonHinge, place: PathState) -> HingeState:
+    assert place.kind != "maximum"
+    ends = 0.0 - place.coordinate, 0.0 - place.far_coordinate
+    if hinge.pulls and abs(ends[1] - hinge.top) < abs(ends[0] - hinge.top):
+        ends = ends[::-1]
+    # only a slack tendon lets a hinge move freely, and it stores nothing but rounding
+    energy = 0.0 if place.kind == "neutral" else place.energy
+    return HingeState(kind=place.kind, angle=ends[0], far_angle=ends[1], energy=energy, holding_torque=place.press)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CrossedHinge:
+    """A hinge that one tendon lies across.
+
+    Attributes:
+        tendon: number of the tendon.
+        hinge: number of the hinge.
+        own: about its true axis.
+        ideal: with both bars square to the axis; None where there are no bars to be so.
+    """
+
+    tendon: int
+    hinge: int
+    own: HingeLandscape
+    ideal: HingeLandscape | None
+
+
+def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHinge, ...]:
+    """Survey every hinge that one tendon lies across, in the order of the tendons; those alike are surveyed once."""
+
+    @cache
+    def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
+        return hinge_landscape(hinge, points, overbend=structure.appearance.overbend, spring=spring)
+
+    found = []
+    for number, tendon in enumerate(structure.tendons):
+        if tendon.crossing is None:
+            continue
+        crossed, own = structure.hinges[tendon.crossing.hinge], tendon_hinge(structure, tendon, tendon.crossing)
+        spring = None
+        if crossed.stiffness:
+            spring = HingeSpring(stiffness=crossed.stiffness, rest_angle=own.sense * crossed.rest_angle)
+        ideal = None if tendon.ideal is None else survey(tendon_hinge(structure, tendon, tendon.ideal), spring)
+        found.append(CrossedHinge(tendon=number, hinge=tendon.crossing.hinge, own=survey(own, spring), ideal=ideal))
+    return tuple(found)
+
+
+def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
+    """Say in a sentence each what a hinge lacks, and where its tendon is slack.
+
+    Args:
+        hinge: the hinge.
+        fold_start: how far past the top the fold of `fold_time` is let go, rad.
+        overbend: what they call the overbend.
+    """
+    if not hinge.pulls:
+        return (_why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
+    remarks = []
+    # sentences have angles in the hinge's own sense
+    sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
+    slack, past = hinge.slack_distance, "straight"
+    if offset:
+        past = _degrees(sense * hinge.top)
+    if hinge.top_to_overbend <= 0:
+        remarks.append(
+            f"the ends of the tendon are offset: it is longest at {past}, and the {overbend} of"
+            f" {_degrees(hinge.overbend)} is not beyond it, so there is no barrier and no holding torque; a larger"
+            f" {overbend} gives both"
+            if offset
+            else f"the {overbend} is 0 deg: straight is no stable state, so there is no barrier and no holding torque;"
+            f" {'an' if overbend[0] in 'aeiou' else 'a'} {overbend} > 0 deg gives both"
+        )
+    elif offset:
+        remarks.append(f"the ends of the tendon are offset: it is longest at {past}, not at straight")
+    if hinge.top_to_overbend > 0 and slack is not None and slack < hinge.top_to_overbend:
+        remarks.append(
+            f"the tendon is slack beyond {_degrees(slack - offset)} of {overbend}: nothing holds the hinge at its stop"
+            f" of {_degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
+        )
+    if slack is None or slack > hinge.top_to_fold:
+        remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and nowhere goes slack")
+    elif slack < hinge.top_to_fold:
+        far = max(-limit, slack - 2 * math.pi - offset)
+        remarks.append(
+            f"the tendon is slack from {_degrees(sense * (-slack - offset))} to {_degrees(sense * far)}: nothing moves"
+            " the folded hinge there"
+        )
+    if fold_start >= hinge.top_to_fold:
+        remarks.append(
+            f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past {past},"
+            " where the fold starts, so it has no time and no speed"
+        )
+    elif slack is not None and slack <= fold_start:
+        remarks.append(
+            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
+            " speed; a shorter resting length gives them"
+        )
+    if not hinge.law.linear:
+        remarks.append("the law has no linear term, so there is no time scale")
+    return tuple(remarks)
+
+
+def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
+    if not hinge.pulls:
+        return (_why_no_pull(hinge, "the spring of its hinge is all that moves it, and there is no barrier"),)
+    remarks = []
+    if len(stable) == 1:
+        remarks.append(
+            "the tendon and the spring of its hinge let it rest at one place only,"
+            f" {_degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a stiffer or shorter tendon, or"
+            " a softer spring, gives one"
+        )
+    if slack is not None:
+        remarks.append(
+            f"the tendon is slack beyond {_degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all"
+            " that moves it there"
+        )
+    return tuple(remarks)
+
+
+def _why_no_pull(hinge: TendonHinge, then: str) -> str:
+    """Say why a tendon is slack at every angle, and what comes of that."""
+    law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
+    if law.rest_length < longest:
+        return f"the tendon has no stiffness: {then}"
+    unit, factor = reading_unit("m", law.rest_length)
+    return (
+        f"the tendon is slack at every angle: {then}; take a resting length below {factor * longest:.6g} {unit},"
+        f" its {'longest' if hinge.offset_angle else 'length at straight'}, not {factor * law.rest_length:.6g} {unit}"
+    )
+
+
+def _degrees(angle: float) -> str:
+    """An angle (rad) as sentences have it."""
+    return f"{math.degrees(angle):.4g} deg"
+
+
+def special_angles(hinge: TendonHinge, points: int) -> Array:
+    """Angles from the overbend to the fold limit, (angle,), even between those that are special: see `HingeLandscape`.
+
+    Raises:
+        InputError: fewer than 2 points.
+    """
+    if points < 2:
+        raise InputError(f"points: need >= 2, got {points}")
+    special = {hinge.overbend, 0.0, -hinge.fold_limit}
+    slack, turn = hinge.slack_distance, 2 * math.pi
+    apart = {0.0, math.pi, -math.pi}
+    if slack is not None:
+        apart |= {slack, -slack, turn - slack, slack - turn}
+    special |= {angle for each in apart if -hinge.fold_limit < (angle := each - hinge.offset_angle) < hinge.overbend}
+    ends = sorted(special, reverse=True)
+    spacing = (ends[0] - ends[-1]) / (points - 1)
+    parts = [np.linspace(high, low, math.ceil((high - low) / spacing), endpoint=False) for high, low in pairwise(ends)]
+    return np.concatenate([*parts, [ends[-1]]])

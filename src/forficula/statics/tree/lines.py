@@ -1,0 +1,129 @@
+"""The energy of tendons whose length depends on several hinges, with its slopes and curvatures by their angles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from forficula.arrays import Array, Indices
+from forficula.errors import InputError
+from forficula.material import ElasticLaw
+from forficula.statics.tree.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.tree.pose import Tree
+from forficula.structure import Structure
+
+_SHORTEST = 1e-12  # share of its longest length; a shorter tendon has no direction
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lines:
+    """Tendons between points anywhere on a structure, of cases that differ in their laws at most.
+
+    Attributes:
+        laid: a piece for each tendon.
+        law: of the tendons, whose numbers are (case, tendon).
+        shortest: length below which a tendon has no direction, m, (tendon,).
+    """
+
+    laid: Elements
+    law: ElasticLaw
+    shortest: Array
+
+    def only(self, cases: Indices) -> Lines:
+        """Some of the cases, by number, any of them once or more."""
+        return replace(self, law=_numbers_of(self.law, cases))
+
+
+def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
+    """Lay out the tendons across several hinges of structures that differ in their tendons' laws at most.
+
+    Returns:
+        None where every tendon lies across one hinge, or its length never changes.
+
+    Raises:
+        InputError: such a tendon is attached elsewhere in another structure.
+    """
+    first = structures[0]
+    numbers = [
+        number
+        for number, tendon in enumerate(first.tendons)
+        if tendon.crossing is None and _changes(tree, [first.points[point].body for point in tendon.points])
+    ]
+    if not numbers:
+        return None
+    bodies: list[int] = []
+    places: list[Array] = []
+    for number in numbers:
+        ends = [first.points[point] for point in first.tendons[number].points]
+        for other in structures[1:]:
+            its = [other.points[point].place for point in other.tendons[number].points]
+            if not all(np.array_equal(end.place, place) for end, place in zip(ends, its, strict=True)):
+                raise InputError(
+                    f"{other.name}: {other.tendons[number].name} lies across several hinges and is attached elsewhere"
+                    " than in the others beside it; survey it alone"
+                )
+        bodies += [end.body for end in ends]
+        places += [end.place for end in ends]
+    pieces = [Piece(points=(2 * each, 2 * each + 1), sides=np.array([[-1.0, 1.0]])) for each in range(len(numbers))]
+    laws = [[each.tendons[number].law.elastic for number in numbers] for each in structures]
+    parts: Any = {
+        name: np.array([[getattr(law, name) for law in row] for row in laws])
+        for name in ("rest_length", "linear", "quadratic", "cubic")
+    }
+    return Lines(
+        laid=elements(tree, bodies, np.array(places), pieces),
+        law=ElasticLaw(**parts),
+        shortest=_SHORTEST * np.array([first.tendons[number].longest for number in numbers]),
+    )
+
+
+def _changes(tree: Tree, bodies: Sequence[int]) -> bool:
+    return set(tree.chain(bodies[0])) != set(tree.chain(bodies[1]))
+
+
+def line_energy(lines: Lines, angles: Array) -> Expansion:
+    """Energy of the tendons.
+
+    Of a pull F at a length L along a unit vector n the curvature by the way from end to end is
+    F' n n^T + F / L (1 - n n^T).
+
+    Args:
+        lines: the tendons.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+
+    Returns:
+        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+    """
+    laws = [
+        partial(_pulled, _numbers_of(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
+        for group in lines.laid.groups
+    ]
+    return stretched(lines.laid, angles, laws)
+
+
+def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
+    """Energy of tendons by the ways from end to end, (case, tendon, 1, 3)."""
+    apart = sides[:, :, 0]
+    length = np.linalg.norm(apart, axis=2)
+    known = np.maximum(length, shortest)
+    stored, force, slope = law.expansion(length)
+    along = apart / known[..., None]
+    outer = along[..., :, None] * along[..., None, :]
+    by_length = (force / known)[..., None, None]
+    stiffness = slope[..., None, None] * outer + by_length * (np.eye(3) - outer)
+    return stored.sum(axis=1), (force[..., None] * along)[:, :, None], stiffness[:, :, None]
+
+
+def _numbers_of(law: ElasticLaw, which: Any) -> ElasticLaw:
+    parts: Any = {name: getattr(law, name)[which] for name in ("rest_length", "linear", "quadratic", "cubic")}
+    return ElasticLaw(**parts)
+
+
+def largest_pull(lines: Lines, structure: Structure) -> float:
+    """Torque that the strongest of these tendons can exert about a hinge, N m, at most."""
+    longest = lines.shortest / _SHORTEST
+    return float((lines.law.force(longest) * structure.span).max())

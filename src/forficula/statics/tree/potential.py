@@ -1,0 +1,352 @@
+"""The potential of a structure at rest: all that stores energy, less the work of the torques that act, over all angles.
+
+Coordinates are the angles of the structure's hinges, in its order, each in its own sense.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from forficula.arrays import Array, Indices
+from forficula.design import Design, key_value
+from forficula.errors import InputError
+from forficula.material import ElasticLaw
+from forficula.statics.tree.couplings import Ties, Twists, ties_of, twist_energy, twists_of
+from forficula.statics.tree.elements import Expansion
+from forficula.statics.tree.equilibrium import Cases, Equilibria, Follow, descend
+from forficula.statics.tree.hinge import TendonHinge, hinges_in_own_senses, stacked_hinges
+from forficula.statics.tree.lines import Lines, largest_pull, line_energy, lines_of
+from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, places_of, pose, pulled, span, tree_of
+from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
+from forficula.structure import Structure, mass_of, static_keys, structure_of
+
+# Steps over which a structure is followed: shorter ones end in the same places.
+_LONGEST_STEP = 0.1  # rad
+_QUIET = 1e-6  # torque that counts as none, of what the stiffest part can exert
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ensemble:
+    """Structures that differ in their tendons at most, side by side: what statics solves for.
+
+    Attributes:
+        structure: of the first case; what it says of tendons holds for that case only.
+        sheet: membranes and length limits.
+        lines: tendons across several hinges; None for none.
+        weight: of the bodies; None without gravity.
+        twists: elastic couplings between joints; None for none.
+        ties: joints that rigid couplings make turn as one; None for none.
+        crossed: numbers of the hinges that one tendon each lies across, by tendon.
+        crossings: by which what tendons do adds up to hinges, (tendon, hinge).
+        tendons: the hinges of these tendons as one, whose functions take angles (case, tendon).
+        stiffness: of the hinges' springs, N m/rad, (hinge,).
+        rest_angles: where these rest, rad, (hinge,).
+        motors: numbers of the hinges of every motor.
+        drives: by which torques of motors add up to those on hinges, (motor, hinge).
+        lower: least angles, rad, (hinge,).
+        upper: largest ones, (hinge,).
+        cases: how many.
+    """
+
+    structure: Structure
+    sheet: Sheet
+    lines: Lines | None
+    weight: Weight | None
+    twists: Twists | None
+    ties: Ties | None
+    crossed: Span
+    crossings: Array
+    tendons: TendonHinge
+    stiffness: Array
+    rest_angles: Array
+    motors: tuple[Span, ...]
+    drives: Array
+    lower: Array
+    upper: Array
+    cases: int
+
+    @property
+    def size(self) -> int:
+        """How many hinges."""
+        return len(self.lower)
+
+    def only(self, cases: Indices) -> Ensemble:
+        """Some of the cases, by number, any of them once or more."""
+        lines = None if self.lines is None else self.lines.only(cases)
+        return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
+
+    def repeated(self, count: int) -> Ensemble:
+        """The first case, so many times."""
+        return self.only(np.zeros(count, dtype=np.int64))
+
+
+def ensemble_of(designs: Sequence[Design]) -> Ensemble:
+    """Lay out designs that differ in their tendons at most.
+
+    Raises:
+        InputError: they differ in more.
+    """
+    first = designs[0]
+    for design in designs[1:]:
+        differs = [key for key in static_keys(first) if key_value(design, key) != key_value(first, key)]
+        if differs:
+            whole = structure_of(first).appearance.whole
+            raise InputError(
+                f"{design.name}: need {whole}s that differ in their tendons only, got another {differs[0]}"
+            )
+    return ensemble([structure_of(design) for design in designs])
+
+
+def ensemble(structures: Sequence[Structure]) -> Ensemble:
+    """Lay out structures that differ in their tendons at most; only those are taken of all but the first.
+
+    Raises:
+        InputError: their tendons lie across other hinges.
+    """
+    first, size = structures[0], len(structures[0].hinges)
+    crossed = _crossed(first)
+    for other in structures[1:]:
+        if len(other.hinges) != size or _crossed(other) != crossed:
+            raise InputError(f"{other.name}: need structures that differ in their tendons' laws and places only")
+    tree = tree_of(first)
+    unit = np.eye(size)
+    drives = np.array([unit[list(motor.hinges)].sum(axis=0) for motor in first.motors]).reshape(-1, size)
+    return Ensemble(
+        structure=first,
+        sheet=sheet_of(first, tree),
+        lines=lines_of(structures, tree),
+        weight=weight_of(first, tree),
+        twists=twists_of(first),
+        ties=ties_of(first),
+        crossed=span(crossed),
+        crossings=unit[crossed],
+        tendons=stacked_hinges([hinges_in_own_senses(each) for each in structures]),
+        stiffness=np.array([hinge.stiffness for hinge in first.hinges]),
+        rest_angles=np.array([hinge.rest_angle for hinge in first.hinges]),
+        motors=tuple(span(motor.hinges) for motor in first.motors),
+        drives=drives,
+        lower=np.array([hinge.lower for hinge in first.hinges]),
+        upper=np.array([hinge.upper for hinge in first.hinges]),
+        cases=len(structures),
+    )
+
+
+def _crossed(structure: Structure) -> list[int]:
+    return [tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None]
+
+
+def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
+    """Some rows of stacked hinges."""
+    law: Any = {name: getattr(tendons.law, name)[cases] for name in ("rest_length", "linear", "quadratic", "cubic")}
+    names = ("proximal_arm", "distal_arm", "axial_offset", "offset_angle", "overbend", "fold_limit", "inertia")
+    numbers: Any = {name: getattr(tendons, name)[cases] for name in names}
+    return TendonHinge(law=ElasticLaw(**law), **numbers)
+
+
+def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
+    """Energy stored, less the work of the torques.
+
+    Args:
+        structures: side by side.
+        angles: rad, (case, hinge).
+        torques: of every motor, N m, (motor,), or by case, (case, motor).
+
+    Returns:
+        J, (case,); its slope, N m, (case, hinge); its curvature, N m/rad, (case, hinge, hinge).
+    """
+    energy, slope, curvature = sheet_energy(structures.sheet, angles)
+    for part in _further(structures, angles):
+        energy, slope, curvature = energy + part[0], slope + part[1], curvature + part[2]
+    tendons, crossing = structures.tendons, angles[:, structures.crossed]
+    tendon_energy, moment, stiffness = tendons.expansion(crossing)
+    stored = tendon_energy.sum(axis=1)
+    torques = np.asarray(torques)
+    if torques.shape != (len(angles), len(structures.motors)):
+        torques = np.broadcast_to(torques, (len(angles), len(structures.motors)))
+    for motor, hinges in enumerate(structures.motors):
+        stored = stored - torques[:, motor] * angles[:, hinges].sum(axis=1)
+    energy += stored
+    slope += -(torques @ structures.drives) - moment @ structures.crossings
+    diagonal = np.arange(structures.size)
+    curvature[:, diagonal, diagonal] += stiffness @ structures.crossings
+    if structures.stiffness.any():
+        turned = structures.stiffness * (angles - structures.rest_angles)
+        energy += np.sum(turned * (angles - structures.rest_angles), axis=1) / 2
+        slope += turned
+        curvature[:, diagonal, diagonal] += structures.stiffness
+    return energy, slope, curvature
+
+
+def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
+    """Energy by what stores it; what a structure does not have is left out.
+
+    Args:
+        structures: side by side.
+        angles: rad, (case, hinge).
+
+    Returns:
+        J, (case,), of "tendons", "springs" of hinges, elastic "couplings", "membranes" with length limits, and
+        "weight", which is 0 where all centres are at z = 0.
+    """
+    parts: dict[str, Array] = {}
+    if structures.structure.tendons:
+        parts["tendons"] = structures.tendons.energy(angles[:, structures.crossed]).sum(axis=1)
+        if structures.lines is not None:
+            parts["tendons"] = parts["tendons"] + line_energy(structures.lines, angles)[0]
+    if structures.stiffness.any():
+        parts["springs"] = np.sum(structures.stiffness * (angles - structures.rest_angles) ** 2, axis=1) / 2
+    if structures.twists is not None:
+        parts["couplings"] = twist_energy(structures.twists, angles)[0]
+    if structures.structure.membranes or structures.structure.limits:
+        parts["membranes"] = sheet_energy(structures.sheet, angles)[0]
+    if structures.weight is not None:
+        parts["weight"] = weight_energy(structures.weight, angles)[0]
+    return parts
+
+
+def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
+    """What not every structure has: tendons across several hinges, couplings, and weight."""
+    parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
+    if structures.twists is not None:
+        parts.append(twist_energy(structures.twists, angles))
+    return parts if structures.weight is None else [*parts, weight_energy(structures.weight, angles)]
+
+
+def rest(
+    structures: Ensemble,
+    start: Array,
+    torques: ArrayLike = 0.0,
+    *,
+    fixed: Sequence[int] = (),
+    held: ArrayLike = False,
+    within: float = np.inf,
+    longest_step: float | None = None,
+    follow: Follow | None = None,
+) -> Equilibria:
+    """Let structures go from where they are, slowly, to where they rest under torques.
+
+    Joints that rigid couplings tie have one coordinate; where they start apart, they start in the middle. Slopes are
+    those by every hinge, as if nothing tied it.
+
+    Args:
+        structures: side by side.
+        start: angles, rad, (case, hinge).
+        torques: of every motor, N m, (motor,), or by case, (case, motor).
+        fixed: numbers of hinges that are held where they start.
+        held: which single ones are held where they start, (case, hinge).
+        within: how far each hinge may turn, rad.
+        longest_step: over which they are followed, rad; the shorter it is, the nearer to the steepest descent.
+        follow: called after every step with the numbers of the cases that are not at rest and all angles.
+    """
+    count = len(start)
+    torques = np.broadcast_to(torques, (count, len(structures.motors)))
+    lower, upper = np.maximum(structures.lower, start - within), np.minimum(structures.upper, start + within)
+    fixed = list(fixed)
+    lower[:, fixed] = upper[:, fixed] = start[:, fixed]
+    lower, upper = np.where(held, start, lower), np.where(held, start, upper)
+    some, which, ties = structures, np.arange(count), structures.ties
+
+    def energy(angles: Array, cases: Cases) -> Expansion:
+        nonlocal some, which
+        if not np.array_equal(cases, which):
+            some, which = structures.only(cases), cases
+        return potential(some, angles, torques[cases])
+
+    steps: Any = {"longest_step": longest_step or _LONGEST_STEP, "force": _QUIET * torque_scale(structures)}
+    if ties is None:
+        return descend(energy, start, lower, upper, follow=follow, **steps)
+    spread = ties.spread
+
+    def tied_energy(coordinates: Array, cases: Cases) -> Expansion:
+        value, slope, curvature = energy(ties.angles(coordinates), cases)
+        return value, slope @ spread, spread.T @ curvature @ spread
+
+    def follow_tied(cases: Cases, coordinates: Array) -> None:
+        if follow is not None:
+            follow(cases, ties.angles(coordinates))
+
+    found = descend(tied_energy, ties.start(start), *ties.bounds(lower, upper), follow=follow_tied, **steps)
+    position = ties.angles(found.position)
+    return replace(found, position=position, slope=energy(position, np.arange(count))[1])
+
+
+def torque_scale(structures: Ensemble) -> float:
+    """Torque of the size of what the parts exert, N m: of tendons, membranes, springs, or weight."""
+    tendons = structures.tendons
+    quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
+    scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
+    if structures.lines is not None:
+        scales.append(largest_pull(structures.lines, structures.structure))
+    scales.append(float(structures.stiffness.max(initial=0.0)))
+    if structures.weight is not None:
+        scales.append(float(structures.weight.forces.sum()) * structures.structure.span)
+    return max(scales)
+
+
+def slight_energy(structures: Ensemble) -> float:
+    """Energy that is rounding, J: what the torque that counts as none leaves in the stiffest part."""
+    return _QUIET**2 * torque_scale(structures)
+
+
+def sheet_torque(structure: Structure) -> float:
+    """Torque that a membrane's margin exerts at a strain of 1, the largest of all, N m; 0 without a membrane."""
+    return max(
+        (membrane.law.youngs_modulus * membrane.law.thickness * membrane.margin**2 for membrane in structure.membranes),
+        default=0.0,
+    )
+
+
+def start_angles(structures: Ensemble) -> Array:
+    """Angles of the built structures with their hinges where the protocol starts them, rad, (case, hinge)."""
+    return np.tile([hinge.start for hinge in structures.structure.hinges], (structures.cases, 1))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Weight:
+    """Weights at the centres of mass of the bodies that move.
+
+    Attributes:
+        tree: of bodies.
+        centres: of mass.
+        forces: weights along -z, N, (centre,).
+    """
+
+    tree: Tree
+    centres: Carried
+    forces: Array
+
+
+def weight_of(structure: Structure, tree: Tree) -> Weight | None:
+    """What a structure weighs; None where there is no gravity, or nothing that has a mass moves."""
+    moving = [number for number in range(len(structure.bodies)) if tree.chain(number)] if structure.gravity else []
+    masses = {number: mass_of(structure, number) for number in moving}
+    solid = [number for number, (mass, _, _) in masses.items() if mass]
+    if not solid:
+        return None
+    return Weight(
+        tree=tree,
+        centres=carried_points(tree, solid, np.array([masses[number][1] for number in solid])),
+        forces=structure.gravity * np.array([masses[number][0] for number in solid]),
+    )
+
+
+def weight_energy(weight: Weight, angles: Array) -> Expansion:
+    """Energy of the weight, 0 where all centres are at z = 0.
+
+    Args:
+        weight: of the bodies.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+
+    Returns:
+        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+    """
+    at = pose(weight.tree, angles)
+    places = places_of(weight.centres, at)
+    forces = np.zeros_like(places)
+    forces[2] = weight.forces
+    return places[2] @ weight.forces, *pulled(weight.tree, weight.centres, at, places, forces)

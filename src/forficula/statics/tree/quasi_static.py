@@ -1,0 +1,304 @@
+"""Slowly growing torques: the least ones that take structures to a goal, without help from inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from forficula.arrays import Array, Flags, Indices
+from forficula.errors import InputError
+from forficula.statics.tree.equilibrium import Equilibria
+from forficula.statics.tree.pose import carried_points, places_of, pose
+from forficula.statics.tree.potential import Ensemble, rest, start_angles
+from forficula.structure import (
+    Drive,
+    Goal,
+    Structure,
+    Transition,
+    distances_of,
+    drive_of,
+    goal_coordinates,
+    goal_of,
+    hinge_bounds,
+)
+
+_LEAD_IN = 4  # halvings of the first torque
+_ACCURACY = 0.01  # of a least torque
+_FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
+_SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
+_SEED = 30  # of random shifts
+_NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to step
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowPath:
+    """Equilibria of one structure under a slowly growing torque, and the snaps between them.
+
+    Attributes:
+        torque: size, not falling, N m, (step,).
+        position: angles, rad, (step, hinge); during a snap, which has several steps of one torque, they are no
+            equilibria.
+        snaps: numbers of the steps at which a snap begins and ends.
+    """
+
+    torque: Array
+    position: Array
+    snaps: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlowTransition:
+    """What a slowly growing torque does to structures.
+
+    Attributes:
+        torque: size of the least that brings each to its goal, N m, nan where none of those tried does, (case,).
+        position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
+        paths: by case, how it gets there; empty where they were not recorded.
+    """
+
+    torque: Array
+    position: Array
+    paths: tuple[SlowPath, ...] = ()
+
+
+def start_state(structures: Ensemble) -> Equilibria:
+    """Where structures rest without torques when let go from where the protocol starts them."""
+    return rest(structures, start_angles(structures))
+
+
+def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
+    """Where structures rest without torques when let go from where a transition leads, as far as stops allow.
+
+    Hinges that its goal bounds start at their stops on that side, hinges that its drive turns at the stops that it
+    turns them to. With these held, the others go to where they rest, and then all do.
+
+    Raises:
+        InputError: neither goal nor drive says where that is.
+    """
+    built = structures.structure
+    goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
+    start = np.zeros((structures.cases, structures.size))
+    pushed = _by_unit(drive) @ structures.drives
+    (least, most), ends = hinge_bounds(built, goal), np.full(structures.size, np.nan)
+    for towards, stops in ((pushed < 0, structures.lower), (pushed > 0, structures.upper)):
+        ends[towards] = stops[towards]
+    for bounded, bounds, stops in (
+        (np.isfinite(most), most, structures.lower),
+        (np.isfinite(least), least, structures.upper),
+    ):
+        ends[bounded] = np.where(np.isfinite(stops), stops, bounds)[bounded]
+    placed = np.flatnonzero(np.isfinite(ends))
+    if not len(placed):
+        raise InputError(
+            f"{built.name}: nothing says where {transition.name} leads: need a goal that bounds hinges, or a drive of"
+            " hinges with stops"
+        )
+    start[:, placed] = ends[placed]
+    closed = rest(structures, start, fixed=placed.tolist())
+    return rest(structures, closed.position)
+
+
+def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
+    """Where structures rest without torques after a slowly growing torque, which is where the next transition starts.
+
+    They are let go from where the torque led. Those that it did not bring to the goal, or that leave the state when let
+    go, are let go from the stops, see `state_beyond`. A slack tendon lets hinges rest anywhere in a range, and from its
+    ends the next torque can lead along another path.
+
+    Args:
+        structures: side by side.
+        transition: with the state.
+        torque: the least that makes it, N m, nan where none does, (case,).
+        position: angles under this torque, rad, (case, hinge).
+    """
+    led, beyond = rest(structures, position), state_beyond(structures, transition)
+    stays = np.isfinite(torque) & at_goal(structures, led.position, goal_of(structures.structure, transition.released))
+    return Equilibria(
+        position=np.where(stays[:, None], led.position, beyond.position),
+        energy=np.where(stays, led.energy, beyond.energy),
+        slope=np.where(stays[:, None], led.slope, beyond.slope),
+        stiffness=np.where(stays, led.stiffness, beyond.stiffness),
+        rests=np.where(stays, led.rests, beyond.rests),
+    )
+
+
+def at_goal(structures: Ensemble, position: Array, goal: Goal) -> Flags:
+    """Whether every hinge and distance is within a goal's bounds, (case,)."""
+    built = structures.structure
+    read = goal_coordinates(built, position, _distances(built, structures, position))
+    return np.asarray(np.all((read >= goal.least) & (read <= goal.most), axis=1))
+
+
+def _distances(structure: Structure, structures: Ensemble, position: Array) -> Array:
+    """Distances that are measured, m, (case, distance)."""
+    ends = [measure.points for measure in distances_of(structure) if measure.points is not None]
+    if not ends:
+        return np.zeros((len(position), 0))
+    tree, points = structures.sheet.laid.tree, [structure.points[number] for pair in ends for number in pair]
+    carried = carried_points(tree, [point.body for point in points], np.array([point.place for point in points]))
+    places = places_of(carried, pose(tree, position))
+    return np.asarray(np.linalg.norm(places[:, :, 1::2] - places[:, :, ::2], axis=0))
+
+
+def slow_transition(structures: Ensemble, start: Array, transition: Transition, torques: ArrayLike) -> SlowTransition:
+    """Let a transition's torque grow from step to step, wait for rest at each, and see when it gets to its goal.
+
+    A torque that comes at once may lead elsewhere than one that grows: it chooses which hinges turn where hardly
+    anything holds them. So where it acts on hinges that no tendon crosses, smaller ones come before the first.
+
+    Args:
+        structures: side by side.
+        start: angles at rest without torques, rad, (case, hinge).
+        transition: whose drive and goal.
+        torques: sizes, rising, N m, (step,); the sign is that of the drive's.
+    """
+    goal, drive = goal_of(structures.structure, transition.goal), drive_of(structures.structure, transition.drive)
+    position, least = start.copy(), np.full(len(start), np.nan)
+    steps = np.asarray(torques, dtype=np.float64)
+    before = [] if crosses(structures, drive) else steps[0] / 2.0 ** np.arange(_LEAD_IN, 0, -1)
+    for torque in [*before, *steps]:
+        left = np.flatnonzero(np.isnan(least))
+        if not len(left):
+            break
+        position[left] = _pushed(structures, left, position[left], drive, np.full(len(left), torque))
+        least[left[at_goal(structures, position[left], goal)]] = max(torque, steps[0])
+    return SlowTransition(torque=least, position=position)
+
+
+def crosses(structures: Ensemble, drive: Drive) -> bool:
+    """Whether a drive acts on a hinge that a tendon lies across."""
+    return bool((structures.crossings @ (np.array(drive.shares) @ structures.drives)).any())
+
+
+def least_slow_torque(
+    structures: Ensemble,
+    start: Array,
+    transition: Transition,
+    most: ArrayLike,
+    drive: Drive | None = None,
+    *,
+    recorded: bool = False,
+    kicks: ArrayLike = 0.0,
+) -> SlowTransition:
+    """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
+
+    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of
+    the torque under which a structure would leave its surroundings, or get to its goal, is halved. Where it leaves
+    after a step of 1 % of the torque, too, the equilibrium has become unstable and the structure snaps: it follows the
+    steepest descent of the energy, as a motion with equal dampers and without inertia does, to the next equilibrium,
+    from which the torque grows on. The first step is 1e-4 of the largest torque, and no shorter ones are tried.
+
+    Args:
+        structures: side by side.
+        start: angles at rest without torques, rad, (case, hinge).
+        transition: whose goal, and whose drive where none is given.
+        most: size of the largest torque tried, N m, one or by case.
+        drive: of the torque, whose sign it has.
+        recorded: keep the paths.
+        kicks: standard deviation of random angles by which hinges are shifted where a structure begins to snap, rad,
+            one or by case. Paths that part by this show that the torque depends on small differences.
+    """
+    goal = goal_of(structures.structure, transition.goal)
+    record, random = _PathRecord(start) if recorded else None, np.random.default_rng(_SEED)
+    kicks = np.broadcast_to(np.asarray(kicks, dtype=np.float64), (len(start),))
+    drive = drive or drive_of(structures.structure, transition.drive)
+    most = np.broadcast_to(np.asarray(most, dtype=np.float64), (len(start),))
+    position, torque, step = start.copy(), np.zeros(len(start)), _FIRST_STEP * most
+    least = np.where(at_goal(structures, start, goal), 0.0, np.nan)
+    while True:
+        left = np.flatnonzero(np.isnan(least) & (torque < most))
+        if not len(left):
+            return SlowTransition(torque=least, position=position, paths=() if record is None else record.paths())
+        tried = np.minimum(torque[left] + step[left], most[left])
+        found = _pushed(structures, left, position[left], drive, tried, within=_NEAR)
+        leaves = np.abs(found - position[left]).max(axis=1) > 0.99 * _NEAR
+        fine = step[left] <= np.maximum(_ACCURACY * tried, _FIRST_STEP * most[left])
+        snaps = leaves & fine
+        if snaps.any():
+            snapping = left[snaps]
+            begins = position[snapping]
+            if kicks.any():
+                shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
+                begins = np.clip(begins + shift, structures.lower, structures.upper)
+            for case, torque_there, way in _snapped(structures, snapping, begins, drive, tried[snaps]):
+                found[left == case] = way[-1]
+                if record is not None:
+                    record.add_snap(case, torque_there, way)
+        there = at_goal(structures, found, goal)
+        kept = snaps | ~(leaves | there & ~fine)
+        torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
+        if record is not None:
+            for row in np.flatnonzero(kept & ~snaps).tolist():
+                record.add(int(left[row]), tried[row], found[row])
+        arrived = kept & there
+        least[left[arrived]] = tried[arrived]
+        step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
+
+
+class _PathRecord:
+    """Paths of structures while they are followed."""
+
+    def __init__(self, start: Array) -> None:
+        self._steps: list[list[tuple[float, Array]]] = [[(0.0, each.copy())] for each in start]
+        self._snaps: list[list[tuple[int, int]]] = [[] for _ in start]
+
+    def add(self, case: int, torque: float, position: Array) -> None:
+        self._steps[case].append((float(torque), position.copy()))
+
+    def add_snap(self, case: int, torque: float, positions: Sequence[Array]) -> None:
+        before = len(self._steps[case]) - 1
+        for position in positions:
+            self.add(case, torque, position)
+        self._snaps[case].append((before, len(self._steps[case]) - 1))
+
+    def paths(self) -> tuple[SlowPath, ...]:
+        return tuple(
+            SlowPath(
+                torque=np.array([torque for torque, _ in steps]),
+                position=np.array([position for _, position in steps]),
+                snaps=tuple(snaps),
+            )
+            for steps, snaps in zip(self._steps, self._snaps, strict=True)
+        )
+
+
+def _snapped(
+    structures: Ensemble, cases: Indices, start: Array, drive: Drive, torque: Array
+) -> list[tuple[int, float, list[Array]]]:
+    """Some structures that snap under a torque: number, torque, and angles on the way to rest, rad, (hinge,) each.
+
+    Steps within a ball, not a box, are those of implicit Euler down the slope: the shorter they are, the nearer is the
+    way to the steepest descent. Longer ones can end elsewhere.
+    """
+    ways: list[list[Array]] = [[] for _ in cases]
+
+    def follow(moving: Indices, position: Array) -> None:
+        for row in moving.tolist():
+            ways[row].append(position[row].copy())
+
+    torques = torque[:, None] * _by_unit(drive)
+    ends = rest(structures.only(cases), start, torques, longest_step=_SNAP_STEP, follow=follow).position
+    return [
+        (int(case), float(size), [*way, end]) for case, size, way, end in zip(cases, torque, ways, ends, strict=True)
+    ]
+
+
+def _pushed(
+    structures: Ensemble,
+    cases: Indices,
+    start: Array,
+    drive: Drive,
+    torque: Array,
+    within: float = np.inf,
+) -> Array:
+    """Angles at which some structures rest under a torque, no farther away than that."""
+    torques = torque[:, None] * _by_unit(drive)
+    return rest(structures.only(cases), start, torques, within=within).position
+
+
+def _by_unit(drive: Drive) -> Array:
+    """Torques of all motors by the size of a drive's, (motor,)."""
+    return np.array(drive.shares) * (-1.0 if drive.strength < 0 else 1.0)

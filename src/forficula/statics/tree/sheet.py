@@ -1,0 +1,195 @@
+"""The energy of membranes and length limits in any pose, with its slopes and curvatures by the hinges' angles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.pattern.geometry import triangle_normals
+from forficula.statics.tree.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.tree.pose import Tree
+from forficula.structure import Membrane, MembraneLaw, Structure
+
+# A length limit is no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
+_LIMIT_STIFFNESS = 100.0
+# which of the stresses along, across and mixed belongs to two columns of a deformation gradient
+_BY_COLUMNS = np.array([[0, 2], [2, 1]])
+_UNIT = np.eye(3)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Patch:
+    """Membranes of a group: triangles of constant strain.
+
+    Attributes:
+        volumes: of the triangles, m^3, (membrane, triangle, 1).
+        law: of their stresses by their strains along, across, and twice the mixed one, Pa, (membrane, 3, 3).
+    """
+
+    volumes: Array
+    law: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sheet:
+    """What joins the bodies of a structure beside its tendons: membranes, and limits of length.
+
+    Attributes:
+        laid: membranes, then limits.
+        patches: of the groups of membranes, the first ones.
+        lengths: largest ones of the limits of every other group, m, (limit,).
+        spring: stiffness of a limit beyond its length, N/m.
+    """
+
+    laid: Elements
+    patches: tuple[Patch, ...]
+    lengths: tuple[Array, ...]
+    spring: float
+
+
+def sheet_of(structure: Structure, tree: Tree) -> Sheet:
+    """Lay out the membranes and limits of a structure."""
+    bodies: list[int] = []
+    places: list[Array] = []
+    pieces: list[Piece] = []
+    volumes: list[Array] = []
+    for membrane in structure.membranes:
+        nodes = tuple(range(len(bodies), len(bodies) + len(membrane.bodies)))
+        sides, volume = _triangles(membrane)
+        pieces.append(Piece(points=nodes, sides=sides))
+        volumes.append(volume)
+        bodies += membrane.bodies.tolist()
+        places += list(membrane.places)
+    ends: dict[int, int] = {}
+    for limit in structure.limits:
+        for end in limit.points:
+            if end not in ends:
+                ends[end] = len(bodies)
+                bodies.append(structure.points[end].body)
+                places.append(structure.points[end].place)
+        first, second = limit.points
+        pieces.append(Piece(points=(ends[first], ends[second]), sides=np.array([[-1.0, 1.0]])))
+    laid = elements(tree, bodies, np.array(places).reshape(-1, 3), pieces)
+    laws = [membrane.law for membrane in structure.membranes]
+    numbers = [np.arange(len(pieces))[group.pieces] for group in laid.groups]
+    of_membranes = [each for each in numbers if each[0] < len(laws)]
+    most = np.array([limit.most for limit in structure.limits])
+    return Sheet(
+        laid=laid,
+        patches=tuple(
+            Patch(
+                volumes=np.array([volumes[number] for number in each])[..., None],
+                law=np.array([_stiffness(laws[number]) for number in each]),
+            )
+            for each in of_membranes
+        ),
+        lengths=tuple(most[each - len(laws)] for each in numbers[len(of_membranes) :]),
+        spring=_LIMIT_STIFFNESS * _stiffest(structure),
+    )
+
+
+def _stiffest(structure: Structure) -> float:
+    """Force by stretch of the stiffest membrane, N/m; of the stiffest tendon where there is no membrane."""
+    membranes = [membrane.law.youngs_modulus * membrane.law.thickness for membrane in structure.membranes]
+    return max(
+        membranes or [tendon.law.elastic.stiffness(tendon.longest).item() for tendon in structure.tendons] or [1.0]
+    )
+
+
+def _triangles(membrane: Membrane) -> tuple[Array, Array]:
+    """By which nodes add up to the columns of deformation gradients, 1/m, (column, node), and volumes, (triangle,)."""
+    corners = _in_plane(membrane.built[membrane.triangles])
+    edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
+    of_corners = np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]) @ np.linalg.inv(edges)
+    count = len(edges)
+    sides = np.zeros((2 * count, len(membrane.bodies)))
+    sides[np.arange(2 * count).reshape(-1, 1, 2), membrane.triangles[:, :, None]] = of_corners
+    return sides, membrane.law.thickness * np.abs(np.linalg.det(edges)) / 2
+
+
+def _in_plane(corners: Array) -> Array:
+    """Corners of triangles in axes within the plane of each, (triangle, 3, 2); x and y where it is level."""
+    normals = triangle_normals(corners)
+    normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.where(normals[:, 2:] < 0, -normals, normals)
+    x, y, z = normals.T
+    # x and y turned as the upright is turned onto the normal, the shortest way
+    mixed = -x * y / (1 + z)
+    axes = np.stack(
+        [np.stack([1 - x**2 / (1 + z), mixed, -x], axis=1), np.stack([mixed, 1 - y**2 / (1 + z), -y], axis=1)], axis=2
+    )
+    return np.asarray((corners - corners[:, :1]) @ axes)
+
+
+def _stiffness(law: MembraneLaw) -> Array:
+    """Stresses along, across and mixed by strains along, across and twice the mixed one, Pa, (3, 3)."""
+    shear = law.youngs_modulus / (2 * (1 + law.poisson_ratio))
+    lame = law.youngs_modulus * law.poisson_ratio / (1 - law.poisson_ratio**2)
+    return np.array([[2 * shear + lame, lame, 0.0], [lame, 2 * shear + lame, 0.0], [0.0, 0.0, shear]])
+
+
+def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
+    """Energy of membranes and limits.
+
+    Args:
+        sheet: what joins the bodies.
+        angles: of all hinges, in their own senses, rad, (case, hinge).
+
+    Returns:
+        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+    """
+    laws = [
+        *(partial(strain_energy, patch) for patch in sheet.patches),
+        *(partial(_limit_energy, sheet.spring, length) for length in sheet.lengths),
+    ]
+    return stretched(sheet.laid, angles, laws)
+
+
+def strain_energy(patch: Patch, gradient: Array) -> Expansion:
+    """Stretch energy of membranes by the deformation gradients of their triangles.
+
+    Saint Venant-Kirchhoff in plane stress, triangles of constant strain: with the Green strain e, per volume
+    mu tr(e^2) + lambda / 2 tr(e)^2, mu = E / (2 (1 + nu)), lambda = E nu / (1 - nu^2) (Timoshenko and
+    Woinowsky-Krieger, Theory of Plates and Shells, for plane stress).
+
+    Args:
+        patch: the membranes.
+        gradient: the columns, two of each triangle, (case, membrane, column, 3).
+
+    Returns:
+        J, (case,); its slope, J, (case, membrane, column, 3); its curvature, J, (case, membrane, triangle, 6, 6).
+    """
+    cases, count, volumes = len(gradient), gradient.shape[1], patch.volumes
+    columns = gradient.reshape(cases, count, -1, 2, 3)
+    # strains along, across, and twice the mixed one, and their slopes
+    squares = (columns @ np.swapaxes(columns, 3, 4)).reshape(*columns.shape[:3], 4)
+    strain = np.empty((*columns.shape[:3], 3))
+    np.subtract(squares[..., ::3], 1, out=strain[..., :2])
+    strain[..., :2] /= 2
+    strain[..., 2] = squares[..., 1]
+    by_column = np.zeros((*columns.shape[:3], 3, 6))
+    halves = by_column.reshape(*columns.shape[:3], 6, 3)
+    # the first column moves the strain along, the second that across, and each with the other the mixed one
+    halves[..., :4:3, :], halves[..., 4:, :] = columns, columns[..., ::-1, :]
+    stress = volumes * (strain @ patch.law)
+    pull = stress[..., None, :] @ by_column
+    curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
+    # of one column by another, coordinate by coordinate
+    blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
+    blocks += stress.take(_BY_COLUMNS, axis=3)[..., None]
+    energy = np.add.reduce((stress * strain).reshape(cases, -1, 3), axis=(1, 2)) / 2
+    return energy, pull.reshape(cases, count, -1, 3), curvature
+
+
+def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion:
+    """Energy of limits, which pull beyond their lengths only, by the ways between their ends (case, limit, 1, 3)."""
+    distance = np.sqrt(np.einsum("...i,...i", apart, apart))
+    beyond = np.maximum(distance - lengths[:, None], 0.0)
+    along = apart / distance[..., None]
+    ratio = (beyond / distance)[..., None, None]
+    outer = along[..., :, None] * along[..., None, :]
+    curvature = spring * ((beyond > 0)[..., None, None] * outer + ratio * (_UNIT - outer))
+    return spring / 2 * np.add.reduce(beyond**2, axis=(1, 2)), spring * beyond[..., None] * along, curvature

@@ -1,0 +1,240 @@
+"""Rigid plates on the facets of a sheet: hinged in a tree, closed where creases make loops, sprung where these open."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from forficula.arrays import Array
+from forficula.design import SheetDesign
+from forficula.design.sheets.crease_values import creases_by_edge
+from forficula.design.sheets.sheet_course import places_of
+from forficula.design.sheets.sheet_creases import crease_sense
+from forficula.design.sheets.sheet_places import SheetPlace, place_on
+from forficula.pattern import CreasePattern, FacetLink, facet_tree, triangulated
+from forficula.pattern.crease_pattern import is_unfolded
+from forficula.pattern.fold_angles import built_fold_angles
+from forficula.pattern.shared_edges import SharedEdge, shared_edges
+from forficula.structure.appearance import Appearance
+from forficula.structure.fans.crossing import tendon_crossing
+from forficula.structure.medium import facet_panels, immersed
+from forficula.structure.parts import GROUND, Body, Closure, Hinge, Panel, Point, Spring, Stops
+from forficula.structure.protocol import pushed_name, with_protocol
+from forficula.structure.sheets.facet_plates import AddPoint, corner_name, facet_plates, largest_mass, plate_tendons
+from forficula.structure.sheets.sheet_hinge import sheet_hinge
+from forficula.structure.sheets.sheet_measures import sheet_measures
+from forficula.structure.structure import Structure
+
+
+def plate_structure(design: SheetDesign) -> Structure:
+    """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
+
+    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that
+    do not open; what hangs on no plate that is held goes and turns freely.
+
+    Raises:
+        InputError: plates without a mass.
+    """
+    design, pattern = design.settled(), design.sheet
+    opening, held = opening_creases(design), design.held_facets
+    links = facet_tree(pattern, held, opening)
+    number = {link.facet: place for place, link in enumerate(links) if not link.closes}
+    built = _built(pattern)
+    origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
+    points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
+    hinges = _hinges(design, pattern, links, built)
+
+    def add(name: str, role: str, place: SheetPlace) -> int:
+        """A point at a place, by its number."""
+        body = number[place.facet]
+        points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
+        return len(points) - 1
+
+    springs, opened = opening_parts(design, pattern, points, add, built)
+    hinges = (*hinges, *opened)
+    tendons = plate_tendons(design, pattern, links, add)
+    measures = sheet_measures(design, hinges, lambda name, text, _: add(name, "measured", place_on(pattern, text)))
+    for drive in design.drive:
+        for place, text in enumerate(places_of(drive)):
+            add(pushed_name(drive.name, place), "pushed", place_on(pattern, text))
+    structure = Structure(
+        name=design.name,
+        stops=Stops(time_constant=design.stops.time_constant, damping_ratio=design.stops.damping_ratio),
+        bodies=_bodies(links, number, origins, held),
+        points=tuple(points),
+        plates=plates,
+        hinges=hinges,
+        closures=_closures(links, number, origins, points),
+        springs=springs,
+        tendons=tuple(tendons),
+        measures=measures,
+        span=float(np.ptp(pattern.vertices_coords, axis=0).max()),
+        mass=1.0,
+        gravity=design.protocol.gravity,
+        appearance=Appearance(pattern=pattern),
+    )
+    if not structure.closures and not opening:
+        # in a loop no hinge moves alone
+        tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
+    structure = replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure))
+    return with_protocol(immersed(structure, design.medium, _panels(pattern, number)), design)
+
+
+def _panels(pattern: CreasePattern, number: Mapping[int, int]) -> list[Panel]:
+    """The facets in triangles."""
+    split, parts = triangulated(pattern)
+    return facet_panels(pattern, split, parts, [number[facet] for facet in range(len(pattern.faces_vertices))])
+
+
+def _built(pattern: CreasePattern) -> Array:
+    """By how much every crease is folded as built, rad, (edge,); facets along flat edges are one plate as they lie."""
+    if is_unfolded(pattern):
+        return np.zeros(len(pattern.edges_vertices))
+    return np.where(np.array(pattern.edges_assignment) == "F", 0.0, built_fold_angles(pattern))
+
+
+def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
+    """Where a plate's axes begin: in an end of the crease that it hangs on, or in the middle if it hangs on nothing."""
+    corners = list(pattern.faces_vertices[link.facet])
+    if free:
+        return np.asarray(pattern.vertices_coords[corners].mean(axis=0))
+    return np.asarray(pattern.vertices_coords[corners[0] if link.parent is None else link.tail])
+
+
+def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
+    """Along the crease, its length, m: the plate on the right rises, a valley, about this."""
+    return np.asarray(pattern.vertices_coords[link.tail] - pattern.vertices_coords[link.head])
+
+
+def _bodies(
+    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], held: Sequence[int]
+) -> tuple[Body, ...]:
+    """The plates and the copies, all with axes parallel to those of the pattern as built."""
+    bodies = []
+    for place, link in enumerate(links):
+        parent = GROUND if link.parent is None else number[link.parent]
+        free = link.parent is None and link.facet not in held
+        bodies.append(
+            Body(
+                name=f"facet{link.facet}_at_crease{link.edge}" if link.closes else f"facet{link.facet}",
+                role="copy" if link.closes else "facet",
+                parent=parent,
+                position=origins[place] if parent == GROUND else origins[place] - origins[parent],
+                frame=np.eye(3),
+                slides=(0, 1, 2) if free else (),
+                turns=free,
+            )
+        )
+    return tuple(bodies)
+
+
+def _closures(
+    links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], points: Sequence[Point]
+) -> tuple[Closure, ...]:
+    """The copies, each on the plate that it is one of, by the crease that it hangs on."""
+    named = {point.name: place for place, point in enumerate(points)}
+    return tuple(
+        Closure(
+            name=f"closure{link.edge}",
+            bodies=(number[link.facet], place),
+            position=origins[place] - origins[number[link.facet]],
+            frame=np.eye(3),
+            points=tuple(
+                (named[corner_name(link.parent, vertex)], named[corner_name(link.facet, vertex)])
+                for vertex in (link.tail, link.head)
+            ),
+        )
+        for place, link in enumerate(links)
+        if link.closes and link.parent is not None
+    )
+
+
+def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], built: Array) -> tuple[Hinge, ...]:
+    """The hinges, in the order of their bodies."""
+    creases = creases_by_edge(design)
+    hinges: list[Hinge] = []
+    for body, link in enumerate(links):
+        if link.edge is None or link.edge not in creases:
+            continue
+        crease, along = creases[link.edge], _axis(pattern, link)
+        length = float(np.linalg.norm(along))
+        folded = crease_sense(pattern, link.edge) * float(built[link.edge]) + 0.0
+        hinge = sheet_hinge(design, crease, pattern, link.edge, length=length, folded=folded)
+        hinges.append(replace(hinge, body=body, axis=along / length, built=folded, start=crease.start or folded))
+    return tuple(hinges)
+
+
+# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
+_WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
+OPENING = "opening"  # role of these springs
+
+
+def opening_creases(design: SheetDesign) -> frozenset[int]:
+    """Numbers of the edges at which rigid facets come apart."""
+    return frozenset(edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None)
+
+
+def opening_parts(
+    design: SheetDesign, pattern: CreasePattern, points: Sequence[Point], add: AddPoint, built: Array
+) -> tuple[tuple[Spring, ...], tuple[Hinge, ...]]:
+    """The springs and the folds of creases that open.
+
+    Args:
+        design: of the sheet.
+        pattern: alike.
+        points: of the corners of its plates, and others.
+        add: gives a place a point.
+        built: by how much every edge is folded as built, rad, (edge,).
+
+    Returns:
+        Three springs a crease, each of no length; and the hinges.
+    """
+    creases, opening = creases_by_edge(design), opening_creases(design)
+    named = {point.name: number for number, point in enumerate(points)}
+    springs: list[Spring] = []
+    hinges: list[Hinge] = []
+    for shared in shared_edges(pattern):
+        edge = shared.edge
+        if edge not in opening:
+            continue
+        crease = creases[edge]
+        ends = pattern.vertices_coords[[shared.tail, shared.head]]
+        length = float(np.linalg.norm(ends[1] - ends[0]))
+        middle = [
+            add(f"crease{edge}_on_facet{facet}", "crease", SheetPlace(facet=facet, position=ends.mean(axis=0)))
+            for facet in (shared.left, shared.right)
+        ]
+        pairs = [
+            tuple(named[corner_name(facet, vertex)] for facet in (shared.left, shared.right))
+            for vertex in (shared.tail, shared.head)
+        ]
+        for place, (pair, weight) in enumerate(zip((pairs[0], middle, pairs[1]), _WEIGHTS, strict=True)):
+            springs.append(
+                Spring(
+                    name=f"crease{edge}_opening{place}",
+                    role=OPENING,
+                    points=(pair[0], pair[1]),
+                    stiffness=weight * length * (crease.extension or 0.0),
+                    rest_length=0.0,
+                    damping=weight * length * (crease.extension_damping or 0.0),
+                )
+            )
+        folded = crease_sense(pattern, edge) * float(built[edge]) + 0.0
+        hinge = sheet_hinge(design, crease, pattern, edge, length=length, folded=folded)
+        hinges.append(replace(hinge, flaps=_flaps(pattern, shared, named)))
+    return tuple(springs), tuple(hinges)
+
+
+def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:
+    """Tail, head and the furthest corner of the facet on the left, and of that on the right."""
+    tail, head = pattern.vertices_coords[[shared.tail, shared.head]]
+    flaps = []
+    for facet in (shared.left, shared.right):
+        corners = pattern.faces_vertices[facet]
+        heights = np.linalg.norm(np.cross(pattern.vertices_coords[list(corners)] - tail, head - tail), axis=1)
+        vertices = (shared.tail, shared.head, corners[int(np.argmax(heights))])
+        flaps += [named[corner_name(facet, vertex)] for vertex in vertices]
+    one, two, three, four, five, six = flaps
+    return one, two, three, four, five, six

@@ -1,0 +1,46 @@
+"""What a crease of a sheet is, however the sheet is built: its spring, stops and names."""
+
+from __future__ import annotations
+
+import math
+
+from forficula.design import SheetDesign
+from forficula.design.sheets.crease_values import rest_angle, stops
+from forficula.design.sheets.sheet_creases import crease_role, crease_sense
+from forficula.design.sheets.sheet_parts import Crease
+from forficula.pattern import CreasePattern
+from forficula.structure.parts import Hinge
+
+
+def sheet_hinge(
+    design: SheetDesign, crease: Crease, pattern: CreasePattern, edge: int, *, length: float, folded: float
+) -> Hinge:
+    """A crease that turns nothing yet: whoever builds it gives it a body or flaps.
+
+    Args:
+        design: settled.
+        crease: the values that this one has.
+        pattern: with its edge.
+        edge: its number.
+        length: over which its spring and damper act, in the design's units.
+        folded: its angle as built, in its own sense, rad.
+    """
+    lower, upper = stops(design, edge, crease)
+    lock = crease.lock_angle if crease.law == "locking" else math.inf
+    return Hinge(
+        name=f"crease{edge}",
+        role=crease_role(pattern, edge),
+        sense=crease_sense(pattern, edge),
+        lower=lower,
+        upper=upper,
+        stiffness=(crease.stiffness or 0.0) * length,
+        rest_angle=rest_angle(crease, folded),
+        lock_below=-lock,
+        lock_above=lock,
+        stop_stiffness=None if crease.stop_stiffness is None else crease.stop_stiffness * length,
+        damping=(crease.damping or 0.0) * length,
+        start=folded,
+        assignment=pattern.edges_assignment[edge],
+        edge=edge,
+        label=f"crease {edge}",
+    )

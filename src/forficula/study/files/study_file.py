@@ -1,0 +1,220 @@
+"""Studies in files: named ones, and those of a user."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import AfterValidator, Field
+
+from forficula.design import (
+    NO_LAW,
+    Design,
+    check_keys_once,
+    key_quantity,
+    key_value,
+    names_law,
+    numbered_key,
+    value_from_folder,
+)
+from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
+from forficula.design.files.provenance import check_paper
+from forficula.design.files.rejection import read_part
+from forficula.design.part import Part
+from forficula.errors import InputError, error_prefix
+from forficula.structure import structure_of
+from forficula.study.assumptions.choices import one_at_a_time, with_own_word
+from forficula.study.factors import MOST_VALUES, Factor, Factors, Grid, drawn_values, grid_points, read_factor
+from forficula.study.files.named_file import FileKind, base_design, load_named, named_files
+from forficula.study.files.search_file import SearchTable, read_search
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
+
+
+class PointSampling(Part):
+    """How points are drawn."""
+
+    method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
+    count: Annotated[Whole, Field(le=MOST_VALUES)] = entry(
+        "number of points", ..., at_least=1, examples=("count = 64",)
+    )
+    seed: Whole = entry("random seed", 0, at_least=0)
+
+
+class StudyFile(Part):
+    """A study as its file has it."""
+
+    about: ClassVar[str] = (
+        "A forficula study: every point of its factors is a run of its design; forficula keys --study lists all keys"
+    )
+
+    name: FolderName = entry("what outputs call it", "study", left_out="the file's name")
+    source: str = entry("where its values come from", "")
+    reproduces: Annotated[str, AfterValidator(check_paper)] | None = entry("the paper that its maps are set beside")
+    design: DesignName = DESIGN
+    ask: Literal["run", "least-torques", "least-value"] = entry(
+        "what is asked of every point: its run, or least torques or values by [search]", "run"
+    )
+    vary: Literal["grid", "one-at-a-time"] = entry(
+        "whether all values are crossed, or one factor leaves the base", "grid"
+    )
+    settings: Settings = SETTINGS
+    factors: Factors = entry(
+        "values that the key takes; several lists or ranges are crossed",
+        {},
+        left_out="needed",
+        examples=(
+            '"$key" = ["$low", "$value", "$high"]',
+            '"$key" = "$low_number..$high step $low"',
+            '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
+        ),
+    )
+    grid: Grid = entry("values that are crossed at every choice of factors that vary one at a time", {})
+    sampling: PointSampling | None = entry("how points are drawn from distributions")
+    search: SearchTable | None = entry('which values are tried, with ask = "least-torques" or "least-value"')
+
+
+STUDY = FileKind(word="study", several="studies", package="forficula.study", model=StudyFile)
+
+
+def load_study(name_or_path: str | Path) -> Study:
+    """Read a named study or a study file.
+
+    Args:
+        name_or_path: one of `named_studies`, or the path of a TOML file.
+
+    Raises:
+        InputError: no such study or file, not TOML, an unknown key, or a value that is not allowed.
+    """
+    return load_named(name_or_path, STUDY, _study)
+
+
+def study_of(tables: Mapping[str, Any]) -> Study:
+    """Build a study of tables as a file has them, but for `design`, which may be one.
+
+    Raises:
+        InputError: an unknown key, or a value that is not allowed.
+    """
+    return _study(read_part(StudyFile, tables), Path())
+
+
+def named_studies() -> list[str]:
+    """The names of the studies that come with the package."""
+    return named_files(STUDY)
+
+
+def _study(file: StudyFile, folder: Path) -> Study:
+    base = base_design(file.design, file.settings, folder)
+    factors = read_factors(file.factors, "factors", folder, base)
+    drawn = [factor for factor in factors if factor.distribution is not None]
+    if drawn and len(drawn) < len(factors):
+        raise InputError("factors: need either all of them as distributions or none, got both kinds")
+    if "vary" in file.model_fields_set and drawn:
+        raise InputError(f'vary: needs factors that are lists or ranges, got distributions with "{file.vary}"')
+    if file.vary == "grid":  # otherwise a setting says where the others vary from
+        check_not_settled(file.settings, "factors", factors, base)
+    grid = _repeated_grid(file, factors, folder, base)
+    if file.sampling is not None and not drawn:
+        raise InputError("sampling: needs factors that are distributions, got lists and ranges")
+    search = _search(file, base, (*factors, *grid))
+    choices: tuple[Mapping[str, object], ...] = ()
+    if file.vary == "one-at-a-time":
+        factors = tuple(with_own_word(base, factor) for factor in factors)
+        choices = one_at_a_time(base, factors)
+    if drawn:
+        with error_prefix("sampling."):
+            sampling = file.sampling or read_part(PointSampling, {})
+        points = drawn_values(factors, sampling.method, sampling.count, sampling.seed)
+    elif choices:
+        points = [{**choice, **point} for choice in choices for point in grid_points(grid, len(choices))]
+    else:
+        points = grid_points(factors)
+    return Study(
+        name=file.name,
+        source=file.source,
+        base=base,
+        factors=factors,
+        points=tuple(points),
+        sampled=bool(drawn),
+        search=search,
+        choices=choices,
+        grid=grid,
+        reproduces=file.reproduces,
+    )
+
+
+def read_factors(given: Mapping[str, object], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
+    """The factors of a table of a file.
+
+    Args:
+        given: the table, by dotted key.
+        name: of the table.
+        folder: that paths start from.
+        base: the design that is varied.
+
+    Raises:
+        InputError: the table is empty, or a value is not allowed, or given twice by two names.
+    """
+    if not given:
+        raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
+    with error_prefix(f"{name}."):
+        check_keys_once(given, base)
+        factors = [read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in given.items()]
+        for factor in factors:
+            now, quantity = key_value(base, factor.key), key_quantity(factor.key, factor.model)
+            if factor.distribution is not None and quantity is None and not isinstance(now, float):
+                raise InputError(f"{factor.key}: need a list or a range; only numbers with fractions are drawn")
+    return tuple(factors)
+
+
+def check_not_settled(settings: Mapping[str, object], name: str, factors: Sequence[Factor], base: Design) -> None:
+    """Refuse a factor whose key is under `settings`, too, where its value there counts for no run.
+
+    Args:
+        settings: of the file.
+        name: of the table of the factors.
+        factors: that have a value in every run.
+        base: the design that is varied.
+
+    Raises:
+        InputError: which one is.
+    """
+    settled = {numbered_key(base, key): key for key in settings}
+    for factor in factors:
+        if names_law(factor.key) and NO_LAW in factor.values:
+            continue  # a tendon without a law keeps the stiffness of the one that it had
+        if (twice := settled.get(numbered_key(base, factor.key))) is not None:
+            told = "" if twice == factor.key else f", as {twice}"
+            raise InputError(f"{name}.{factor.key}: is under [settings], too{told}; need it in one of them")
+
+
+def _repeated_grid(file: StudyFile, factors: tuple[Factor, ...], folder: Path, base: Design) -> tuple[Factor, ...]:
+    """The factors that are crossed wherever the others, varied one at a time, are."""
+    if "grid" not in file.model_fields_set:
+        return ()
+    if file.vary != "one-at-a-time":
+        raise InputError('grid: needs vary = "one-at-a-time"; otherwise all factors are a grid, under [factors]')
+    grid = read_factors(file.grid, "grid", folder, base)
+    check_not_settled(file.settings, "grid", grid, base)
+    if twice := {factor.key for factor in grid} & {factor.key for factor in factors}:
+        raise InputError(f"grid.{min(twice)}: is under [factors], too; need it in one of them")
+    if drawn := [factor.key for factor in grid if factor.distribution is not None]:
+        raise InputError(f"grid.{drawn[0]}: need a list or a range, got a distribution")
+    return grid
+
+
+def _search(file: StudyFile, base: Design, factors: Sequence[Factor]) -> Search | None:
+    """What the study looks for, none of which its factors may vary; None where it runs the protocol as it is."""
+    if file.ask == "run":
+        if file.search is not None:
+            raise InputError('search: needs ask = "least-torques" or "least-value"')
+        return None
+    given = {} if file.search is None else file.search.model_dump(exclude_unset=True)
+    search = read_search(file.ask, given, base)
+    looked_for = {step.key for step in search.steps}
+    if file.ask == "least-torques":
+        looked_for |= {drive.key for drive in structure_of(base).drives}
+    if taken := looked_for & {factor.key for factor in factors}:
+        raise InputError(f'factors.{min(taken)}: is what "{file.ask}" looks for; give it under [search], or ask "run"')
+    return search

@@ -1,0 +1,209 @@
+"""Which structures of a grid make their transitions under slowly growing torques: a map without any simulation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from forficula.analysis import Ending, Verdict, ending_text, ending_word
+from forficula.arrays import Array, Flags
+from forficula.design import TORQUE, Design, check_keys_once, key_value
+from forficula.errors import InputError
+from forficula.statics.net.net_of import is_net
+from forficula.statics.tree.lines import line_energy
+from forficula.statics.tree.potential import Ensemble, ensemble_of
+from forficula.statics.tree.quasi_static import at_goal, slow_transition, start_state, state_after
+from forficula.structure import Structure, Transition, goal_of, static_keys, structure_of
+from forficula.study.factors import grid_points, read_factor
+from forficula.study.files.search_file import read_search
+from forficula.study.search import point_design
+from forficula.study.search_steps import Search
+from forficula.study.study import Study
+from forficula.study.tables.outcome_kinds import transitions_text
+from forficula.study.tables.table import table_axes
+
+if TYPE_CHECKING:
+    import xarray
+
+
+# some 50 ms each
+_MOST_POINTS = 100_000
+# more are hardly faster, and say nothing for longer
+_SIDE_BY_SIDE = 256
+
+
+def map_study(design: Design, over: Mapping[str, object], search: Search | None = None) -> Study:
+    """The grid of a static map.
+
+    Args:
+        design: what is varied.
+        over: values by key of the design, as a study file has its factors: a range with a step, or a list.
+        search: the torques to try; those of a study file that gives none, if not given.
+
+    Raises:
+        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree on joints.
+    """
+    if is_net(structure_of(design)):
+        raise InputError(
+            f"{design.name}: maps of slowly growing torques need bodies on joints in a tree, got points that slide or"
+            " plates in loops; a study (forficula study) runs them over any key"
+        )
+    check_keys_once(over, design)
+    factors = tuple(read_factor(key, values, type(design)) for key, values in over.items())
+    count = math.prod(len(factor.values) for factor in factors)
+    if count > _MOST_POINTS:
+        raise InputError(f"{', '.join(over)}: need at most {_MOST_POINTS} points of a static map, got {count}")
+    matter = static_keys(design)
+    for factor in factors:
+        if not factor.key.startswith(("tendon.", *matter)):
+            raise InputError(
+                f"{factor.key}: changes nothing under slowly growing torques; need a key of the tendon, or of"
+                f" {', '.join(matter)}"
+            )
+        if factor.distribution is not None:
+            raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
+    return Study(
+        name=f"{design.name}-statics",
+        source="",
+        base=design,
+        factors=factors,
+        points=tuple(grid_points(factors)),
+        sampled=False,
+        search=search or read_search("least-torques", {}, design),
+    )
+
+
+def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
+    """Let torques grow step by step on every design of a study: the least that make the transitions it asks for.
+
+    Every torque of the study's search above 0 is tried, with all inertia left out. Designs that differ in their tendons
+    only go side by side.
+
+    Args:
+        study: a grid with a search for the least torques.
+        progress: called now and then with the designs that are done, and all of them.
+
+    Returns:
+        Dimensions are the factors; variables as in the table of a search for the least torques.
+
+    Raises:
+        InputError: the study draws its points, or searches for no torques.
+    """
+    from forficula.study.tables.study_table import StudyTable
+
+    search = study.search
+    if search is None or study.sampled or any(step.unit is not TORQUE for step in search.steps):
+        raise InputError(f'{study.name}: need a grid and ask = "least-torques" for a static map')
+    results: list[dict[str, float | str]] = [{} for _ in study.points]
+    groups: dict[str, list[tuple[int, Design]]] = {}
+    for number, point in enumerate(study.points):
+        try:
+            design = point_design(study.base, point)
+        except InputError as error:
+            results[number] = {**_told(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
+        else:
+            groups.setdefault(repr([key_value(design, key) for key in static_keys(design)]), []).append(
+                (number, design)
+            )
+    done = 0
+    for group in groups.values():
+        for first in range(0, len(group), _SIDE_BY_SIDE):
+            part = group[first : first + _SIDE_BY_SIDE]
+            rows = _rows([design for _, design in part], search)
+            for (number, _), row in zip(part, rows, strict=True):
+                results[number] = row
+            done += len(part)
+            if progress is not None:
+                progress(done, len(study.points))
+    structure = structure_of(study.base)
+    coordinates, dimensions, shape = table_axes(study)
+    variables: dict[str, Any] = {
+        name: (dimensions, _column(results, name).reshape(shape), {"units": unit, "long_name": meaning})
+        for name, (unit, meaning) in _numbers(structure, search).items()
+    }
+    for name in ("status", "verdict", "outcome"):
+        words = np.array([result[name] for result in results], dtype=object).reshape(shape)
+        variables[name] = (dimensions, words)
+    return StudyTable(
+        variables,
+        coordinates,
+        {
+            "name": study.name,
+            "design": study.base.name,
+            "design_hash": study.base.hash,
+            "ask": "statics",
+            "transitions": transitions_text(structure, search),
+            "start_state": search.start_state,
+            "whole": structure.appearance.whole,
+        },
+    )
+
+
+def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]:
+    """Unit and what it is, by name."""
+    wordings = {each.name: each.wording for each in structure.transitions}
+    steps = {
+        step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
+        for step in search.steps
+    }
+    return steps | {f"{state}_energy": ("J", f"energy of the tendons, {state}") for state in _states(search)}
+
+
+def _states(search: Search) -> tuple[str, str]:
+    """Names of the states before and after the first transition."""
+    return search.start_state or "first", search.first.state
+
+
+def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | str]]:
+    """Rows of designs that go side by side."""
+    structures = ensemble_of(designs)
+    transitions = {each.name: each for each in structures.structure.transitions}
+    before, after = _states(search)
+    position, rests = start_state(structures).position, np.ones(structures.cases, dtype=bool)
+    columns = {f"{before}_energy": _tendon_energies(structures, position)}
+    ways: list[tuple[Transition, Flags, Flags]] = []
+    for step in search.steps:
+        transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
+        found = slow_transition(structures, position, transition, torques)
+        slow = found.torque
+        columns[step.least_name] = np.where(rests, slow, np.nan)
+        position = state_after(structures, transition, slow, found.position).position
+        rests = at_goal(structures, position, goal_of(structures.structure, transition.released))
+        if step is search.first:
+            columns[f"{after}_energy"] = np.where(rests, _tendon_energies(structures, position), np.nan)
+        ways.append((transition, np.isfinite(slow), rests))
+    return [
+        {
+            **{name: float(values[case]) for name, values in columns.items()},
+            **_told(_ending([(transition, bool(made[case]), bool(held[case])) for transition, made, held in ways])),
+        }
+        for case in range(structures.cases)
+    ]
+
+
+def _tendon_energies(structures: Ensemble, position: Array) -> Array:
+    """Energy of all tendons, J, (case,)."""
+    stored = structures.tendons.energy(position[:, structures.crossed])
+    energies = np.array([sum(each) for each in stored], dtype=np.float64)
+    return energies if structures.lines is None else energies + line_energy(structures.lines, position)[0]
+
+
+def _told(ending: Ending) -> dict[str, str]:
+    return {"status": ending_text(ending), "verdict": ending.verdict.value, "outcome": ending_word(ending)}
+
+
+def _ending(ways: Sequence[tuple[Transition, bool, bool]]) -> Ending:
+    """What a structure comes to: of each transition, whether some torque makes it, and whether it then rests there."""
+    for transition, made, held in ways:
+        if not made:
+            return Ending(verdict=Verdict.STUCK, transition=transition)
+        if not held:
+            return Ending(verdict=Verdict.NOT_HELD, transition=transition)
+    return Ending(verdict=Verdict.REACHED, transition=ways[-1][0])
+
+
+def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:
+    return np.array([float(result.get(name, math.nan)) for result in results])

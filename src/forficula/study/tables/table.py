@@ -1,0 +1,292 @@
+"""Rows to a labelled table: one entry a point, the failed ones too."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+
+from forficula.analysis import SPRUNG, Ending, Verdict
+from forficula.arrays import Array
+from forficula.csv_text import csv_text
+from forficula.design import TORQUE, Design
+from forficula.quantities import as_written, parse_quantity
+from forficula.serial import Written, key_with_unit, unit_suffix
+from forficula.structure import Structure, drive_keys, first_state, springs_name, structure_of
+from forficula.study.assumptions.choices import CHOICE, choice_label, own_value
+from forficula.study.factors import Factor
+from forficula.study.running.evaluate import ending_row, row_key
+from forficula.study.running.journal import Row
+from forficula.study.search import search_result
+from forficula.study.search_steps import Search, SearchStep
+from forficula.study.study import Study
+from forficula.study.tables.outcome_kinds import transitions_text
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
+    """Label the results of a study.
+
+    Args:
+        study: what was asked.
+        designs: by number of the point, or why there is none.
+        rows: by key, none missing.
+
+    Returns:
+        Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
+        grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
+        `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
+        of the tendons and, where there are such, of the hinges' springs, in a search of every transition the least
+        value; the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the
+        structure.
+    """
+    from forficula.study.tables.study_table import StudyTable
+
+    structure, search = structure_of(study.base), study.search
+    numbers = _numbers(study, structure)
+    results = [_result(study, designs[number], rows, numbers) for number in range(len(study.points))]
+    coordinates, dimensions, shape = table_axes(study)
+    words: tuple[str, ...] = ("status", "verdict", "outcome")
+    if search is not None:
+        words += (f"{search.first.transition}_outcome", "reference_outcome")
+    variables: dict[str, Any] = {}
+    for name, (unit, meaning) in numbers.items():
+        sprung = name.endswith(tuple(f"_{kind}_energy" for kind in SPRUNG))
+        # springs are not in every structure
+        if sprung and all(result.get(name) is None for result in results):
+            continue
+        values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
+        variables[name] = (dimensions, values, {"units": unit, "long_name": meaning})
+    for name in words:
+        texts = np.array([str(result.get(name, result["outcome"])) for result in results], dtype=object).reshape(shape)
+        variables[name] = (dimensions, texts)
+    if search is None:
+        for transition in structure.transitions:
+            holds = np.array([bool(each.get(transition.state)) for each in results]).reshape(shape)
+            variables[transition.state] = (dimensions, holds)
+    else:
+        variables |= _by_value(search, results, dimensions, shape)
+        coordinates[search.first.value_name] = _tried(search.first)
+        if search.second is None:
+            del variables["reference_outcome"]
+        else:
+            variables["reference_outcome"] += ({"torque": search.reference, "units": search.first.unit.si},)
+    attributes = {
+        "name": study.name,
+        "source": study.source,
+        "design": study.base.name,
+        "design_hash": study.base.hash,
+        "ask": _asked(study),
+        "tendons": len(structure.tendons),
+        "transitions": transitions_text(structure, search),
+        "start_state": first_state(structure, structure.stage_states),
+        "whole": structure.appearance.whole,
+        **_confirmations(rows),
+        **({"reproduces": study.reproduces} if study.reproduces is not None else {}),
+    }
+    table = StudyTable(variables, coordinates, attributes)
+    table.study = study
+    return table
+
+
+def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
+    """How many runs there are, how many were repeated at half the timestep, and how many verdicts that changed."""
+    held = [row["confirmed"] for row in rows.values() if row.get("confirmed") is not None]
+    return {"runs": len(rows), "runs_repeated": len(held), "runs_undecided": held.count(False)}
+
+
+def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
+    """The numbers of a table: unit and what it is, by name."""
+    search = study.search
+    drives = [step.drive for step in search.steps] if search is not None else []
+    asked = [each for each in structure.transitions if search is None or each.drive in drives]
+    start = [state for state in [first_state(structure, structure.stage_states)] if state]
+    numbers: dict[str, tuple[str, str]] = {}
+    for step in search.steps if search is not None else ():
+        does = next(each.wording.does for each in asked if each.drive == step.drive)
+        what = "torque" if step.unit is TORQUE else step.key
+        numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
+    numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
+    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}, done or not") for each in asked}
+    stored = "energy of the tendons" if structure.tendons else "stored energy"
+    # a transition that failed has what it came to
+    ends = {each.state: f"{each.state}, or where {each.wording.noun} ended" for each in asked}
+    for state, where in ({state: state for state in start} | ends).items():
+        numbers[f"{state}_energy"] = ("J", f"{stored}, {where}")
+        numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
+        numbers[f"{state}_spring_energy"] = ("J", f"energy of the {springs_name(structure)}, {where}")
+        numbers[f"{state}_coupling_energy"] = ("J", f"energy of the couplings, {where}")
+    numbers["residual"] = ("", "largest share of the energy that is missing in a run")
+    return numbers
+
+
+def _asked(study: Study) -> str:
+    if study.search is None:
+        return "run"
+    return "least-torques" if study.search.first.key in drive_keys(study.base) else "least-value"
+
+
+def _columns(study: Study, table: xarray.Dataset) -> list[str]:
+    """What the text of a table has, in this order: numbers, words, and whether each state holds."""
+    structure = structure_of(study.base)
+    numbers = list(_numbers(study, structure))
+    late = [f"{each.name}_time" for each in structure.transitions[1:]]
+    early = [name for name in numbers if name not in (*late, "residual")]
+    holds = [each.state for each in structure.transitions]
+    return [name for name in (*early, "status", *late, "verdict", "residual", *holds) if name in table]
+
+
+def _by_value(
+    search: Search, results: Sequence[Mapping[str, Any]], dimensions: tuple[str, ...], shape: tuple[int, ...]
+) -> dict[str, Any]:
+    """What became of the first transition with every value that was tried."""
+    first, by = search.first, "torque" if search.first.unit is TORQUE else "value"
+    axes = (*dimensions, first.value_name)
+    times = np.array([[_nan(each.get("times_tried", {}).get(t)) for t in first.values] for each in results])
+    became = [[each.get("outcomes_tried", {}).get(t, each["outcome"]) for t in first.values] for each in results]
+    times = times.reshape(*shape, -1)
+    return {
+        f"{first.transition}_time_by_{by}": (axes, times, {"units": "s"}),
+        f"{first.state}_by_{by}": (axes, np.isfinite(times)),
+        f"{first.transition}_outcome_by_{by}": (axes, np.array(became, dtype=object).reshape(*shape, -1)),
+    }
+
+
+def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
+    name, unit = step.value_name, step.unit
+    meaning = name.replace("_", " ")
+    return (
+        name,
+        np.array(step.values),
+        {"units": unit.si, "display": unit.display, "key": step.key, "long_name": meaning},
+    )
+
+
+def table_csv(study: Study, table: xarray.Dataset) -> str:
+    """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
+    names, rows = _rows(study, table)
+    varied = len(study.factors) + len(study.grid)
+    return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableRow:
+    """A point of a study.
+
+    Attributes:
+        status: what the run came to, in a few words.
+        verdict: the same in a word.
+        others: values of the factors, and numbers and states of the run, by name and unit.
+    """
+
+    status: str
+    verdict: Verdict
+    others: Annotated[Mapping[str, float | str | bool | None], Written.BESIDE]
+
+
+def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
+    """Return the rows of `table_csv` as plain data, with the keys of `TableRow`; None where there is nothing."""
+    names, rows = _rows(study, table)
+    return [dict(zip(names, row, strict=True)) for row in rows]
+
+
+def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any]]]:
+    """Headings and rows of a table, one a point; None for what there is not, or that a run does not tell."""
+    varied = (*study.factors, *study.grid)
+    factors = [_column(factor) for factor in varied]
+    names = _columns(study, table)
+    units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
+    columns = [table[name].values.ravel().tolist() for name in names]
+    silent = [verdict for verdict in Verdict if not verdict.tells]
+    told = table["verdict" if "verdict" in table else "outcome"].values
+    tells = (~np.isin(told.astype(str).ravel(), silent)).tolist()
+    rows: list[list[Any]] = []
+    for number, point in enumerate(study.points):
+        values = [_point_value(study, factor, point) for factor in varied]
+        cells = [
+            factor * value if isinstance(value, float) else value
+            for value, (_, factor) in zip(values, factors, strict=True)
+        ]
+        rows.append([*cells, *(_told(column[number], tells=tells[number]) for column in columns)])
+    return [*(name for name, _ in factors), *(name + units[name] for name in names)], rows
+
+
+def _result(
+    study: Study, design: Design | str, rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
+) -> dict[str, Any]:
+    """What became of a point: numbers by their names in the table, SI, and words."""
+    if isinstance(design, str):
+        return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
+    if study.search is not None:
+        return search_result(design, study.search, rows)
+    row = rows[row_key(design)]
+    return row | {name: row.get(f"{name}_{unit}") for name, (unit, _) in numbers.items() if unit}
+
+
+def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
+    """Coordinates, dimensions and shape of the table."""
+    coordinates: dict[str, Any] = {}
+    crossed = study.grid if study.choices else () if study.sampled else study.factors
+    names, shape = [factor.dimension for factor in crossed], [len(factor.values) for factor in crossed]
+    if study.choices:
+        names, shape = [CHOICE, *names], [len(study.choices), *shape]
+        coordinates[CHOICE] = (CHOICE, [choice_label(study.base, choice) for choice in study.choices])
+    elif study.sampled:
+        names, shape = ["sample"], [len(study.points)]
+    for factor in (*study.factors, *study.grid):
+        if factor in crossed:
+            dimension, values = factor.dimension, [_factor_value(factor, value) for value in factor.values]
+        else:
+            dimension, points = names[0], study.choices or study.points
+            values = [_point_value(study, factor, point) for point in points]
+        unit = factor.unit
+        attributes = {"key": factor.key, "long_name": factor.key.replace(".", " ").replace("_", " ")}
+        if unit is not None:
+            attributes |= {"units": unit.si, "display": unit.display}
+        coordinates[factor.dimension] = (dimension, values, attributes)
+    return coordinates, tuple(names), tuple(shape)
+
+
+def _point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:
+    """The value of a factor at a point or a choice: the base's where that has none of its own."""
+    return _factor_value(factor, point[factor.key] if factor.key in point else own_value(study.base, factor))
+
+
+def _factor_value(factor: Factor, value: object) -> Any:
+    unit = factor.unit
+    if unit is None:
+        return as_written(value) if isinstance(value, list) else value
+    return value if isinstance(value, float) else parse_quantity(value, unit)
+
+
+def _column(factor: Factor) -> tuple[str, float]:
+    """Heading of a factor's column and the factor from SI to it; angles are in degrees, as in all our files."""
+    unit = factor.unit
+    if unit is None:
+        return factor.dimension, 1.0
+    if unit.si == "rad":
+        return key_with_unit(factor.dimension, unit.si), 180 / math.pi
+    return key_with_unit(factor.dimension, unit.si), 1.0
+
+
+def _nan(value: object) -> float:
+    return math.nan if value is None else float(str(value))
+
+
+def _told(value: object, *, tells: bool) -> object:
+    """A value; None for what there is not, or for yes or no of a run that does not tell."""
+    if isinstance(value, bool) and not tells:
+        return None
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def _cell(value: object) -> object:
+    """A value as text has it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return "" if value is None else value
