@@ -21,7 +21,7 @@ import numpy as np
 from mujoco.batch import Batch
 
 import forficula as ff
-from forficula.design import Design, Stage, stage_drives, with_values
+from forficula.design import Design, StageSection, stage_drives, with_values
 from forficula.dynamics import Model, compile_model, simulate, versions
 from forficula.structure import drive_of, goal_of, hinges_of
 from forficula.study.running.journal import Row
@@ -208,7 +208,7 @@ def _start(wing: Model) -> np.ndarray[Any, np.dtype[np.float64]]:
     return np.array([hinge.sense * hinge.start for hinge in wing.in_units.hinges])
 
 
-def _controls(wing: Model, stage: Stage) -> np.ndarray[Any, np.dtype[np.float64]]:
+def _controls(wing: Model, stage: StageSection) -> np.ndarray[Any, np.dtype[np.float64]]:
     """What drives a stage, (control,)."""
     torques = np.zeros(len(wing.in_units.motors))
     for name in stage_drives(stage):

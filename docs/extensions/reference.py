@@ -21,7 +21,7 @@ from sphinx.util.typing import OptionSpec
 from forficula.cli import app as cli
 from forficula.design.files.key_table import KeyFact, key_facts
 from forficula.design.files.kinds import KINDS
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError
 from forficula.goals.goal_file import GoalFile
 from forficula.goals.identify.observations_file import ObservationsFile
@@ -35,7 +35,7 @@ _HEADINGS = ("key", "may be", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
 _PARAMETERS = "**Parameters**:"
-_FILES: dict[str, type[Part]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
+_FILES: dict[str, type[Section]] = {"study": StudyFile, "goal": GoalFile, "observations": ObservationsFile}
 _NUMBER = re.compile(r"\.0\.")
 _TYPES = {"string": "text", "boolean": "yes or no", "integer": "whole number", "null": "null", "array": "list"}
 

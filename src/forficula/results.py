@@ -19,7 +19,7 @@ from forficula.serial import schema_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class Kind:
+class ResultKind:
     """A kind of results.
 
     Attributes:
@@ -49,8 +49,8 @@ class Kind:
     covers: tuple[str, ...] = ()
 
 
-KINDS: tuple[Kind, ...] = (
-    Kind(
+KINDS: tuple[ResultKind, ...] = (
+    ResultKind(
         name="run",
         module="run_folder",
         classes=("Record",),
@@ -60,7 +60,7 @@ KINDS: tuple[Kind, ...] = (
         marker="summary.json",
         verdict="status",
     ),
-    Kind(
+    ResultKind(
         name="cycles",
         module="cycling_folder",
         classes=("Cycling",),
@@ -68,7 +68,7 @@ KINDS: tuple[Kind, ...] = (
         json="cycles",
         shape="forficula.show.folder.cycling_folder:CyclingSummary",
     ),
-    Kind(
+    ResultKind(
         name="landscape",
         module="landscape_folder",
         classes=("EnergyLandscape",),
@@ -77,8 +77,8 @@ KINDS: tuple[Kind, ...] = (
         shape="forficula.statics.landscape_summary:LandscapeSummary",
         marker="landscape.json",
     ),
-    Kind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
-    Kind(
+    ResultKind(name="static map", module="static_map_folder", classes=(), data="map.nc"),
+    ResultKind(
         name="convergence study",
         module="convergence_folder",
         classes=("Convergence",),
@@ -88,7 +88,7 @@ KINDS: tuple[Kind, ...] = (
         marker="convergence.json",
         verdict="verdict",
     ),
-    Kind(
+    ResultKind(
         name="table of assumptions",
         module="assumptions_folder",
         classes=("Assumptions",),
@@ -98,7 +98,7 @@ KINDS: tuple[Kind, ...] = (
         marker="assumptions.json",
         verdict="verdict",
     ),
-    Kind(
+    ResultKind(
         name="material",
         module="material_folder",
         classes=("Characterisation",),
@@ -108,8 +108,8 @@ KINDS: tuple[Kind, ...] = (
         marker="material.json",
         named_by="material",
     ),
-    Kind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
-    Kind(
+    ResultKind(name="bill of parts", module="parts_folder", classes=("PartSet",), data="bill.json", marker="bill.json"),
+    ResultKind(
         name="optimisation",
         module="optimum_folder",
         classes=("Optimum",),
@@ -121,7 +121,7 @@ KINDS: tuple[Kind, ...] = (
         has_rows=True,
         covers=("study",),
     ),
-    Kind(
+    ResultKind(
         name="tolerance",
         module="tolerance_folder",
         classes=("ToleranceTable",),
@@ -131,7 +131,7 @@ KINDS: tuple[Kind, ...] = (
         marker="tolerance.json",
         has_rows=True,
     ),
-    Kind(
+    ResultKind(
         name="identification",
         module="identify_folder",
         classes=("IdentificationTable",),
@@ -142,7 +142,7 @@ KINDS: tuple[Kind, ...] = (
         named_by="name",
         has_rows=True,
     ),
-    Kind(
+    ResultKind(
         name="study",
         module="study_folder",
         classes=("StudyTable",),
@@ -181,12 +181,12 @@ def json_file(kind: str) -> str:
     return f"{_named(kind).json}.json"
 
 
-def kind_of_class(name: str) -> Kind | None:
+def kind_of_class(name: str) -> ResultKind | None:
     """Find the kind of the results of a class by the name of the class; None where there is none."""
     return next((kind for kind in KINDS if name in kind.classes), None)
 
 
-def kinds_in(folder: Path) -> list[Kind]:
+def kinds_in(folder: Path) -> list[ResultKind]:
     """List the kinds of the results in a folder, by the files from which their figures are drawn."""
     return _uncovered([kind for kind in KINDS if (folder / kind.data).is_file()])
 
@@ -234,10 +234,10 @@ def replaced_text(folder: Path, own: str) -> str:
     return f"the {kind.name} of {called}{how}"
 
 
-def _named(name: str) -> Kind:
+def _named(name: str) -> ResultKind:
     return next(kind for kind in KINDS if kind.name == name)
 
 
-def _uncovered(kinds: list[Kind]) -> list[Kind]:
+def _uncovered(kinds: list[ResultKind]) -> list[ResultKind]:
     covered = {name for kind in kinds for name in kind.covers}
     return [kind for kind in kinds if kind.name not in covered]

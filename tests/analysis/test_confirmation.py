@@ -13,7 +13,7 @@ from forficula.analysis import Ending, Verdict, measure, summary
 from forficula.analysis.confirmation import HALF_STEP, OTHER_START, confirm, same_ending, uncertainties
 from forficula.cli import main
 from forficula.design import with_values
-from forficula.dynamics import Check, load_record, save_record
+from forficula.dynamics import NumericalCheck, load_record, save_record
 from forficula.quantities import show_uncertain, uncertain_number
 from forficula.results import json_schema
 from forficula.study.running.evaluate import evaluate
@@ -28,7 +28,9 @@ def confirmed():
 
 
 def check(timestep, **values):
-    return Check(name=HALF_STEP, timestep=timestep, verdict="reached", goal="", status="", holds={}, values=values)
+    return NumericalCheck(
+        name=HALF_STEP, timestep=timestep, verdict="reached", goal="", status="", holds={}, values=values
+    )
 
 
 def test_an_error_of_first_order_is_found_whole_from_half_the_timestep():

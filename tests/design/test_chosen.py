@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from forficula.design import design_from_text, design_text, in_units, load_design, scale_design, with_values
-from forficula.design.sheets.sheet_parts import Crease, Facet
+from forficula.design.sheets.sheet_parts import Crease, FacetSection
 from forficula.structure import structure_of
 
 MIURA = load_design("miura-sheet")
 CLASP = load_design("bistable-clasp")
 # a design of a Miura sheet that says nothing of its card, nor of its creases
-NOTHING = MIURA.model_copy(update={"facet": Facet(), "crease": Crease()})
+NOTHING = MIURA.model_copy(update={"facet": FacetSection(), "crease": Crease()})
 
 
 def chosen(design):

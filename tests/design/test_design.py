@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from forficula.design import FanDesign, load_design, with_values
-from forficula.design.part import Part, field_quantity
+from forficula.design.part import Section, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import parse_quantity
 
@@ -29,9 +29,9 @@ def quantities(part, prefix=""):
         value, quantity = getattr(part, name), field_quantity(field)
         if quantity is not None:
             yield f"{prefix}{name}", quantity, value
-        elif isinstance(value, Part):
+        elif isinstance(value, Section):
             yield from quantities(value, f"{prefix}{name}.")
-        elif isinstance(value, tuple) and value and isinstance(value[0], Part):
+        elif isinstance(value, tuple) and value and isinstance(value[0], Section):
             for index, item in enumerate(value):
                 yield from quantities(item, f"{prefix}{name}.{index}.")
 

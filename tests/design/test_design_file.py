@@ -16,7 +16,7 @@ from forficula.design import (
     with_values,
     write_new_design,
 )
-from forficula.design.part import Part, field_quantity
+from forficula.design.part import Section, field_quantity
 from forficula.errors import InputError
 
 REFERENCE = load_design("binder2025")
@@ -104,7 +104,7 @@ def test_a_saved_design_holds_every_value_and_rests_on_no_other_file(tmp_path):
     def compare(part, table):
         assert set(table) == {name for name in type(part).model_fields if getattr(part, name) is not None}
         for key, value in table.items():
-            if isinstance(getattr(part, key), Part):
+            if isinstance(getattr(part, key), Section):
                 compare(getattr(part, key), value)
 
     compare(REFERENCE, tables)
@@ -578,7 +578,7 @@ def test_every_key_with_a_unit_is_read_as_text_with_that_unit():
     def check(part, prefix):
         for name, field in type(part).model_fields.items():
             quantity = field_quantity(field)
-            if isinstance(getattr(part, name), Part):
+            if isinstance(getattr(part, name), Section):
                 check(getattr(part, name), f"{prefix}{name}.")
             elif quantity is not None:
                 with pytest.raises(InputError, match=f'^{prefix}{name}: the unit is missing; write it such as ".+"'):

@@ -7,7 +7,7 @@ import pytest
 
 import forficula as ff
 from forficula.analysis import Verdict, measure, summary
-from forficula.design import Stage, with_values
+from forficula.design import StageSection, with_values
 from forficula.dynamics import compile_model, simulate
 from forficula.dynamics.stepping.stage_plan import stage_torques
 from forficula.structure import Measure, RestState, built_points, structure_of
@@ -89,7 +89,7 @@ def test_a_bound_that_is_never_met_is_a_goal_that_was_missed():
 def test_the_drives_of_one_stage_are_taken_together():
     model = compile_model(with_values(SHORT, {"protocol.rise": "5 ms"}))
     fold, unfold = (next(drive for drive in model.in_units.drives if drive.name == name) for name in ("fold", "unfold"))
-    both = Stage(name="both", drive=["fold", "unfold"], until="time", hold="0 s", time_limit="1 s")
+    both = StageSection(name="both", drive=["fold", "unfold"], until="time", hold="0 s", time_limit="1 s")
     assert stage_torques(model, both) == ((fold.strengths, 0.005), (unfold.strengths, 0.005))
     assert stage_torques(model, both.model_copy(update={"drive": "none"})) == ()
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.design import Stage, with_values
+from forficula.design import StageSection, with_values
 from forficula.dynamics import compile_model, energy_balance, simulate
 from forficula.dynamics.stepping.stage_plan import stage_torques
 from forficula.dynamics.stepping.stages import StageTracker
@@ -15,8 +15,8 @@ from forficula.dynamics.stepping.steps import Steps
 from forficula.structure import hinges_of
 from tests.dynamics.protocols import on_protocol
 
-OPEN = Stage(name="open", drive="unfold", until="time", hold="0 s", time_limit="1 s")
-FOLD = Stage(name="fold", drive="fold", until="folded", hold="0 s", time_limit="0.15 s")
+OPEN = StageSection(name="open", drive="unfold", until="time", hold="0 s", time_limit="1 s")
+FOLD = StageSection(name="fold", drive="fold", until="folded", hold="0 s", time_limit="0.15 s")
 TORQUE = 0.02  # N m
 
 

@@ -6,7 +6,7 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.make.hinge.straps import strap_of
 from forficula.make.stock import stock_of
-from forficula.material import Fact, load_law
+from forficula.material import LawFact, load_law
 from forficula.structure import structure_of
 
 
@@ -57,6 +57,6 @@ def test_density_is_that_of_the_facts_and_the_middle_of_a_range():
     assert stock_of("petg").density == pytest.approx(1270)
     assert stock_of("steel").density == pytest.approx(7900)
     assert stock_of("resilin").density is None
-    wrong = dataclasses.replace(load_law("petg"), facts=(Fact(what="density", value="heavy", source=""),))
+    wrong = dataclasses.replace(load_law("petg"), facts=(LawFact(what="density", value="heavy", source=""),))
     with pytest.raises(InputError, match="petg: facts: density: need a number and a unit"):
         stock_of(wrong)

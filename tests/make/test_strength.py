@@ -8,7 +8,7 @@ import pytest
 
 from forficula.design import load_design
 from forficula.make.as_made import as_made
-from forficula.make.checks.strength_checks import Column, column_of, euler_load, strength_checks
+from forficula.make.checks.strength_checks import BucklingColumn, column_of, euler_load, strength_checks
 from forficula.make.hinge.stop_load import stop_load
 from forficula.make.make_parts import make_parts
 from forficula.make.solid.sections import bar_section, peg_modulus
@@ -22,7 +22,7 @@ STIFF = math.pi**2 * MODULUS * SECTION.in_sheet / LENGTH**2
 
 
 def column(offsets, lengths=(0.06, 0.05)):
-    return Column(lengths=lengths, offsets=np.array(offsets), section=SECTION, youngs_modulus=MODULUS)
+    return BucklingColumn(lengths=lengths, offsets=np.array(offsets), section=SECTION, youngs_modulus=MODULUS)
 
 
 def test_the_section_of_a_bar_with_a_flat_has_the_moments_of_its_polygon():

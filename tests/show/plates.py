@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from forficula.analysis import Outcome, measure
-from forficula.design import Design, Protocol, Stage
+from forficula.design import Design, Protocol, StageSection
 from forficula.dynamics import Record, StageEnd
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.pattern import CreasePattern
@@ -14,13 +14,13 @@ from forficula.structure import (
     Appearance,
     Body,
     Drive,
-    Goal,
     Hinge,
     Measure,
     Motor,
     Plate,
     Point,
     RestState,
+    StageGoal,
     Structure,
     Tendon,
     Transition,
@@ -122,7 +122,7 @@ def _with_protocol(built: Structure, *, motors: bool, measured: bool) -> Structu
     def bounds(name, least=-np.inf, most=np.inf):
         low, high = np.full(count, -np.inf), np.full(count, np.inf)
         low[0], high[0] = least, most
-        return Goal(name=name, kind="bounds", least=low, most=high)
+        return StageGoal(name=name, kind="bounds", least=low, most=high)
 
     closed, opened = bounds("closed", least=np.radians(120)), bounds("open", most=0.0)
     measures = (
@@ -187,7 +187,7 @@ FLAT, SHUT = np.radians(-3.0), np.radians((172.0, 160.0))
 def plates_design(*, motors: bool = True) -> Design:
     """What is done to the plates: they settle, close, rest, open and rest."""
     stages = [
-        Stage(name=name, drive=drive, until=until, hold="0 s", time_limit=f"{10 * limit} s")
+        StageSection(name=name, drive=drive, until=until, hold="0 s", time_limit=f"{10 * limit} s")
         for name, drive, until, limit in STAGES[: 5 if motors else 1]
     ]
     protocol = Protocol(

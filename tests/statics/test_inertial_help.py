@@ -9,7 +9,7 @@ from forficula.design import load_design
 from forficula.statics.tree import quasi_static
 from forficula.statics.tree.inertial_help import inertial_help
 from forficula.statics.tree.potential import ensemble_of, potential
-from forficula.statics.tree.quasi_static import SlowPath, least_slow_torque, start_state
+from forficula.statics.tree.quasi_static import QuasiStaticPath, least_slow_torque, start_state
 from forficula.structure import Drive, drive_of, hinges_of
 
 WINGS = ensemble_of([load_design("binder2025")])
@@ -21,7 +21,9 @@ def path(angles, torques, snap):
     """One ring hinge at these angles, deg, all others at 0; one tendon of the wing stores energy that changes."""
     position = np.zeros((len(angles), WINGS.size))
     position[:, RINGS[1]] = np.radians(angles)
-    return SlowPath(torque=np.array(torques) / 100, position=position, snaps=(snap, (len(angles) - 2, len(angles) - 1)))
+    return QuasiStaticPath(
+        torque=np.array(torques) / 100, position=position, snaps=(snap, (len(angles) - 2, len(angles) - 1))
+    )
 
 
 def test_a_snap_helps_where_it_releases_more_than_the_rest_of_the_path_climbs(monkeypatch):

@@ -12,7 +12,7 @@ from scipy.sparse import csr_array, eye_array, vstack
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.statics.net.energy import built_shape, shape_at
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net import Creases, Net, Springs
+from forficula.statics.net.net import Net, NetCreases, Springs
 
 LENGTH, EXTENSION = 0.02, 5e3  # m, N/m^2
 PLATES = np.arange(4)
@@ -48,7 +48,7 @@ def plates(missing, *, bending=0.0, rest=0.0, flat=False):
             stiffness=np.concatenate((np.full(12, 1e4 * EXTENSION * LENGTH), stiffness)),
             rest_length=np.concatenate((length, np.zeros(12))),
         ),
-        creases=Creases(
+        creases=NetCreases(
             points=np.stack((*left, *right), axis=1),
             law=CreaseLaw(stiffness=np.full(4, bending), rest_angle=np.full(4, rest)),
         ),

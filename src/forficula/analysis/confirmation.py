@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from forficula.analysis.verdict import Ending, Verdict
 from forficula.arrays import Array
-from forficula.dynamics import Check
+from forficula.dynamics import NumericalCheck
 from forficula.names import listed
 from forficula.quantities import show_value
 from forficula.serial import Key, Seconds, Written
@@ -40,7 +40,7 @@ class Confirmation:
     """
 
     agree: Annotated[bool, Key("confirmed")]
-    checks: tuple[Check, ...]
+    checks: tuple[NumericalCheck, ...]
     uncertainty: Annotated[Values, Written.NEVER]
     unsettled: tuple[str, ...]
     values: Annotated[Values, Written.NEVER] = field(repr=False)
@@ -73,7 +73,7 @@ class Confirmation:
         return _largest_difference(own, self.timestep, zip(self.checks, others, strict=True))
 
 
-def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Check]) -> Confirmation:
+def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[NumericalCheck]) -> Confirmation:
     """Compare a run with second runs of the same design.
 
     Args:
@@ -95,7 +95,7 @@ def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Ch
     )
 
 
-def same_ending(ending: Ending, check: Check) -> bool:
+def same_ending(ending: Ending, check: NumericalCheck) -> bool:
     """Return whether a second run says the same of the structure.
 
     A run that still moves when its time is over and one that rests by then both fall short of the goal within the time
@@ -108,7 +108,7 @@ def _outcome_of(verdict: Verdict) -> Verdict:
     return Verdict.STUCK if verdict is Verdict.MOVING else verdict
 
 
-def uncertainties(values: Values, timestep: float, checks: Sequence[Check]) -> dict[str, tuple[float, ...]]:
+def uncertainties(values: Values, timestep: float, checks: Sequence[NumericalCheck]) -> dict[str, tuple[float, ...]]:
     """Estimate the numerical uncertainty of values from second runs.
 
     Semi-implicit Euler is of first order, so a value is v(h) = v(0) + C h and its distance from the limit h -> 0 is
@@ -135,7 +135,7 @@ def uncertainties(values: Values, timestep: float, checks: Sequence[Check]) -> d
 
 
 def _largest_difference(
-    own: Array, timestep: float, others: Iterable[tuple[Check, Array]], least: float = 0.0
+    own: Array, timestep: float, others: Iterable[tuple[NumericalCheck, Array]], least: float = 0.0
 ) -> Array:
     """Return the largest differences between numbers of a run and of second runs, as `uncertainties` weighs them.
 

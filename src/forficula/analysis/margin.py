@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
-from forficula.structure import Goal, Transition, goal_coordinates, goal_of, short_of
+from forficula.structure import StageGoal, Transition, goal_coordinates, goal_of, short_of
 
 # what failed never looks as if it had just worked
 _LEAST_SHORT = 1e-3
@@ -59,7 +59,7 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
     return -_share_short(record, transition, state, goal_of(record.structure, transition.released) if reached else goal)
 
 
-def _share_short(record: Record, transition: Transition, state: State, goal: Goal) -> float:
+def _share_short(record: Record, transition: Transition, state: State, goal: StageGoal) -> float:
     """The share of the way to a goal that is missing where a run ended, in (0, 1]."""
     assert transition.stage is not None
     row = int(np.argmin(np.abs(record.time - record.stages[transition.stage].start)))

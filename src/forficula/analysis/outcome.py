@@ -17,13 +17,13 @@ from forficula.analysis.verdict import ENDING_TEXTS, Ending, Verdict, ending_tex
 from forficula.arrays import Array
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
-from forficula.dynamics import Check, EnergyBalance, Record, StageEnd, as_record, energy_balance
+from forficula.dynamics import EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.serial import Joules, Key, Seconds, Written
 from forficula.structure import (
     Drive,
-    Goal,
     RestState,
+    StageGoal,
     Structure,
     Transition,
     drive_of,
@@ -275,7 +275,7 @@ def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
     return values
 
 
-def held_against(outcome: Outcome, checks: Sequence[Check], design: Design) -> Outcome:
+def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Design) -> Outcome:
     """Compare an outcome with second runs of its design.
 
     Args:
@@ -455,11 +455,11 @@ def _called(state: RestState, found: State | None, holds: Mapping[str, bool | No
     return state.name if found is None or found.within else state.missed
 
 
-def _within(coordinates: Array, bounds: Goal) -> bool:
+def _within(coordinates: Array, bounds: StageGoal) -> bool:
     return bool(np.all((coordinates >= bounds.least) & (coordinates <= bounds.most)))
 
 
-def _same_goal(one: Goal, other: Goal) -> bool:
+def _same_goal(one: StageGoal, other: StageGoal) -> bool:
     """Whether two goals ask for the same, however they are called."""
     alike = np.array_equal(one.least, other.least) and np.array_equal(one.most, other.most)
     return one.kind == other.kind and alike

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from forficula.design import Design
-    from forficula.design.part import Part
+    from forficula.design.part import Section
     from forficula.pattern import CreasePattern
     from forficula.pattern.files.fold_writer import Frame
 
@@ -71,7 +71,7 @@ def keys(
     came_to([asdict(fact) for fact in facts])
 
 
-def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Part]:
+def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Section]:
     """The class of the files whose keys are listed."""
     if study:
         from forficula.study.files.study_file import StudyFile

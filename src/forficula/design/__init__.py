@@ -19,7 +19,7 @@ from forficula.design.law import LawSection, tendon_material
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.part import LENGTH, TORQUE
-from forficula.design.protocol import Protocol, Stage, stage_drives
+from forficula.design.protocol import Protocol, StageSection, stage_drives
 from forficula.design.sheets.crease_pattern import design_frames, design_pattern
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.design.sheets.sheet_parts import Imperfection
@@ -42,7 +42,7 @@ __all__ = [
     "MediumSection",
     "Protocol",
     "SheetDesign",
-    "Stage",
+    "StageSection",
     "TendonSection",
     "as_design",
     "check_keys_once",

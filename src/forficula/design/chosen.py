@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.design.sheets.sheet_parts import Crease, Facet, largest_extension
+from forficula.design.sheets.sheet_parts import Crease, FacetSection, largest_extension
 from forficula.pattern import CreasePattern, triangulated
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.shared_edges import shared_edges
@@ -50,7 +50,7 @@ class Choice:
     reason: str
 
 
-def choices(sheet: CreasePattern, facet: Facet, crease: Crease) -> tuple[Choice, ...]:
+def choices(sheet: CreasePattern, facet: FacetSection, crease: Crease) -> tuple[Choice, ...]:
     """Choose what a design leaves out; what is given counts where a rule needs it.
 
     Args:

@@ -14,7 +14,7 @@ from forficula.design.files.provenance import WORDS, check_paper
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.named_protocol import NamedProtocol
-from forficula.design.part import SHORT_TIME, TIME, Part
+from forficula.design.part import SHORT_TIME, TIME, Section
 from forficula.design.protocol import Protocol
 from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
@@ -43,7 +43,7 @@ class DesignIdentity:
     design_hash: str
 
 
-class Design(Displayed, Part):
+class Design(Displayed, Section):
     """The thing to build and what is done to it; every number in SI and radians."""
 
     # key of a value that every design of its kind has, for a study to begin with

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, ValidationInfo
 from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import as_written
@@ -32,7 +32,7 @@ class ByKey:
     """
 
     allowed: str
-    entry: type[Part] | None = None
+    entry: type[Section] | None = None
     placeholder: str = "KEY"
 
     def __call__(self, value: object, info: ValidationInfo) -> object:

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from forficula.design.part import Part, field_quantity, quantity
+from forficula.design.part import Section, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
@@ -21,7 +21,7 @@ AREA = Unit(display="mm^2", si="m^2", example="12.5 mm^2")
 _CHOSEN = "modulus.linear"
 
 
-class LawBranch(Part):
+class LawBranch(Section):
     """A Maxwell branch: a spring and a damper in series."""
 
     about: ClassVar[str] = "A Maxwell branch: a spring and a damper in series"
@@ -30,7 +30,7 @@ class LawBranch(Part):
     time: float = quantity(law_unit("branches.0.time"), "relaxation time", above=0)
 
 
-class LawSoftening(Part):
+class LawSoftening(Section):
     """Softening after the largest strain seen (Ogden and Roxburgh 1999)."""
 
     about: ClassVar[str] = "Softening after the largest strain seen (Ogden and Roxburgh 1999)"
@@ -50,7 +50,7 @@ Number = Annotated[float, Field(strict=True)]
 Whole = Annotated[int, Field(strict=True, ge=1)]
 
 
-class LawDrift(Part):
+class LawDrift(Section):
     """A change over the cycles of a test; see `Drift`."""
 
     about: ClassVar[str] = "A change over the cycles of a test; see `Drift`"
@@ -78,7 +78,7 @@ class LawDrift(Part):
         )
 
 
-class LawSection(Part):
+class LawSection(Section):
     """The law of the tendon's material by unit length and area; see `MaterialLaw`.
 
     Read from values by key, from the name of a material or the path of a law file, or from values with either of these

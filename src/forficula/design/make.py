@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import SMALL_LENGTH, Part, quantity
+from forficula.design.part import SMALL_LENGTH, Section, quantity
 from forficula.errors import InputError
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of
@@ -19,7 +19,7 @@ def _detail(description: str, default: float | None, **bounds: Any) -> Any:
     return quantity(SMALL_LENGTH, description, default=default, at_most=_LARGEST, **bounds)
 
 
-class MakeSection(Part):
+class MakeSection(Section):
     """What parts are made of and by; every default suits a common filament printer, and a laser for the sheet."""
 
     about: ClassVar[str] = (

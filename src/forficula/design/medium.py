@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from forficula.design.part import DENSITY, Part, quantity
+from forficula.design.part import DENSITY, Section, quantity
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_quantity
 
@@ -13,7 +13,7 @@ VISCOSITY = Unit(display="Pa s", si="Pa s", example="1.8e-5 Pa s")
 _BORNE = 0.01
 
 
-class MediumSection(Part):
+class MediumSection(Section):
     """What a structure moves in; without density and viscosity it is empty space."""
 
     about: ClassVar[str] = "What a structure moves in; without density and viscosity it is empty space"

@@ -108,7 +108,7 @@ def field_quantity(field: FieldInfo) -> Quantity | None:
     return field.json_schema_extra if isinstance(field.json_schema_extra, Quantity) else None
 
 
-class Part(BaseModel):
+class Section(BaseModel):
     """A section of a design file: frozen, no unknown keys."""
 
     # what was worked out of it, which a slot keeps out of copies, of comparisons and of what is sent elsewhere
@@ -142,12 +142,12 @@ class Part(BaseModel):
         tables: dict[str, Any] = {}
         for name, reader in _readers(type(self)).items():
             value = getattr(self, name)
-            if isinstance(value, Part):
+            if isinstance(value, Section):
                 tables[name] = _tables(value, write)
             elif isinstance(value, tuple):
                 tables[name] = [
                     _tables(item, write)
-                    if isinstance(item, Part)
+                    if isinstance(item, Section)
                     else write(item, reader.unit)
                     if reader and isinstance(item, float)
                     else item
@@ -179,10 +179,10 @@ class Part(BaseModel):
         defaults = {name: type(self).model_fields[name].default for name in self.later}
         for name in _readers(type(self)):
             value = getattr(self, name)
-            if isinstance(value, Part):
+            if isinstance(value, Section):
                 values[name] = _hash_values(value)
             elif isinstance(value, tuple):
-                values[name] = [_hash_values(item) if isinstance(item, Part) else item for item in value]
+                values[name] = [_hash_values(item) if isinstance(item, Section) else item for item in value]
             elif value is not None and (name not in self.later or value != defaults[name]):
                 values[name] = value
         return values
@@ -193,17 +193,17 @@ def in_si(value: float, _: Unit) -> float:
     return value
 
 
-def _tables(part: Part, write: Callable[[float, Unit], object]) -> dict[str, Any]:
+def _tables(part: Section, write: Callable[[float, Unit], object]) -> dict[str, Any]:
     return part.si_tables() if write is in_si else part.as_tables(write)
 
 
-def _hash_values(part: Part) -> dict[str, Any]:
+def _hash_values(part: Section) -> dict[str, Any]:
     values: dict[str, Any] = part.once("hash values", part.hash_values)
     return values
 
 
 @cache  # asked for every field of every section of every design that is read or changed
-def _readers(part: type[Part]) -> dict[str, Quantity | None]:
+def _readers(part: type[Section]) -> dict[str, Quantity | None]:
     """How each field of a part is read, None where it has no unit."""
     return {name: field_quantity(field) for name, field in part.model_fields.items()}
 

@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Part, quantity
+from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
 from forficula.errors import InputError
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
@@ -20,7 +20,7 @@ _WRITTEN = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value
 _LONGEST_WAIT = 1e9 * 86400
 
 
-class Stage(Part):
+class StageSection(Section):
     """A part of the protocol: what drives the structure, and when it ends."""
 
     about: ClassVar[str] = "A part of the protocol: what drives the structure, and when it ends"
@@ -59,7 +59,7 @@ class Stage(Part):
         return drive
 
 
-class Protocol(Part):
+class Protocol(Section):
     """What is done to a structure, and what counts as done."""
 
     about: ClassVar[str] = "What is done to a structure, and what counts as done"
@@ -108,7 +108,7 @@ class Protocol(Part):
     ] = 0.005
     gravity: float = quantity(ACCELERATION, "gravity across the sheet, downwards where it lies flat; 0 switches it off")
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
-    stages: Annotated[tuple[Stage, ...], Field(min_length=1, description="what happens, in order")]
+    stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="what happens, in order")]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +132,7 @@ def read_goal(text: str) -> GoalText | None:
     return None if found is None else GoalText(**found.groupdict())
 
 
-def stage_drives(stage: Stage) -> tuple[str, ...]:
+def stage_drives(stage: StageSection) -> tuple[str, ...]:
     """Names of the drives of a stage."""
     names = (stage.drive,) if isinstance(stage.drive, str) else stage.drive
     return tuple(name for name in names if name != "none")

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from forficula.design.named_protocol import Action, Drive, NamedProtocol, RestState, Transition, Wording
-from forficula.design.protocol import Stage, read_goal, stage_drives
+from forficula.design.protocol import StageSection, read_goal, stage_drives
 from forficula.design.sheets.sheet_course import RestAngleDrive, SheetDrive, TorqueDrive, places_of
 from forficula.design.sheets.sheet_creases import creases_of, fold_edges
 from forficula.names import listed
@@ -32,7 +32,7 @@ def sheet_protocol(design: SheetDesign) -> NamedProtocol:
     )
 
 
-def _is_bound(stage: Stage) -> bool:
+def _is_bound(stage: StageSection) -> bool:
     """Whether a stage ends at bounds on what is watched."""
     return stage.until not in ("time", "rest")
 
@@ -94,7 +94,7 @@ def _transitions(design: SheetDesign) -> tuple[Transition, ...]:
     return tuple(transitions)
 
 
-def _states(stages: Sequence[Stage]) -> tuple[RestState, ...]:
+def _states(stages: Sequence[StageSection]) -> tuple[RestState, ...]:
     """Return the states at the ends of stages: the goal of each is that of the last driven stage, or none before it."""
     states: list[RestState] = []
     goal, last = "time", ""
@@ -113,7 +113,7 @@ def _states(stages: Sequence[Stage]) -> tuple[RestState, ...]:
     return tuple(states)
 
 
-def _state_after(stages: Sequence[Stage], number: int) -> str | None:
+def _state_after(stages: Sequence[StageSection], number: int) -> str | None:
     """Return the state that a driven stage leads to: its own, or that of the release after it."""
     stage = stages[number]
     if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):

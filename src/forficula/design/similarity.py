@@ -9,11 +9,11 @@ from typing import Any, TypeVar
 from forficula.design.design import Design
 from forficula.design.files.design_file import AnyDesign, as_design, with_values
 from forficula.design.files.provenance import scaled_source
-from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.part import Quantity, Section, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written, dimension, show_quantity
 
-_Part = TypeVar("_Part", bound=Part)
+_Part = TypeVar("_Part", bound=Section)
 
 # beyond atoms and mountains; within, a fifth power is a float
 _SMALLEST, _LARGEST = 1e-9, 1e9
@@ -75,11 +75,11 @@ def _with_natural(scaled: _Part, original: _Part, but: Collection[tuple[str, str
         value, before = getattr(scaled, name), getattr(original, name)
         if name in type(scaled).natural:
             changes[name] = value if (section, name) in but else before
-        elif isinstance(value, Part):
+        elif isinstance(value, Section):
             changes[name] = _with_natural(value, before, but, name)
         elif isinstance(value, tuple):
             changes[name] = tuple(
-                _with_natural(entry, own, but, name) if isinstance(entry, Part) else entry
+                _with_natural(entry, own, but, name) if isinstance(entry, Section) else entry
                 for entry, own in zip(value, before, strict=True)
             )
     return scaled.model_copy(update=changes)
@@ -100,12 +100,12 @@ def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str 
     changes: dict[str, Any] = {}
     for name, field in type(part).model_fields.items():
         value, quantity = getattr(part, name), field_quantity(field)
-        if isinstance(value, Part):
+        if isinstance(value, Section):
             changes[name] = _rescaled(value, length, mass, time, f"{prefix}{name}.")
         elif isinstance(value, tuple):
             changes[name] = tuple(
                 _rescaled(item, length, mass, time, f"{prefix}{name}.{place}.")
-                if isinstance(item, Part)
+                if isinstance(item, Section)
                 else converted(item, quantity, f"{prefix}{name}.{place}")
                 if quantity is not None and isinstance(item, float)
                 else item

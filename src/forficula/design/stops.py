@@ -6,13 +6,13 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from forficula.design.part import SHORT_TIME, Part, quantity
+from forficula.design.part import SHORT_TIME, Section, quantity
 
 # [chosen] with this one the openings of the reference wing converge in the timestep; with 0.4 ms one of five does not
 _TIME_CONSTANT = 1e-3  # s
 
 
-class StopSection(Part):
+class StopSection(Section):
     """Compliance of the stops of hinges and of the guard tendons."""
 
     heading: ClassVar[str] = "Stops"

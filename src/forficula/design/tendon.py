@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, model_validator
 
 from forficula.design.law import AREA, LawSection
-from forficula.design.part import DENSITY, LENGTH, STIFFNESS, TENDON_DAMPING, Part, field_quantity, quantity
+from forficula.design.part import DENSITY, LENGTH, STIFFNESS, TENDON_DAMPING, Section, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw
@@ -24,7 +24,7 @@ _FOLLOWING = {
 _ROUNDING = 1e-9
 
 
-class ElasticTendon(Part):
+class ElasticTendon(Section):
     """What pulls: a spring with a damper, or the law of a material."""
 
     about: ClassVar[str] = "What pulls: a spring with a damper, or the law of a material"

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from forficula.arrays import Array, Indices
-from forficula.design import Design, Stage, design_from_text, design_text
+from forficula.design import Design, StageSection, design_from_text, design_text
 from forficula.displayed import Displayed
 from forficula.dynamics.engine.membrane import joined_mesh
 from forficula.errors import InputError
@@ -97,7 +97,7 @@ class StageEnd:
         waited: how long it was at rest without being stepped, s, beside the time from start to end.
     """
 
-    stage: Stage
+    stage: StageSection
     start: float
     end: float
     goal_time: float | None
@@ -107,7 +107,7 @@ class StageEnd:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Check:
+class NumericalCheck:
     """Outcome of a second run of the same design, in which only the computation differs.
 
     Attributes:
@@ -157,7 +157,7 @@ class Record(Displayed):
     diverged_at: float | None
     doubt: str = ""
     kinetic_peak: tuple[float, float] | None = None
-    checks: tuple[Check, ...] = ()
+    checks: tuple[NumericalCheck, ...] = ()
     strain_rates: Array | None = None
 
     def __repr__(self) -> str:
@@ -382,8 +382,8 @@ def _read(file: Any) -> Record:
     )
 
 
-def _check(written: Mapping[str, Any]) -> Check:
-    return Check(**{**written, "values": {name: tuple(values) for name, values in written["values"].items()}})
+def _check(written: Mapping[str, Any]) -> NumericalCheck:
+    return NumericalCheck(**{**written, "values": {name: tuple(values) for name, values in written["values"].items()}})
 
 
 def versions() -> dict[str, str]:

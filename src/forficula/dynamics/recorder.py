@@ -14,7 +14,7 @@ from forficula.dynamics.engine.closures import APART_TEXT, LARGEST_GAP
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.record import Record, StageEnd
 from forficula.dynamics.stepping.stage_plan import NEVER
-from forficula.dynamics.stepping.steps import State, Steps
+from forficula.dynamics.stepping.steps import EngineState, Steps
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -125,8 +125,8 @@ class Recorder:
     def record(
         self,
         step: int,
-        start: State,
-        end: State,
+        start: EngineState,
+        end: EngineState,
         account: Mapping[str, float],
         stages: tuple[StageEnd, ...],
         diverged_at: float | None,
@@ -209,7 +209,7 @@ class Recorder:
             series["motor_force"][:, list(forces)] = np.stack(list(forces.values()), axis=1)
         return series
 
-    def _energies_at_ends(self, start: State, end: State, count: int) -> dict[str, Array]:
+    def _energies_at_ends(self, start: EngineState, end: EngineState, count: int) -> dict[str, Array]:
         """The energies that sparse rows lack, J, (row,): there at the start and at the end, nan between."""
         energies: dict[str, Array] = {}
         for place, state in ((0, start), (-1, end)):

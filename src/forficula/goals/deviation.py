@@ -14,7 +14,7 @@ from forficula.arrays import Array
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.file_fields import entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.part import Quantity, Section, field_quantity
 from forficula.errors import InputError, error_prefix
 from forficula.material.law.law_file import load_law
 from forficula.names import near_name
@@ -32,7 +32,7 @@ _SHARE = Unit(display="%", si="", example="10 %")
 _NINETY_FIVE = float(scipy.special.ndtri(0.975))
 
 
-class ToleranceEntry(Part):
+class ToleranceEntry(Section):
     """A tolerance as files have it where it is no text."""
 
     distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", "uniform")
@@ -92,7 +92,7 @@ def positive_keys(design: Design) -> tuple[str, ...]:
 
 def _numbers(value: object, key: str) -> Iterator[tuple[str, float]]:
     """Numbers with units in a part of a design, or in entries of a list of parts, with their keys."""
-    if isinstance(value, Part):
+    if isinstance(value, Section):
         for name, field in type(value).model_fields.items():
             inside = getattr(value, name)
             if field_quantity(field) is not None and isinstance(inside, float) and name not in _KNOWLEDGE:

@@ -21,7 +21,7 @@ from forficula.design.file_fields import (
     entry,
 )
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
 from forficula.goals.goal import Goal, Objective
@@ -56,7 +56,7 @@ class GoalSearchTable(TorqueSearchTable):
     seed: _Count = entry("random seed", 0, at_least=0)
 
 
-class GoalFile(Part):
+class GoalFile(Section):
     """A goal as its file has it; a tolerance takes the settings, limits and tolerances of such a file."""
 
     about: ClassVar[str] = (

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from forficula.design import Design, key_quantity, key_value
 from forficula.design.file_fields import DesignValue, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.value_at import choice_at, written
 from forficula.quantities import as_written, parse_quantity, show_quantity
@@ -18,7 +18,7 @@ from forficula.study.factors import Factor, read_factor, undivided
 _MOST_STEPS = 1_000_000
 
 
-class RangeEntry(Part):
+class RangeEntry(Section):
     """A range between two values as files have it."""
 
     low: DesignValue = entry("least value of a key that varies between two", ...)

@@ -30,7 +30,7 @@ _DIGITS = 6
 
 
 @dataclass(frozen=True, kw_only=True)
-class Change:
+class MadeChange:
     """A value that parts have otherwise than their design says.
 
     Attributes:
@@ -108,19 +108,19 @@ def write_as_made(parts: PartSet, folder: str | os.PathLike[str]) -> Path:
     return path
 
 
-def changes(parts: PartSet, made: Design) -> tuple[Change, ...]:
+def changes(parts: PartSet, made: Design) -> tuple[MadeChange, ...]:
     """What a design as made has otherwise than that of the parts, key by key."""
     found = []
     for group, key in _keys(parts, made):
         before, after = (_value(design, key) for design in (parts.design, made))
         if not _same(before, after):
             found.append(
-                Change(group=group, key=key, designed=_written(made, key, before), made=_written(made, key, after))
+                MadeChange(group=group, key=key, designed=_written(made, key, before), made=_written(made, key, after))
             )
     if uncoupled(parts) and not structure_of(made).couplings:
         told = parts.structure.couplings[0]
         stiffness = "rigid" if told.rigid else show_quantity(told.stiffness, HINGE_STIFFNESS)
-        found.append(Change(group="coupling", key="coupling.stiffness", designed=stiffness, made=""))
+        found.append(MadeChange(group="coupling", key="coupling.stiffness", designed=stiffness, made=""))
     return tuple(found)
 
 

@@ -1,4 +1,4 @@
-from forficula.material.fit.fit import Candidate, LawFit, Residual, fit_law
+from forficula.material.fit.fit import FitCandidate, LawFit, Residual, fit_law
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.drift import Drift, fit_drift
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
@@ -7,7 +7,7 @@ from forficula.material.law.law_form import LawForm, all_forms
 from forficula.material.law.law_keys import law_unit
 from forficula.material.law.material_law import (
     Bounds,
-    Fact,
+    LawFact,
     MaterialLaw,
     MaxwellBranch,
     Unknown,
@@ -20,22 +20,22 @@ from forficula.material.law.softening import OgdenRoxburgh
 from forficula.material.law.tendon_law import ElasticLaw, TendonBranch, TendonLaw
 from forficula.material.machine.machine_file import read_tensile_test, read_tensile_tests
 from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
-from forficula.material.tensile.cycles import Branch, Cycle, find_cycles
+from forficula.material.tensile.cycles import Cycle, CycleBranch, find_cycles
 from forficula.material.tensile.modulus import ModulusClass, Quartiles, moduli_by_strain
 from forficula.material.tensile.strain_history import StrainHistory
 from forficula.material.tensile.tensile_test import TensileTest
 
 __all__ = [
     "Bounds",
-    "Branch",
-    "Candidate",
     "CreaseLaw",
     "Cycle",
+    "CycleBranch",
     "CycleDrift",
     "CycleMedians",
     "Drift",
     "ElasticLaw",
-    "Fact",
+    "FitCandidate",
+    "LawFact",
     "LawFit",
     "LawForm",
     "MaterialLaw",

@@ -16,7 +16,7 @@ from forficula.material.fit.fit import LawFit, fit_law
 from forficula.material.law.drift import Drift, fit_drift
 from forficula.material.law.law_form import LawForm
 from forficula.material.law.law_summary import LawSummary, law_summary
-from forficula.material.law.material_law import Fact, MaterialLaw, scaled
+from forficula.material.law.material_law import LawFact, MaterialLaw, scaled
 from forficula.material.tensile.cycle_drift import CycleDrift, CycleMedians, cycle_drift, cycle_medians
 from forficula.material.tensile.cycles import BAND, Cycle, find_cycles
 from forficula.material.tensile.modulus import ModulusClass, moduli_by_strain
@@ -301,7 +301,7 @@ def _fit(
         return None, str(error)
 
 
-def _facts(specimens: Sequence[Specimen], fit: LawFit) -> Iterator[Fact]:
+def _facts(specimens: Sequence[Specimen], fit: LawFit) -> Iterator[LawFact]:
     """What a reader of the law needs to know of the tests."""
     own = "the same tests"
     for what, unit, factor, sizes in (
@@ -309,10 +309,10 @@ def _facts(specimens: Sequence[Specimen], fit: LawFit) -> Iterator[Fact]:
         (SPECIMEN_AREA, "mm^2", 1e-6, [each.test.area for each in specimens]),
     ):
         if max(sizes) <= (1 + _SAME_SIZE) * min(sizes):
-            yield Fact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
+            yield LawFact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
     if fit.scatter is not None:
-        yield Fact(what=AMPLITUDE_SCATTER, value=f"{100 * fit.scatter:.3g} %", source=own)
-    yield Fact(what="number of specimens", value=str(len(specimens)), source=own)
+        yield LawFact(what=AMPLITUDE_SCATTER, value=f"{100 * fit.scatter:.3g} %", source=own)
+    yield LawFact(what="number of specimens", value=str(len(specimens)), source=own)
 
 
 def _remarks(

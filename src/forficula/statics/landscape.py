@@ -19,7 +19,7 @@ from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
 from forficula.serial import Joules, Written
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course
 from forficula.statics.net.net_state import Mobility, NetState
 from forficula.statics.net.stable_states import StableStates
@@ -54,7 +54,7 @@ class Rest:
     stable: bool
     within: Annotated[bool, Written.NEVER]
     same_as: Annotated[str, Written.OR_NULL] = ""
-    shape: Annotated[Shape | None, Written.NEVER] = None
+    shape: Annotated[NetShape | None, Written.NEVER] = None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,7 +71,7 @@ class Pass:
     ends: tuple[int, int]
     barriers: tuple[float, float]
     energy: float
-    shape: Shape | None = None
+    shape: NetShape | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -23,7 +23,7 @@ from forficula.statics.landscape import (
     net_states,
 )
 from forficula.statics.net.load_path import PathPoint
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course, displaces, gone, reaction
 from forficula.statics.net.net_of import places
 from forficula.statics.net.net_state import Mobility, NetState
@@ -300,7 +300,7 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
     }
 
 
-def _points(structure: Structure, net: Net, shape: Shape) -> WithUnit:
+def _points(structure: Structure, net: Net, shape: NetShape) -> WithUnit:
     return WithUnit(places(net, shape)[: len(structure.points)], "m")
 
 

@@ -1,7 +1,7 @@
 from forficula.design.named_protocol import Drive, RestState, Transition, Wording
 from forficula.structure.appearance import Appearance
 from forficula.structure.build import drive_keys, static_keys, structure_of
-from forficula.structure.course import Goal, Measure, Motor, RigidFold
+from forficula.structure.course import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.fans.crossing import bar_crossing, tendon_crossing
 from forficula.structure.goals import (
     distances_of,
@@ -75,7 +75,6 @@ __all__ = [
     "Crossing",
     "Drive",
     "Facet",
-    "Goal",
     "Hinge",
     "LengthLimit",
     "Measure",
@@ -89,6 +88,7 @@ __all__ = [
     "RestState",
     "RigidFold",
     "Spring",
+    "StageGoal",
     "Stops",
     "Structure",
     "Surface",

@@ -69,7 +69,7 @@ class Measure:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Goal:
+class StageGoal:
     """What ends a stage: bounds on what is watched, rest, or neither, the time.
 
     Attributes:

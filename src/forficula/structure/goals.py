@@ -14,7 +14,7 @@ from forficula.design.protocol import GoalText, read_goal
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity
-from forficula.structure.course import Goal, Measure, Motor
+from forficula.structure.course import Measure, Motor, StageGoal
 from forficula.structure.structure import Structure
 
 _UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad"}
@@ -80,7 +80,7 @@ def hinges_of(structure: Structure, role: str) -> tuple[int, ...]:
     return tuple(number for number, hinge in enumerate(structure.hinges) if hinge.role == role)
 
 
-def goal_of(structure: Structure, text: str) -> Goal:
+def goal_of(structure: Structure, text: str) -> StageGoal:
     """The goal of a name, or as it is written: "time", "rest", or a bound on a measure or on the hinges of a role.
 
     Raises:
@@ -89,7 +89,7 @@ def goal_of(structure: Structure, text: str) -> Goal:
     count = coordinate_count(structure)
     free = {"least": np.full(count, -np.inf), "most": np.full(count, np.inf)}
     if text in ("time", "rest"):
-        return Goal(name=text, kind="rest" if text == "rest" else "time", **free)
+        return StageGoal(name=text, kind="rest" if text == "rest" else "time", **free)
     for goal in structure.goals:
         if goal.name == text:
             return goal
@@ -104,7 +104,7 @@ def goal_of(structure: Structure, text: str) -> Goal:
     return bounds_on(structure, measure, text, written)
 
 
-def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalText) -> Goal:
+def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalText) -> StageGoal:
     """A bound on a measure as a goal.
 
     Raises:
@@ -121,7 +121,7 @@ def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalTe
 
 def bounded(
     structure: Structure, measure: Measure, name: str, *, least: float = -math.inf, most: float = math.inf
-) -> Goal:
+) -> StageGoal:
     """The goal that every reading of a measure is within bounds, rad or m."""
     count = coordinate_count(structure)
     low, high = np.full(count, -np.inf), np.full(count, np.inf)
@@ -137,7 +137,7 @@ def bounded(
     else:
         for hinge, sign in zip(measure.hinges, measure.signs, strict=True):
             low[hinge], high[hinge] = (least, most) if sign > 0 else (-most, -least)
-    return Goal(name=name, kind="bounds", least=low, most=high)
+    return StageGoal(name=name, kind="bounds", least=low, most=high)
 
 
 def distances_of(structure: Structure) -> tuple[Measure, ...]:
@@ -185,7 +185,7 @@ def measure_stops(structure: Structure, measure: Measure) -> list[tuple[float, f
     return [(sum(ends[each][0] for each in part), sum(ends[each][1] for each in part)) for part in measure.parts]
 
 
-def hinge_bounds(structure: Structure, goal: Goal) -> tuple[Array, Array]:
+def hinge_bounds(structure: Structure, goal: StageGoal) -> tuple[Array, Array]:
     """Bounds of a goal on the angle of each hinge, rad, (hinge,) each; those on a sum are shared evenly."""
     count = len(structure.hinges)
     place, least, most = count + len(distances_of(structure)), goal.least[:count].copy(), goal.most[:count].copy()
@@ -199,11 +199,11 @@ def hinge_bounds(structure: Structure, goal: Goal) -> tuple[Array, Array]:
     return least, most
 
 
-def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[Goal]) -> list[str]:
+def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[StageGoal]) -> list[str]:
     return [part.name for part in parts]
 
 
-def short_of(coordinates: Array, goal: Goal) -> float:
+def short_of(coordinates: Array, goal: StageGoal) -> float:
     """How far the furthest of what a goal bounds is from its bound, rad or m, >= 0.
 
     Args:

@@ -12,7 +12,7 @@ from forficula.design import Design, SheetDesign, stage_drives
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
 from forficula.errors import InputError
 from forficula.quantities import as_written
-from forficula.structure.course import Goal, Motor
+from forficula.structure.course import Motor, StageGoal
 from forficula.structure.goals import coordinate_count, drive_of, goal_of
 from forficula.structure.sheets.sheet_measures import hinges_by_edge
 from forficula.structure.sheets.sheet_nodes import node_of, sheet_nodes
@@ -195,13 +195,13 @@ def _target_angles(structure: Structure, targets: Mapping[int, float]) -> dict[i
     return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items()}
 
 
-def _target(structure: Structure, named: NamedProtocol) -> Goal:
+def _target(structure: Structure, named: NamedProtocol) -> StageGoal:
     """Return the goal that every crease is near its target."""
     count = coordinate_count(structure)
     least, most = np.full(count, -np.inf), np.full(count, np.inf)
     for hinge, angle in _target_angles(structure, named.targets).items():
         least[hinge], most[hinge] = angle - named.arrival, angle + named.arrival
-    return Goal(name="target", kind="bounds", least=least, most=most)
+    return StageGoal(name="target", kind="bounds", least=least, most=most)
 
 
 def _together(structure: Structure, design: Design) -> list[Drive]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from forficula.design import Imperfection
 from forficula.design.named_protocol import Drive, RestState, Transition
 from forficula.structure.appearance import Appearance
-from forficula.structure.course import Goal, Measure, Motor, RigidFold
+from forficula.structure.course import Measure, Motor, RigidFold, StageGoal
 from forficula.structure.parts import (
     Bar,
     Body,
@@ -87,7 +87,7 @@ class Structure:
     motors: tuple[Motor, ...] = ()
     drives: tuple[Drive, ...] = ()
     measures: tuple[Measure, ...] = ()
-    goals: tuple[Goal, ...] = ()
+    goals: tuple[StageGoal, ...] = ()
     states: tuple[RestState, ...] = ()
     stage_states: tuple[str, ...] = ()
     transitions: tuple[Transition, ...] = ()

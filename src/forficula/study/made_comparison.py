@@ -10,7 +10,7 @@ from forficula.analysis import Outcome, measure
 from forficula.design import Design
 from forficula.design.design import DesignIdentity
 from forficula.errors import InputError
-from forficula.make.as_made import GROUPS, Change, Group, as_made, changes
+from forficula.make.as_made import GROUPS, Group, MadeChange, as_made, changes
 from forficula.make.made_values import MadeValues, made_values
 from forficula.make.part import PartSet
 from forficula.make.unkept import Unkept, unkept
@@ -57,7 +57,7 @@ def _hinge_numbers(hinge: HingeLandscape) -> dict[str, WithUnit]:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Trial:
+class MadeTrial:
     """A run with the values of some groups as made, and all others as designed.
 
     Attributes:
@@ -119,10 +119,10 @@ class MadeComparison:
 
     designed: Annotated[Design, Written.NEVER]
     made: Annotated[Design, Written.NEVER]
-    changes: tuple[Change, ...]
+    changes: tuple[MadeChange, ...]
     unkept: tuple[Unkept, ...]
     hinges: tuple[HingePair, ...]
-    trials: Annotated[tuple[Trial, ...], Key("runs")] = ()
+    trials: Annotated[tuple[MadeTrial, ...], Key("runs")] = ()
     blame: tuple[Blame, ...] = ()
 
     @property
@@ -136,12 +136,12 @@ class MadeComparison:
         return self.made.hash
 
     @property
-    def as_designed(self) -> Trial | None:
+    def as_designed(self) -> MadeTrial | None:
         """The run of the design; None where nothing was run."""
         return self.trials[0] if self.trials else None
 
     @property
-    def as_made(self) -> Trial | None:
+    def as_made(self) -> MadeTrial | None:
         """The run of the design as made; None where nothing was run."""
         return self.trials[1] if self.trials else None
 
@@ -216,7 +216,7 @@ def _hinges(designed: Design, made: Design) -> tuple[HingePair, ...]:
     )
 
 
-def _trials(parts: PartSet, values: MadeValues, chosen: Sequence[Collection[Group]]) -> list[Trial]:
+def _trials(parts: PartSet, values: MadeValues, chosen: Sequence[Collection[Group]]) -> list[MadeTrial]:
     """Run the design with some groups as made, one run for each choice."""
     built: dict[int, Design] = {}
     trials = {}
@@ -224,22 +224,22 @@ def _trials(parts: PartSet, values: MadeValues, chosen: Sequence[Collection[Grou
         try:
             built[number] = as_made(parts, groups, values) if groups else parts.design
         except InputError as error:
-            trials[number] = Trial(groups=tuple(groups), outcome=None, why=str(error))
+            trials[number] = MadeTrial(groups=tuple(groups), outcome=None, why=str(error))
     order = list(built)
     for place, record in run_each([built[number] for number in order], sparse=True):
         groups = tuple(chosen[order[place]])
         if isinstance(record, InputError):
-            trials[order[place]] = Trial(groups=groups, outcome=None, why=str(record))
+            trials[order[place]] = MadeTrial(groups=groups, outcome=None, why=str(record))
         else:
-            trials[order[place]] = Trial(groups=groups, outcome=measure(record))
+            trials[order[place]] = MadeTrial(groups=groups, outcome=measure(record))
     return [trials[number] for number in range(len(chosen))]
 
 
-def _holds(trial: Trial) -> list[tuple[str, bool | None]]:
+def _holds(trial: MadeTrial) -> list[tuple[str, bool | None]]:
     return [] if trial.outcome is None else list(trial.outcome.holds.items())
 
 
-def _blame(state: str, groups: tuple[Group, ...], trials: Sequence[Trial]) -> Blame:
+def _blame(state: str, groups: tuple[Group, ...], trials: Sequence[MadeTrial]) -> Blame:
     """Which groups keep the design from a state."""
     by_groups = {trial.groups: trial.holds(state) for trial in trials}
     alone = tuple(group for group in groups if by_groups.get((group,)) is False)

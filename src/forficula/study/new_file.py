@@ -16,7 +16,7 @@ from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
 from forficula.design.files.keys import entry_of, section_fields
 from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import one_of
@@ -69,7 +69,7 @@ def value_text(design: Design, key: str, share: float, *, few_digits: bool = Fal
     return write(share * float(key_value(design, key)), quantity.unit)
 
 
-def _lines(model: type[Part], texts: Mapping[str, str]) -> Iterator[str]:
+def _lines(model: type[Section], texts: Mapping[str, str]) -> Iterator[str]:
     """The lines of a file of a class: keys of its own, then its tables."""
     for name, field in model.model_fields.items():
         examples, is_needed = _examples(name, field, texts), left_out(field) == "needed"

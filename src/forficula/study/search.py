@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from forficula.analysis import SPRUNG, Verdict
-from forficula.design import TORQUE, Design, Stage, put, stage_drives, with_values
+from forficula.design import TORQUE, Design, StageSection, put, stage_drives, with_values
 from forficula.quantities import show_quantity
 from forficula.structure import drive_keys
 from forficula.study.running.evaluate import row_key
@@ -198,7 +198,7 @@ def first_design(design: Design, search: Search, value: float) -> Design:
     return _with(design, stages, {first.key: first.sign * value})
 
 
-def until_driven(stages: Sequence[Stage], last: int) -> tuple[Stage, ...]:
+def until_driven(stages: Sequence[StageSection], last: int) -> tuple[StageSection, ...]:
     """The stages up to a driven one, which ends in the state that its release was to end in.
 
     Args:
@@ -208,7 +208,7 @@ def until_driven(stages: Sequence[Stage], last: int) -> tuple[Stage, ...]:
     return (*stages[:last], *(_ending_in(stage, stages[last + 1 :]) for stage in stages[last : last + 1]))
 
 
-def _ending_in(stage: Stage, following: Sequence[Stage]) -> Stage:
+def _ending_in(stage: StageSection, following: Sequence[StageSection]) -> StageSection:
     """A driven stage with the state that the release after it, which is cut off, is to end in."""
     release = next((each for each in following[:1] if not stage_drives(each)), None)
     if stage.state is not None or release is None or release.state is None:
@@ -231,12 +231,12 @@ def second_design(design: Design, search: Search, value: float) -> Design:
     return _with(design, design.protocol.stages, values)
 
 
-def _first_driven(stages: Sequence[Stage], drive: str) -> int:
+def _first_driven(stages: Sequence[StageSection], drive: str) -> int:
     """Number of the first stage with a drive; how many there are where none has it."""
     return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), len(stages))
 
 
-def _with(design: Design, stages: Sequence[Stage], values: Mapping[str, float]) -> Design:
+def _with(design: Design, stages: Sequence[StageSection], values: Mapping[str, float]) -> Design:
     """Replace stages and strengths of drives, which were checked when they were read, and whatever else as it is set.
 
     With another value than a drive's others may follow, as a stiffness follows its law.

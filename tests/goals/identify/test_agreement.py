@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from forficula.goals.identify.agreement import Window, agreement, least_apart, snapped
+from forficula.goals.identify.agreement import AgreementWindow, agreement, least_apart, snapped
 from forficula.goals.identify.emulator import fit_emulator, least_samples
 from forficula.goals.latin_points import latin_points
 
@@ -28,7 +28,7 @@ def emulators(samples):
 
 def looked_for(emulators, bounds, tolerances):
     found = zip(emulators, bounds, tolerances, strict=True)
-    return [Window(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
+    return [AgreementWindow(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
 
 
 def test_planted_values_lie_in_ranges_that_are_far_narrower_than_what_was_believed(emulators):
@@ -69,13 +69,13 @@ def test_two_facts_that_no_value_meets_are_many_standard_errors_apart(emulators)
 
 def test_the_share_that_meets_a_fact_is_that_of_the_closed_form(samples):
     emulator = fit_emulator(samples, samples[:, 0])
-    found = agreement([Window(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
+    found = agreement([AgreementWindow(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
     assert found.share == pytest.approx(0.1, rel=0.2)
     assert 0.4 - 1e-3 <= found.points[:, 0].min() <= found.points[:, 0].max() <= 0.5 + 1e-3
     # of the other value nothing follows
     assert np.quantile(found.points[:, 1], [0.025, 0.975]).tolist() == pytest.approx([0.025, 0.975], abs=0.06)
     # facts with one end
-    below = agreement([Window(emulator=emulator, low=-np.inf, high=0.25)], (0, 0), 0)
+    below = agreement([AgreementWindow(emulator=emulator, low=-np.inf, high=0.25)], (0, 0), 0)
     assert below.share == pytest.approx(0.25, rel=0.2)
     assert below.errors.tolist() == [0]
 
@@ -85,7 +85,7 @@ def test_choices_are_known_at_their_middles_only(samples):
     assert set(middles[:, 0].tolist()) == {0.25, 0.75}
     assert (middles[:, 1] == samples[:, 1]).all()
     emulator = fit_emulator(middles, middles[:, 0])
-    found = agreement([Window(emulator=emulator, low=0.7, high=0.8)], (2, 0), 0)
+    found = agreement([AgreementWindow(emulator=emulator, low=0.7, high=0.8)], (2, 0), 0)
     assert (found.points[:, 0] >= 0.5).all()
     assert found.share == pytest.approx(0.5, rel=0.2)
 

@@ -5,7 +5,7 @@ from forficula.material.law.drift import Drift
 from forficula.material.law.law_file import law_values, load_law, named_laws, save_law
 from forficula.material.law.material_law import (
     Bounds,
-    Fact,
+    LawFact,
     MaterialLaw,
     MaxwellBranch,
     Unknown,
@@ -34,7 +34,7 @@ EVERYTHING = MaterialLaw(
     ranges=(Bounds(key="modulus.cubic", low=0.1, high=1 / 3),),
     intervals=(Bounds(key="branches.1.time", low=0.3, high=0.4), Bounds(key="softening.r", low=1.6, high=1.8)),
     unknown=(Unknown(key="softening", why="nobody asked"),),
-    facts=(Fact(what="strength", value="30 MPa", source="a data sheet"),),
+    facts=(LawFact(what="strength", value="30 MPa", source="a data sheet"),),
 )
 
 

@@ -1,7 +1,7 @@
 import pytest
 
 from forficula.design import Design, load_design, scale_design, with_values
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.show.page.parts.design_rows import ABSENT, base_design, design_rows, design_title, differing_rows
 from forficula.show.page.parts.design_tables import design_tables
 
@@ -18,7 +18,7 @@ def test_a_named_design_differs_in_nothing_from_itself(reference):
 
 def test_explanations_of_sections_do_not_depend_on_docstrings():
     # which PYTHONOPTIMIZE=2 takes away
-    parts = list(_subclasses(Part))
+    parts = list(_subclasses(Section))
     assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "Facet"} <= {part.__name__ for part in parts}
     for part in parts:
         if part.__doc__ and part.__module__.startswith("forficula.design") and not issubclass(part, Design):

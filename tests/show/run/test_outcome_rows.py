@@ -7,7 +7,7 @@ import pytest
 
 from forficula.analysis.confirmation import HALF_STEP
 from forficula.analysis.outcome import held_against, outcome_values
-from forficula.dynamics import Check
+from forficula.dynamics import NumericalCheck
 from forficula.show.page.parts.outcome_tables import outcome_tables
 from forficula.show.run.outcome_rows import balance_remark, state_rows
 
@@ -28,7 +28,7 @@ def uncertain(reference, reference_outcome):
             float(reference_outcome.states[state].tendon_energy[0]),
             *values[f"{state}.tendon.energy"][1:],
         )
-    half = Check(
+    half = NumericalCheck(
         name=HALF_STEP,
         timestep=float(reference.protocol.timestep) / 2,
         verdict=reference_outcome.verdict.value,

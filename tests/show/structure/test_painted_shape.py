@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgba
 from forficula.design import load_design
 from forficula.show.structure.painted_shape import View, paint_shape, structure_view
 from forficula.show.structure.shape import shape_of
-from forficula.show.structure.surface import Surface, surface_at
+from forficula.show.structure.surface import DrawnSurface, surface_at
 from forficula.structure import structure_of
 
 FROM_ABOVE = View(right=np.array([1.0, 0, 0]), up=np.array([0, 1.0, 0]), towards=np.array([0, 0, 1.0]))
@@ -21,7 +21,7 @@ def planted(sheet_height):
     square = np.array([[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]])
     faces = [np.column_stack([square[:, 0] + shift, square[:, 1], np.full(4, sheet_height)]) for shift in (0, 0.1)]
     bars = [[[x, y, 0], [x + 0.1, y, 0]] for y in (0.05, 0.1) for x in (0, 0.1)]
-    return Surface(
+    return DrawnSurface(
         faces=np.array(faces),
         regions=np.array([0, 1]),
         two_sided=False,

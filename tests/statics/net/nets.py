@@ -8,7 +8,7 @@ from scipy.sparse import csr_array, eye_array
 
 from forficula.material.law.crease_law import CreaseLaw
 from forficula.statics.net.energy import built_shape
-from forficula.statics.net.net import Creases, Net, Springs
+from forficula.statics.net.net import Net, NetCreases, Springs
 from forficula.statics.net.rigidity import rigidity_matrix
 from forficula.statics.net.supports import rigid_motions
 
@@ -63,7 +63,7 @@ def sheet(nodes, facets: Sequence[Sequence[int]], *, axial=1e4, crease=1.0, face
     springs = Springs(
         points=net.springs.points, stiffness=axial / net.springs.rest_length, rest_length=net.springs.rest_length
     )
-    creases = Creases(points=points, law=law)
+    creases = NetCreases(points=points, law=law)
     return Net(nodes=nodes, free=net.free, points=net.points, masses=net.masses, springs=springs, creases=creases), flat
 
 

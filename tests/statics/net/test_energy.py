@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from forficula.material.law.tendon_law import ElasticLaw
 from forficula.statics.net.energy import built_shape, expand, shape_at
 from forficula.statics.net.load import Load
-from forficula.statics.net.net import Creases, Tendons, Triangles
+from forficula.statics.net.net import NetCreases, Tendons, Triangles
 from forficula.statics.net.net_state import strength
 from tests.statics.net.nets import miura, sheet, truss
 
@@ -114,6 +114,6 @@ def test_an_open_crease_turns_about_the_mean_of_its_edges():
     points = net.creases.points + np.array([0, 0, 0, 6, 6, 6])
     open_ = replace(
         truss(apart, np.zeros((0, 2)), stiffness=1.0),
-        creases=Creases(points=points, law=net.creases.law),
+        creases=NetCreases(points=points, law=net.creases.law),
     )
     np.testing.assert_allclose(built_shape(open_).angles, built_shape(net).angles, atol=1e-12)

@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
@@ -20,7 +20,7 @@ FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}
 Whole = Annotated[int, Field(strict=True)]
 
 
-class FoldFile(Part):
+class FoldFile(Section):
     """The sheet: as a file has it, FOLD, SVG or DXF."""
 
     about: ClassVar[str] = "The sheet: as a file has it, FOLD, SVG or DXF"

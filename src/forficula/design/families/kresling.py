@@ -8,12 +8,12 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from forficula.design.families.counts import MOST_CELLS, count
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, kresling_pattern
 
 
-class Kresling(Part):
+class Kresling(Section):
     """The sheet: a twisted tower of triangles between polygons, as it stands."""
 
     about: ClassVar[str] = "The sheet: a twisted tower of triangles between polygons, as it stands"

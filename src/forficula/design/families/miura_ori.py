@@ -8,12 +8,12 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from forficula.design.families.counts import count
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, miura_pattern
 
 
-class MiuraOri(Part):
+class MiuraOri(Section):
     """The sheet: parallelograms in rows, every second one mirrored, which fold all at once."""
 
     about: ClassVar[str] = "The sheet: parallelograms in rows, every second one mirrored, which fold all at once"

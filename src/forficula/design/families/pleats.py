@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from forficula.design.part import LENGTH, Part, quantity
+from forficula.design.part import LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, pleat_pattern
@@ -15,7 +15,7 @@ from forficula.quantities import as_written
 _MOST_PANELS = 1000
 
 
-class Pleats(Part):
+class Pleats(Section):
     """The sheet: a strip of panels one after another, with a crease between every two."""
 
     about: ClassVar[str] = "The sheet: a strip of panels one after another, with a crease between every two"

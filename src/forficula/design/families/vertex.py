@@ -7,12 +7,12 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, vertex_pattern
 
 
-class Vertex(Part):
+class Vertex(Section):
     """The sheet: one vertex with triangles around it, which may add up to 360 deg or not."""
 
     about: ClassVar[str] = "The sheet: one vertex with triangles around it, which may add up to 360 deg or not"

@@ -8,13 +8,13 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from forficula.design.families.counts import MOST_CELLS
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, waterbomb_base, waterbomb_pattern
 
 
-class Waterbomb(Part):
+class Waterbomb(Section):
     """The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs."""
 
     about: ClassVar[str] = (

@@ -9,13 +9,13 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from forficula.design.families.counts import count
-from forficula.design.part import ANGLE, LENGTH, Part, quantity
+from forficula.design.part import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, yoshimura_pattern, yoshimura_tube
 
 
-class Yoshimura(Part):
+class Yoshimura(Section):
     """The sheet: diamonds, flat, rolled up, or as a closed tube."""
 
     about: ClassVar[str] = "The sheet: diamonds, flat, rolled up, or as a closed tube"

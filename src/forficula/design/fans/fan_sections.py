@@ -19,7 +19,7 @@ from forficula.design.part import (
     SHORT_TIME,
     SMALL_LENGTH,
     TORQUE,
-    Part,
+    Section,
     quantity,
 )
 from forficula.errors import InputError
@@ -31,7 +31,7 @@ MOST_UNITS = 10_000
 MOST_ROWS = 1000  # of the mesh: with 100 times as many the engine runs out of memory
 
 
-class FanPatternSection(Part):
+class FanPatternSection(Section):
     """The sheet: where it folds."""
 
     about: ClassVar[str] = "The sheet: where it folds"
@@ -85,7 +85,7 @@ class FanPatternSection(Part):
         return self
 
 
-class VeinSection(Part):
+class VeinSection(Section):
     """The bars."""
 
     about: ClassVar[str] = "The bars"
@@ -103,7 +103,7 @@ class VeinSection(Part):
 Share = Annotated[float, Field(strict=True)]
 
 
-class MembraneSection(Part):
+class MembraneSection(Section):
     """The sheet between the bars: stretch elasticity only."""
 
     about: ClassVar[str] = "The sheet between the bars: stretch elasticity only"
@@ -143,7 +143,7 @@ class MembraneSection(Part):
     ]
 
 
-class HingeSection(Part):
+class HingeSection(Section):
     """Joints of the veins at the base and at the ring fold."""
 
     about: ClassVar[str] = "Joints of the veins at the base and at the ring fold"
@@ -163,7 +163,7 @@ class HingeSection(Part):
     armature: float = quantity(INERTIA, "inertia of a motor on it, added to every hinge", default=0.0, at_least=0)
 
 
-class CouplingSection(Part):
+class CouplingSection(Section):
     """What ties neighbouring veins to each other at the base, so that they turn together."""
 
     about: ClassVar[str] = "What ties neighbouring veins to each other at the base, so that they turn together"
@@ -178,7 +178,7 @@ class CouplingSection(Part):
     )
 
 
-class ContactSection(Part):
+class ContactSection(Section):
     """How panels and bars that touch keep apart, where protocol.contact is true."""
 
     about: ClassVar[str] = "How panels and bars that touch keep apart, where protocol.contact is true"
@@ -205,7 +205,7 @@ class ContactSection(Part):
     ] = 1.0
 
 
-class GuardSection(Part):
+class GuardSection(Section):
     """The unstressed length limits between neighbouring tips."""
 
     about: ClassVar[str] = "The unstressed length limits between neighbouring tips"

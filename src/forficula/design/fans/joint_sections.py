@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from forficula.design.part import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, TORQUE, Part, quantity
+from forficula.design.part import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, TORQUE, Section, quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, strip_pattern
@@ -19,7 +19,7 @@ _SMALLEST, _LARGEST = 1e-12, 1e12
 _LEAST_SECTOR = math.radians(1)
 
 
-class JointPattern(Part):
+class JointPattern(Section):
     """Two bars in the flat sheet, and the crease that their hinge lies on."""
 
     about: ClassVar[str] = "Two bars in the flat sheet, and the crease that their hinge lies on"
@@ -80,7 +80,7 @@ class JointPattern(Part):
         )
 
 
-class JointHinge(Part):
+class JointHinge(Section):
     """The hinge between the two bars."""
 
     about: ClassVar[str] = "The hinge between the two bars"

@@ -11,7 +11,7 @@ import numpy as np
 from forficula.design.chosen import choices, facet_areas
 from forficula.design.part import SHORT_TIME, TIME
 from forficula.design.sheets.sheet_creases import fold_edges
-from forficula.design.sheets.sheet_parts import Crease, Facet
+from forficula.design.sheets.sheet_parts import Crease, FacetSection
 from forficula.design.sheets.sheet_tables import sheet_values
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
@@ -64,7 +64,7 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
 
 def _period(sheet: CreasePattern) -> float:
     """About the slowest period of a sheet, s: of its whole mass, as a bar as long as it, on all creases at once."""
-    made = {choice.key: choice.value for choice in choices(sheet, Facet(), Crease()) if choice.key != "damping"}
+    made = {choice.key: choice.value for choice in choices(sheet, FacetSection(), Crease()) if choice.key != "damping"}
     mass = made["density"] * made["thickness"] * sum(facet_areas(sheet))
     ends = sheet.vertices_coords[sheet.edges_vertices[list(fold_edges(sheet))]]
     stiffness = made["stiffness"] * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())

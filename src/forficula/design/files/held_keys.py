@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 from forficula.design.design import Design
 from forficula.design.files.key_table import KeyFact, field_fact, field_forms
 from forficula.design.files.keys import entry_of, holds_parts, names_law, section_fields
-from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.part import Quantity, Section, field_quantity
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
@@ -63,7 +63,7 @@ def _place(section: str) -> int:
     return _LAST.index(section) + 1 if section in _LAST else 0
 
 
-def _held(annotation: Any, part: Part | None, prefix: str) -> Iterator[HeldKey]:
+def _held(annotation: Any, part: Section | None, prefix: str) -> Iterator[HeldKey]:
     """The keys of a part that an annotation allows; of one that is absent those of its kind."""
     for name, field in section_fields(annotation).items():
         if part is not None and name not in type(part).model_fields:
@@ -75,13 +75,13 @@ def _held(annotation: Any, part: Part | None, prefix: str) -> Iterator[HeldKey]:
             continue
         if names_law(key):
             yield _law(key, field, value)
-        if isinstance(value, Part):
+        if isinstance(value, Section):
             yield from _held(field.annotation, value, f"{key}.")
         elif isinstance(value, tuple) and not value:
             yield _empty(key, field, section_fields(entry))
         elif isinstance(value, tuple):
             for number, each in enumerate(value):
-                if isinstance(each, Part):
+                if isinstance(each, Section):
                     yield from _held(entry, each, f"{key}.{number}.")
         elif not names_law(key) and entry is None:
             yield from _held(field.annotation, None, f"{key}.")
@@ -136,5 +136,5 @@ def _reader(design: Design, key: str) -> Quantity | None:
     """How a value that a rule chooses is read, which is of a section of the design."""
     section, _, name = key.partition(".")
     part = getattr(design, section, None)
-    field = type(part).model_fields.get(name) if isinstance(part, Part) else None
+    field = type(part).model_fields.get(name) if isinstance(part, Section) else None
     return None if field is None else field_quantity(field)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from forficula.design.part import Part
+from forficula.design.part import Section
 
 
-def with_kept_parts(part: Part, tables: dict[str, Any]) -> dict[str, Any]:
+def with_kept_parts(part: Section, tables: dict[str, Any]) -> dict[str, Any]:
     """Tables of a part with its own parts in place of the tables that are still theirs.
 
     Args:
@@ -22,11 +22,11 @@ def with_kept_parts(part: Part, tables: dict[str, Any]) -> dict[str, Any]:
 
 def _kept(value: object, before: object, after: Any) -> Any:
     """What a part has at a key, if its tables are as before and it holds parts; else the tables, parts kept in them."""
-    if isinstance(value, Part) and isinstance(after, dict):
+    if isinstance(value, Section) and isinstance(after, dict):
         return value if _same(before, after) else with_kept_parts(value, after)
     if not (isinstance(value, tuple) and value and isinstance(before, list) and isinstance(after, list)):
         return after
-    if not all(isinstance(entry, Part) for entry in value) or not len(value) == len(before) == len(after):
+    if not all(isinstance(entry, Section) for entry in value) or not len(value) == len(before) == len(after):
         return after
     return [_kept(entry, before[number], after[number]) for number, entry in enumerate(value)]
 

@@ -16,12 +16,12 @@ from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key
 from forficula.design.files.tables import check_once, entry_index, numbered
 from forficula.design.law import LawSection
-from forficula.design.part import Part, Quantity, field_quantity
+from forficula.design.part import Quantity, Section, field_quantity
 from forficula.errors import InputError
 from forficula.names import unknown_key
 from forficula.quantities import as_written
 
-_PartOf = TypeVar("_PartOf", bound=Part)
+_PartOf = TypeVar("_PartOf", bound=Section)
 
 # what people write for another word
 _MEANT = {"file": "path"}
@@ -148,9 +148,9 @@ def _value(design: Design, value: Any, key: str, within: str) -> Any:
     return value
 
 
-def _left_out(part: object, name: str) -> Part | None:
+def _left_out(part: object, name: str) -> Section | None:
     """What counts where a part lacks the section of this name; None where the section has values that are needed."""
-    field = type(part).model_fields.get(name) if isinstance(part, Part) else None
+    field = type(part).model_fields.get(name) if isinstance(part, Section) else None
     forms = [] if field is None else [form for form in _forms(field.annotation) if _is_part(form)]
     free = [form for form in forms if not any(each.is_required() for each in form.model_fields.values())]
     return free[0]() if free else None
@@ -178,7 +178,7 @@ def put(part: _PartOf, key: str, value: object) -> _PartOf:
     return part.model_copy(update={name: put(inner, rest, value)})
 
 
-def is_key(text: str, model: type[Part] = FanDesign) -> bool:
+def is_key(text: str, model: type[Section] = FanDesign) -> bool:
     """Whether a text is a key of a design, of one value or of several."""
     *section, last = text.split(".")
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
@@ -208,30 +208,30 @@ def holds_parts(field: FieldInfo) -> bool:
     return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 
 
-def known_keys(model: type[Part] = FanDesign) -> Iterator[str]:
+def known_keys(model: type[Section] = FanDesign) -> Iterator[str]:
     """The names of `fields_of`."""
     return (key for key, _ in fields_of(model))
 
 
-def siblings(place: Sequence[str], model: type[Part] = FanDesign) -> list[str]:
+def siblings(place: Sequence[str], model: type[Section] = FanDesign) -> list[str]:
     """The keys that are allowed in the section of a place, the protocol last."""
     names = sorted(_fields_at(place[:-1], model), key=lambda name: name == "protocol")
     return [*(["based_on"] if len(place) < 2 and issubclass(model, Design) else []), *names]
 
 
-def needed_keys(place: Sequence[str], model: type[Part] = FanDesign, kind: str = "") -> list[str]:
+def needed_keys(place: Sequence[str], model: type[Section] = FanDesign, kind: str = "") -> list[str]:
     """The keys that the section of a place cannot do without; of one that may be of several kinds, those of a kind."""
     fields = section_kinds(place[:-1], model).get(kind) or _fields_at(place[:-1], model)
     return [name for name, field in fields.items() if field.is_required()]
 
 
-def section_kinds(place: Sequence[str], model: type[Part]) -> dict[str, dict[str, FieldInfo]]:
+def section_kinds(place: Sequence[str], model: type[Section]) -> dict[str, dict[str, FieldInfo]]:
     """The fields of a section that may be of several kinds, by what its key `kind` says; none of another section."""
     kinds = [form.model_fields for form in _forms(_annotation_at(place, model)) if _is_part(form)]
     return {get_args(each["kind"].annotation)[0]: each for each in kinds} if len(kinds) > 1 else {}
 
 
-def hint(place: Sequence[str], model: type[Part] = FanDesign) -> str:
+def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
     """The nearest valid key of the same section, or of another, or all of the section."""
     *section, wrong = place
     for depth, part in enumerate(section):
@@ -254,12 +254,12 @@ def hint(place: Sequence[str], model: type[Part] = FanDesign) -> str:
     return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
 
 
-def _fields_at(place: Sequence[str], model: type[Part]) -> dict[str, FieldInfo]:
+def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInfo]:
     """The fields of the section at a place; none where there is no section."""
     return section_fields(_annotation_at(place, model))
 
 
-def _annotation_at(place: Sequence[str], model: type[Part]) -> Any:
+def _annotation_at(place: Sequence[str], model: type[Section]) -> Any:
     """What a file may hold at a place; None where there is no such place."""
     at: Any = model
     for part in place:
@@ -317,4 +317,4 @@ def _may_be_called(text: str, entry: Any, one_for_all: Mapping[str, FieldInfo]) 
 
 
 def _is_part(annotation: Any) -> bool:
-    return isinstance(annotation, type) and issubclass(annotation, Part)
+    return isinstance(annotation, type) and issubclass(annotation, Section)

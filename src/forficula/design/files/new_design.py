@@ -17,7 +17,7 @@ from forficula.design.files.design_file import load_design
 from forficula.design.files.keys import entry_of, section_fields
 from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
-from forficula.design.part import Part, field_quantity
+from forficula.design.part import Section, field_quantity
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import near_name
@@ -60,10 +60,10 @@ def _own_pattern(kind: str, reference: str) -> Iterator[str]:
         yield f"{tomli_w.dumps({key: value}).strip():<40}  # {section.model_fields[key].description}"
 
 
-def _section_of(kind: str) -> type[Part]:
+def _section_of(kind: str) -> type[Section]:
     """The section of a kind of pattern."""
     section: Any = KINDS[kind].model_fields["pattern"].annotation
-    found: type[Part] = section
+    found: type[Section] = section
     return found
 
 
@@ -75,7 +75,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         part = getattr(design, section)
         if isinstance(part, tuple):
             yield from _commented_tables(section, part, type(design).model_fields[section])
-        if not isinstance(part, Part):
+        if not isinstance(part, Section):
             continue
         values = part.as_tables()
         yield f"\n[{section}]  # {part.about}"
@@ -110,7 +110,7 @@ def _line(key: str, value: object) -> str:
     return re.sub(r",\n\s+", ", ", re.sub(r",\n\s*\]", "]", text))
 
 
-def _commented_tables(header: str, entries: Sequence[Part], field: FieldInfo) -> Iterator[str]:
+def _commented_tables(header: str, entries: Sequence[Section], field: FieldInfo) -> Iterator[str]:
     """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
     yield f"\n# {field.description}; giving any replaces all of them."
     for values in [part.as_tables() for part in entries] or [{}]:

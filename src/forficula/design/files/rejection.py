@@ -13,11 +13,11 @@ from forficula.design.fans.fan import FanDesign
 from forficula.design.files.key_table import key_facts
 from forficula.design.files.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
 from forficula.design.files.tables import RejectedError, written_key
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.names import listed, near_name, unknown_key
 from forficula.quantities import as_written
 
-_PartOf = TypeVar("_PartOf", bound=Part)
+_PartOf = TypeVar("_PartOf", bound=Section)
 # a file's name and the tables that stand in it
 File = tuple[str, dict[str, Any]]
 
@@ -38,7 +38,7 @@ def read_part(model: type[_PartOf], tables: Mapping[str, object]) -> _PartOf:
         raise rejected(error, model) from None
 
 
-def rejected(error: ValidationError, model: type[Part]) -> RejectedError:
+def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
     """What pydantic finds wrong with a design or another file of a class, as one line: key, rule, value."""
     # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
     errors: list[Any] = list(error.errors(include_url=False))
@@ -103,7 +103,7 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
     return True
 
 
-def _of_a_check(place: list[str], message: str, model: type[Part], which: str) -> RejectedError:
+def _of_a_check(place: list[str], message: str, model: type[Section], which: str) -> RejectedError:
     """What a check of a value, of a section or of the whole design has found."""
     name = message.partition(":")[0]
     if name in siblings([*place, ""], model) and place:
@@ -117,7 +117,7 @@ def _of_a_check(place: list[str], message: str, model: type[Part], which: str) -
     return RejectedError(place, message)
 
 
-def _remedy(place: list[str], model: type[Part], which: str) -> str:
+def _remedy(place: list[str], model: type[Section], which: str) -> str:
     """What to do about a key that is missing, of a section of a kind."""
     if not issubclass(model, Design):
         (fact,) = key_facts(".".join(place), model)
@@ -137,7 +137,7 @@ def _remedy(place: list[str], model: type[Part], which: str) -> str:
     return to_inherit
 
 
-def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Part]) -> str:
+def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Section]) -> str:
     """What is allowed, by pydantic's name of the error."""
     header = ".".join(part for part in place if not part.isdecimal())
     is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))

@@ -13,7 +13,7 @@ from forficula.design.named_protocol import NamedProtocol
 from forficula.design.sheet_protocol import sheet_protocol
 from forficula.design.sheets.sheet_checks import check_sheet
 from forficula.design.sheets.sheet_course import SheetDrive, SheetMeasure, SheetProtocol, SheetTendon
-from forficula.design.sheets.sheet_parts import Crease, Facet, Imperfection, Support, largest_extension
+from forficula.design.sheets.sheet_parts import Crease, FacetSection, Imperfection, Support, largest_extension
 from forficula.design.sheets.sheet_places import facet_of
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
@@ -37,7 +37,7 @@ class SheetDesign(Design):
 
     source: Annotated[str, Field(description="where its values come from")] = ""
     pattern: Any
-    facet: Facet = Facet()
+    facet: FacetSection = FacetSection()
     crease: Crease = Crease()
     imperfection: Imperfection = Imperfection()
     tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
@@ -112,6 +112,6 @@ def _drawn(pattern: Any) -> CreasePattern:
 
 
 @lru_cache(maxsize=64)
-def _choices(pattern: Any, facet: Facet, crease: Crease) -> tuple[Choice, ...]:
+def _choices(pattern: Any, facet: FacetSection, crease: Crease) -> tuple[Choice, ...]:
     """What is chosen for a sheet, which everything that names or builds its design asks for."""
     return choices(_drawn(pattern), facet, crease)

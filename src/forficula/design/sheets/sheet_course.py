@@ -15,7 +15,7 @@ from forficula.design.part import (
     SHORT_TIME,
     TIME,
     TORQUE,
-    Part,
+    Section,
     quantity,
 )
 from forficula.design.protocol import Protocol
@@ -36,18 +36,18 @@ def _between(description: str, **default: Any) -> Any:
         LENGTH, 'x, y and z of the ground, where an end is "ground"', default=(), examples=[["0 cm", "0 cm", "-5 cm"]]
     )
     fields: dict[str, Any] = {"name": str, "from": end, "to": end, "ground": (tuple[float, ...], ground)}
-    return create_model("_Between", __base__=Part, **fields)
+    return create_model("_Between", __base__=Section, **fields)
 
 
 if TYPE_CHECKING:
 
-    class Joined(Part):
+    class Joined(Section):
         """What `_between` makes."""
 
         name: str
         ground: tuple[float, ...]
 
-    class _MaybeJoined(Part):
+    class _MaybeJoined(Section):
         """What `_between` makes."""
 
         name: str
@@ -93,7 +93,7 @@ _Direction = Annotated[
 ]
 
 
-class _AnyDrive(Part):
+class _AnyDrive(Section):
     """What a stage of the protocol switches on."""
 
     about: ClassVar[str] = "What a stage of the protocol switches on"

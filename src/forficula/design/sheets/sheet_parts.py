@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Part, quantity
+from forficula.design.part import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Section, quantity
 from forficula.design.sheets.sheet_names import checked_name
 from forficula.quantities import Unit
 
@@ -20,7 +20,7 @@ _RESTS = ("as built", "flat")
 _OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several with and between"
 
 
-class Facet(Part):
+class FacetSection(Section):
     """The panels, one on every facet; without a value one is chosen by a rule, which the written design tells."""
 
     about: ClassVar[str] = (
@@ -57,7 +57,7 @@ class Facet(Part):
     )
 
 
-class Imperfection(Part):
+class Imperfection(Section):
     """How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state."""
 
     about: ClassVar[str] = (
@@ -68,7 +68,7 @@ class Imperfection(Part):
     seed: Annotated[int, Field(strict=True, ge=0, description="of the random numbers: another one, another way")] = 0
 
 
-class CreaseGroup(Part):
+class CreaseGroup(Section):
     """Creases that differ from the others; what is left out is as in [crease]."""
 
     about: ClassVar[str] = "Creases that differ from the others; what is left out is as in [crease]"
@@ -109,7 +109,7 @@ class CreaseGroup(Part):
         return None if name is None else checked_name(name)
 
 
-class Crease(Part):
+class Crease(Section):
     """The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat."""
 
     about: ClassVar[str] = "The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat"
@@ -186,7 +186,7 @@ def largest_extension(crease: Crease) -> float:
     return max(crease.extension or 0.0, *(group.extension or 0.0 for group in crease.group), 0.0)
 
 
-class Support(Part):
+class Support(Section):
     """What is held."""
 
     about: ClassVar[str] = "What is held"

@@ -12,7 +12,7 @@ from forficula.dynamics.energies.energy import LETTING_GO, branch_losses, lettin
 from forficula.dynamics.energies.stop_forces import friction_torques, stop_forces
 from forficula.dynamics.engine.model import Model, joint_ranges
 from forficula.dynamics.stepping.stepper import energy_of
-from forficula.dynamics.stepping.steps import State, Steps
+from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import Motor
 
 # steps for which a stop's force goes on changing fast: four of its time constants
@@ -131,7 +131,7 @@ class Account:
         others |= {"waited": float(self._waited[row])} if self._waits else {}
         return {name: float(done[row]) for name, done in self._done.items()} | others
 
-    def power(self, row: int, torques: Array, end: State) -> dict[str, float]:
+    def power(self, row: int, torques: Array, end: EngineState) -> dict[str, float]:
         """Powers of the motors' torques (motor,) on a structure in a state, W; their settings, forces, N."""
         model, settings = self._models[row], self._set[row]
         if model.creases is None:

@@ -22,7 +22,7 @@ _ROW = 17
 
 
 @dataclass(frozen=True, kw_only=True)
-class Creases:
+class EngineCreases:
     """The creases of a structure in the engine's model.
 
     Attributes:
@@ -93,7 +93,7 @@ def _couples(known: dict[tuple[frozenset[int], frozenset[int]], int], count: int
     return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
 
 
-def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Creases | None:
+def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> EngineCreases | None:
     """Find the creases in the compiled model, of a structure in its units; None where there are none.
 
     Raises:
@@ -109,7 +109,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
     found: list[int] = []
     if folds.placement is not None:
         numbers = _couples(known, len(hinges))
-        return Creases(
+        return EngineCreases(
             rows=numbers + _first_row(engine, flex),
             order=np.asarray(edges[numbers] % 4, dtype=np.int64),
             senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),
@@ -123,7 +123,7 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> Cr
         found.append(number)
     mine = edges[found]
     ahead, on_left = mine[:, 0] == folds.flaps[:, 0], mine[:, 2] == folds.flaps[:, 2]
-    return Creases(
+    return EngineCreases(
         rows=np.array(found, dtype=np.int64) + _first_row(engine, flex),
         order=np.column_stack([~ahead, ahead, 2 + ~on_left, 2 + on_left]).astype(np.int64),
         senses=np.array([hinge.sense for hinge in hinges], dtype=np.int64),

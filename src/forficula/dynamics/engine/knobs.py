@@ -46,7 +46,7 @@ _TRIES = 12
 
 
 @dataclass(frozen=True, kw_only=True)
-class Change:
+class KnobChange:
     """By how much a value changes some numbers of a compiled model.
 
     Attributes:
@@ -80,7 +80,7 @@ class Knob:
     value: float
     lowest: float
     highest: float
-    changes: tuple[Change, ...]
+    changes: tuple[KnobChange, ...]
 
 
 def knobs_of(model: Model) -> tuple[Knob, ...]:
@@ -181,7 +181,7 @@ def _numbers(model: Model) -> dict[str, Array]:
 
 def _changes(
     low: Mapping[str, Array], high: Mapping[str, Array], here: Mapping[str, Array], values: tuple[float, float, float]
-) -> tuple[Change, ...]:
+) -> tuple[KnobChange, ...]:
     """What differs between two models, on a straight line through a third; nothing where it is not on one.
 
     Args:
@@ -207,5 +207,7 @@ def _changes(
         # what differs by rounding alone does not change
         moved = np.abs(highest[places] - lowest[places]) > _EXACT * size
         if moved.any():
-            changes.append(Change(field=name, places=places[moved], low=lowest[places][moved], slopes=slopes[moved]))
+            changes.append(
+                KnobChange(field=name, places=places[moved], low=lowest[places][moved], slopes=slopes[moved])
+            )
     return tuple(changes)

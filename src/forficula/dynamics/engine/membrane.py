@@ -13,7 +13,7 @@ from forficula.structure import Membrane, MembraneLaw, Structure
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mesh:
+class MembraneMesh:
     """The membranes of a structure as one mesh.
 
     Attributes:
@@ -31,10 +31,10 @@ class Mesh:
     law: MembraneLaw | None
 
 
-def joined_mesh(membranes: Sequence[Membrane]) -> Mesh:
+def joined_mesh(membranes: Sequence[Membrane]) -> MembraneMesh:
     """Lay the nodes of membranes of one law one after another."""
     first = np.cumsum([0, *(len(each.built) for each in membranes)])
-    return Mesh(
+    return MembraneMesh(
         bodies=np.concatenate([np.zeros(0, dtype=np.int64), *(each.bodies for each in membranes)]),
         places=np.concatenate([np.zeros((0, 3)), *(each.places for each in membranes)]),
         built=np.concatenate([np.zeros((0, 3)), *(each.built for each in membranes)]),
@@ -48,7 +48,7 @@ def joined_mesh(membranes: Sequence[Membrane]) -> Mesh:
     )
 
 
-def add_membranes(spec: mujoco.MjSpec, mesh: Mesh, structure: Structure) -> None:
+def add_membranes(spec: mujoco.MjSpec, mesh: MembraneMesh, structure: Structure) -> None:
     """Add the membranes to a model in the structure's units."""
     law = mesh.law
     if law is None:
@@ -71,7 +71,7 @@ def add_membranes(spec: mujoco.MjSpec, mesh: Mesh, structure: Structure) -> None
     flex.elem = mesh.triangles.ravel()
 
 
-def stretch_energy(nodes: Array, mesh: Mesh) -> Array:
+def stretch_energy(nodes: Array, mesh: MembraneMesh) -> Array:
     """Stretch energy of membranes with nodes anywhere in space.
 
     Saint Venant-Kirchhoff in plane stress, triangles of constant strain: per area, thickness times

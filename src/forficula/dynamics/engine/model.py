@@ -11,13 +11,13 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.design import Design
-from forficula.dynamics.energies.creases import Creases, add_creases, clear_rows, creases_of
+from forficula.dynamics.energies.creases import EngineCreases, add_creases, clear_rows, creases_of
 from forficula.dynamics.engine.bodies import add_bodies, brake_name, engine_sites, force_name, servo_names
 from forficula.dynamics.engine.closures import add_closures, gap_name
 from forficula.dynamics.engine.contact import add_panels, add_stop_sensors, check_apart
 from forficula.dynamics.engine.couplings import add_couplings
 from forficula.dynamics.engine.drag import HELD, Drag, add_medium, drag_of
-from forficula.dynamics.engine.membrane import Mesh, add_membranes, joined_mesh
+from forficula.dynamics.engine.membrane import MembraneMesh, add_membranes, joined_mesh
 from forficula.dynamics.engine.tendons import add_distance, add_limit, add_pulls, add_spring, add_tendon
 from forficula.dynamics.engine.units import ModelUnits, design_in_model_units, model_units
 from forficula.dynamics.stepping.folds import Folds, folds_of, slide_name
@@ -76,9 +76,9 @@ class Model:
     timestep: float
     engine: mujoco.MjModel
     spec: mujoco.MjSpec
-    mesh: Mesh
+    mesh: MembraneMesh
     folds: Folds
-    creases: Creases | None
+    creases: EngineCreases | None
     drag: Drag | None
     followed: int
     pushed: Array
@@ -260,7 +260,7 @@ def joint_ranges(model: Model) -> tuple[Array, Array]:
     return ends[0], ends[1]
 
 
-def _spec_of(structure: Structure, timestep: float, mesh: Mesh, distances: list[Measure]) -> mujoco.MjSpec:
+def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distances: list[Measure]) -> mujoco.MjSpec:
     """All parts of a structure, not compiled yet."""
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure)

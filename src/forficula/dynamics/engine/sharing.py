@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Sequence
 
-from forficula.design import Design, Stage, put
+from forficula.design import Design, StageSection, put
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.stage_plan import Effort, stage_torques
 from forficula.structure import Structure, drive_of
@@ -69,7 +69,7 @@ def _but_drives(model: Model, keys: Sequence[str], *, stages: bool = True) -> st
     return protocol.model_dump_json()
 
 
-def _way(model: Model) -> list[tuple[Stage, tuple[Effort, ...]]]:
+def _way(model: Model) -> list[tuple[StageSection, tuple[Effort, ...]]]:
     """The stages of a structure, each with what drives it."""
     return [(stage, stage_torques(model, stage)) for stage in model.design.protocol.stages]
 

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from forficula.arrays import Array
-from forficula.design import Stage, stage_drives
+from forficula.design import StageSection, stage_drives
 from forficula.dynamics.engine.model import Model, joint_ranges
-from forficula.structure import Goal, drive_of, goal_of, sums_of
+from forficula.structure import StageGoal, drive_of, goal_of, sums_of
 
 Numbers = NDArray[np.int64]
 Booleans = NDArray[np.bool_]
@@ -124,7 +124,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
     length = int(last.max()) + 2
     stages = [[*protocol.stages, *[protocol.stages[-1]] * (length - len(protocol.stages))] for protocol in protocols]
 
-    def of_stages(value: Callable[[Stage], float | bool]) -> NDArray[Any]:
+    def of_stages(value: Callable[[StageSection], float | bool]) -> NDArray[Any]:
         return np.array([[value(stage) for stage in row] for row in stages])
 
     lowest, highest = (np.array(each) for each in zip(*map(far_beyond, models), strict=True))
@@ -149,7 +149,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
     )
 
 
-def _goals(models: Sequence[Model], stages: Sequence[Sequence[Stage]]) -> dict[str, Any]:
+def _goals(models: Sequence[Model], stages: Sequence[Sequence[StageSection]]) -> dict[str, Any]:
     """Of every stage the goal, by the names of a plan."""
     goals = [[stage_goal(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
     least, most = (np.array([[getattr(goal, end) for goal in row] for row in goals]) for end in ("least", "most"))
@@ -163,7 +163,7 @@ def _goals(models: Sequence[Model], stages: Sequence[Sequence[Stage]]) -> dict[s
     }
 
 
-def _drives(models: Sequence[Model], stages: Sequence[Sequence[Stage]], timestep: Array) -> dict[str, Any]:
+def _drives(models: Sequence[Model], stages: Sequence[Sequence[StageSection]], timestep: Array) -> dict[str, Any]:
     """Of every stage the drives, by the names of a plan."""
     together = max((len(stage_drives(stage)) for row in stages for stage in row), default=0) or 1
     efforts = [[_efforts(model, stage, together) for stage in row] for model, row in zip(models, stages, strict=True)]
@@ -207,26 +207,26 @@ def far_beyond(model: Model) -> tuple[Array, Array]:
     return low - _FAR, high + _FAR
 
 
-def stage_torques(model: Model, stage: Stage) -> tuple[Effort, ...]:
+def stage_torques(model: Model, stage: StageSection) -> tuple[Effort, ...]:
     """Of every drive of a stage the torques on all motors, in own senses and the model's units, and the rise, s."""
     return tuple(
         (drive_of(model.in_units, name).strengths, drive_of(model.structure, name).rise) for name in stage_drives(stage)
     )
 
 
-def _efforts(model: Model, stage: Stage, count: int) -> tuple[Effort, ...]:
+def _efforts(model: Model, stage: StageSection, count: int) -> tuple[Effort, ...]:
     """So many drives of a stage, those that it lacks without torques."""
     own = stage_torques(model, stage)
     nothing: Effort = ((0.0,) * len(model.structure.motors), 0.0)
     return (*own, *[nothing] * (count - len(own)))
 
 
-def stage_goal(model: Model, stage: Stage) -> Goal:
+def stage_goal(model: Model, stage: StageSection) -> StageGoal:
     """The goal of a stage, in the model's units."""
     return goal_in_units(model, goal_of(model.structure, stage.until))
 
 
-def goal_in_units(model: Model, goal: Goal) -> Goal:
+def goal_in_units(model: Model, goal: StageGoal) -> StageGoal:
     """A goal of a structure in its model's units: what is written of a distance is SI."""
     hinges = len(model.structure.hinges)
     place = np.arange(len(goal.least)) - hinges

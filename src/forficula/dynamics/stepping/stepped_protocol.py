@@ -11,7 +11,7 @@ from forficula.design import stage_drives
 from forficula.dynamics.engine.closures import LARGEST_GAP
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.stage_plan import NEVER, far_beyond, longest_rest, rest_speeds, stage_goal
-from forficula.structure import Drive, Goal, drive_unit
+from forficula.structure import Drive, StageGoal, drive_unit
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +45,7 @@ class SteppedStage:
 
     name: str
     drives: tuple[int, ...]
-    goal: Goal
+    goal: StageGoal
     hold: int
     limit: int
 

@@ -21,7 +21,7 @@ from forficula.dynamics.engine.crease_rows import CreaseRows, crease_rows, witho
 from forficula.dynamics.engine.drag import KINEMATICS, stacked_drag
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
-from forficula.dynamics.stepping.steps import State, Steps
+from forficula.dynamics.stepping.steps import EngineState, Steps
 
 # all that the next step depends on, and of that what a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
@@ -171,7 +171,7 @@ class Stepper:
         self._state[row] = self._state[leader]
         self._angles[row] = self._angles[leader]
 
-    def state(self, row: int) -> State:
+    def state(self, row: int) -> EngineState:
         """What a structure is in."""
         # structures of one topology have data of one size: making it anew takes as long as many steps
         engine, data = self._structures[row].engine, self._data
@@ -183,7 +183,7 @@ class Stepper:
         folds = self._structures[row].folds
         angle = folds.angles(data.qpos)
         angle[folds.creases] = without_jump(angle[folds.creases], self._angles[row])
-        return State(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
+        return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
     def lengths(self, row: int) -> Array:
         """Lengths of the engine's tendons in a structure, (tendon,)."""

@@ -99,7 +99,7 @@ class Steps:
 
 
 @dataclass(frozen=True, kw_only=True)
-class State:
+class EngineState:
     """What a structure is in, in its model's units.
 
     Attributes:

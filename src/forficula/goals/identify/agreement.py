@@ -22,7 +22,7 @@ _SEARCHERS, _GENERATIONS = 100, 30
 
 
 @dataclass(frozen=True, kw_only=True)
-class Window:
+class AgreementWindow:
     """Where a fact's quantity must lie, as its emulator has it.
 
     Attributes:
@@ -54,7 +54,7 @@ class Agreement:
     errors: Array
 
 
-def agreement(windows: Sequence[Window], choices: Sequence[int], seed: int) -> Agreement:
+def agreement(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: int) -> Agreement:
     """Draw points from the priors that meet all facts, by tempering from the priors on.
 
     Sequential Monte Carlo (Del Moral, Doucet and Jasra 2006, doi:10.1111/j.1467-9868.2006.00553.x). The probability
@@ -96,7 +96,7 @@ def agreement(windows: Sequence[Window], choices: Sequence[int], seed: int) -> A
     )
 
 
-def least_apart(windows: Sequence[Window], choices: Sequence[int], seed: int) -> float:
+def least_apart(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: int) -> float:
     """By how many standard errors the worst fact is missed where that is least, by differential evolution.
 
     Args:
@@ -143,7 +143,7 @@ def _step(found: Array, most: float) -> float:
     return max(low, 1e-6 * most)
 
 
-def _log_chances(windows: Sequence[Window], points: Array) -> tuple[Array, Array]:
+def _log_chances(windows: Sequence[AgreementWindow], points: Array) -> tuple[Array, Array]:
     """Logarithm of each point's chance to meet all facts, and by how many errors it misses the worst one, (points,)."""
     chances, apart = np.zeros(len(points)), np.zeros(len(points))
     for window in windows:
@@ -159,7 +159,7 @@ def _log_chances(windows: Sequence[Window], points: Array) -> tuple[Array, Array
     return chances, apart
 
 
-def _errors(windows: Sequence[Window], points: Array) -> Array:
+def _errors(windows: Sequence[AgreementWindow], points: Array) -> Array:
     widths = [(window.high - window.low) / 2 for window in windows]
     errors = [float(np.median(window.emulator.predict(points)[1])) for window in windows]
     return np.array([error / width if np.isfinite(width) else 0.0 for error, width in zip(errors, widths, strict=True)])

@@ -12,7 +12,7 @@ from pydantic import BeforeValidator
 from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.design.file_fields import ByKey, Settings, YesOrNo, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.row_quantity import Combination, is_state, read_combination, row_quantities
@@ -27,7 +27,7 @@ _Keys = Annotated[list[str], "list of keys of over"]
 _ORDERS: dict[str, Order] = {"equals": "equals", "at_least": "at least", "at_most": "at most"}
 
 
-class LeastTable(Part):
+class LeastTable(Section):
     """A value that is searched for under every condition."""
 
     key: str = entry("key whose least value that reaches a state is searched for", ...)
@@ -36,7 +36,7 @@ class LeastTable(Part):
     monotone: YesOrNo = entry("whether all larger values reach it, too", False)
 
 
-class FactTable(Part):
+class FactTable(Section):
     """A table `fact`."""
 
     name: str = entry("short name that no other fact has", ...)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.goals.identify.agreement import Agreement, Window, agreement, least_apart, snapped
+from forficula.goals.identify.agreement import Agreement, AgreementWindow, agreement, least_apart, snapped
 from forficula.goals.identify.emulator import Emulator, fit_emulator, least_samples
 from forficula.goals.identify.fact import COUNTS, PLACES, Fact
 from forficula.goals.identify.identify import Sample
@@ -37,7 +37,7 @@ class Inference:
         seed: of the random numbers.
     """
 
-    windows: tuple[Window, ...]
+    windows: tuple[AgreementWindow, ...]
     choices: tuple[int, ...]
     agreement: Agreement | None
     needed: int
@@ -95,7 +95,7 @@ def infer(observations: Observations, samples: Sequence[Sample], missing: Array)
     )
 
 
-def _window(fact: Fact, number: int, samples: Sequence[Sample], choices: Sequence[int]) -> Window | None:
+def _window(fact: Fact, number: int, samples: Sequence[Sample], choices: Sequence[int]) -> AgreementWindow | None:
     """Where a fact's miss must lie, on a scale on which far misses count little; None with too few samples."""
     told = [sample for sample in samples if not sample.findings[number].untold]
     if len(told) < least_samples(len(choices)):
@@ -115,7 +115,7 @@ def _window(fact: Fact, number: int, samples: Sequence[Sample], choices: Sequenc
     # a place's miss is how far it is above the least: it has no other side
     low = -np.inf if fact.order == "at most" or fact.term.statistic in PLACES else -end
     high = np.inf if fact.order == "at least" else end
-    return Window(emulator=emulator, low=low, high=high)
+    return AgreementWindow(emulator=emulator, low=low, high=high)
 
 
 def _grain(fact: Fact) -> float:

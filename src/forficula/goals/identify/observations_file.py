@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field
 from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part, Quantity
+from forficula.design.part import Quantity, Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import positive_keys
 from forficula.goals.identify.fact import Fact
@@ -28,7 +28,7 @@ from forficula.study.new_file import value_text
 _Count = Annotated[Whole, Field(le=MOST_VALUES)]
 
 
-class PriorSampling(Part):
+class PriorSampling(Section):
     """How many values are drawn."""
 
     samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
@@ -74,7 +74,7 @@ tolerance = 0""",
 )
 
 
-class ObservationsFile(Part):
+class ObservationsFile(Section):
     """Observations as their file has them."""
 
     about: ClassVar[str] = (

@@ -25,7 +25,7 @@ from forficula.make.flat.regions import (
     sides_of,
     united,
 )
-from forficula.make.flat.sheet_windows import LEAST_STRIP, Window
+from forficula.make.flat.sheet_windows import LEAST_STRIP, SheetWindow
 from forficula.pattern.geometry import distance_to_sides
 from forficula.quantities import show_value
 
@@ -55,7 +55,7 @@ class SheetParts:
     make: MakeSection
     sheet: Region
     solid: Region
-    windows: tuple[Window, ...]
+    windows: tuple[SheetWindow, ...]
     large_holes: int
 
 
@@ -133,7 +133,7 @@ def _topology(region: Region) -> tuple[int, int]:
     return sum(area > 0 for area in areas), sum(area < 0 for area in areas)
 
 
-def _windows_apart(windows: Sequence[Window]) -> Check:
+def _windows_apart(windows: Sequence[SheetWindow]) -> Check:
     """The least gap between two windows."""
     gaps = []
     for one, other in combinations(windows, 2):

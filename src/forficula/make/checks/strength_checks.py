@@ -21,7 +21,7 @@ from forficula.make.hinge.joint_layout import Arm, JointLayout
 from forficula.make.hinge.stop_load import StopLoad, stop_load
 from forficula.make.hinge.strap_shape import StrapPlace
 from forficula.make.part import PartSet
-from forficula.make.solid.sections import Section, bar_section, peg_modulus
+from forficula.make.solid.sections import CrossSection, bar_section, peg_modulus
 from forficula.make.stock import Stock, stock_of
 from forficula.structure import Structure, built_frames
 
@@ -89,7 +89,7 @@ def _factor(name: str, joint: JointLayout, bears: float | None, load: float, tex
     )
 
 
-def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> Column:
+def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> BucklingColumn:
     """The bars of a joint between its pegs as a column, as the joint rests against its overbend stop.
 
     There the bars are one in the sheet's plane by their knuckles, and out of it by the stop.
@@ -109,7 +109,7 @@ def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> C
         ]
     )
     off = places - start
-    return Column(
+    return BucklingColumn(
         lengths=(float((off[1] - off[0]) @ way), float((off[2] - off[1]) @ way)),
         offsets=off @ np.column_stack([in_sheet, np.cross(way, in_sheet)]),
         section=bar_section(joint.bar_diameter),
@@ -306,13 +306,13 @@ _PLACES = 33
 _NEAR = 1 - 1e-6
 
 
-def euler_load(length: float, section: Section, youngs_modulus: float) -> float:
+def euler_load(length: float, section: CrossSection, youngs_modulus: float) -> float:
     """At which a straight column, m long, whose ends turn freely, buckles to its weaker side, N."""
     return math.pi**2 * youngs_modulus * section.least / length**2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Column:
+class BucklingColumn:
     """Two bars, rigidly joined where they meet, pressed together along the line between their far ends.
 
     Attributes:
@@ -325,7 +325,7 @@ class Column:
 
     lengths: tuple[float, float]
     offsets: Array
-    section: Section
+    section: CrossSection
     youngs_modulus: float
 
     @property

@@ -22,7 +22,7 @@ _UPRIGHT = 1e-6  # m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Piece:
+class OrientedPart:
     """What is printed as one: a part, or parts that hang together by hinges which are printed in place.
 
     Attributes:
@@ -44,7 +44,7 @@ class Piece:
         return self.parts[0].stock.name
 
 
-def printed_pieces(parts: PartSet) -> tuple[Piece, ...]:
+def printed_pieces(parts: PartSet) -> tuple[OrientedPart, ...]:
     """What is printed, in the order of the parts; what cannot be put together afterwards is one piece, built flat."""
     first: dict[int, int] = {}
     for joint in parts.joints:
@@ -55,7 +55,7 @@ def printed_pieces(parts: PartSet) -> tuple[Piece, ...]:
         if part.printed:
             body = part.body if part.kind == "bar" else None
             together.setdefault(part.name if body is None else first.get(body, body), []).append(part)
-    return tuple(Piece(parts=tuple(each), count=each[0].count) for each in together.values())
+    return tuple(OrientedPart(parts=tuple(each), count=each[0].count) for each in together.values())
 
 
 def lying_mesh(*parts: Part) -> Mesh:

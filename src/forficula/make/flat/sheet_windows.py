@@ -22,7 +22,7 @@ LEAST_STRIP = 2e-3  # m, of sheet between what is cut out of it
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Window:
+class SheetWindow:
     """What is cut out of a sheet for a part that passes through it.
 
     Attributes:
@@ -36,7 +36,7 @@ class Window:
 
 def sheet_windows(
     design: Design, structure: Structure, pattern: CreasePattern, sheet: Unfolding
-) -> tuple[tuple[Window, ...], list[tuple[str, Array]]]:
+) -> tuple[tuple[SheetWindow, ...], list[tuple[str, Array]]]:
     """What is cut out of a sheet for its tendons.
 
     Between bars, which lie on the sheet along creases, a taut strap goes from peg to peg and through the sheet's plane
@@ -78,7 +78,7 @@ def sheet_windows(
     return tuple(windows), holes
 
 
-def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> Iterator[Window]:
+def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> Iterator[SheetWindow]:
     """The windows of straps and hinges between bars."""
     joints = bows_beside(joint_layouts(design, structure))
     for place in strap_places(joints):
@@ -90,10 +90,10 @@ def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> I
         middle, across = joint.origin[:2], joint.knuckle_diameter + 2 * make.clearance
         knuckles = region_of([_band(middle - half, middle + half, across, 0.0)])
         label = structure.hinges[joint.hinge].label or joint.name
-        yield Window(name=f"hinge of {label}", outline=loops_of(rounded(knuckles, make.window))[0])
+        yield SheetWindow(name=f"hinge of {label}", outline=loops_of(rounded(knuckles, make.window))[0])
 
 
-def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: Array) -> Window | None:
+def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: Array) -> SheetWindow | None:
     """The window of a tendon in a sheet without bars; None where there is no room for one between its holes."""
     strap = strap_of(design, tendon)
     length = float(np.linalg.norm(end - start))
@@ -105,8 +105,8 @@ def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: 
     return _window(tendon, make, region_of([_band(start + kept * along, end - kept * along, width, 0.0)]))
 
 
-def _window(tendon: Tendon, make: MakeSection, passing: Region) -> Window:
-    return Window(name=tendon.label or tendon.name, outline=loops_of(rounded(passing, make.window))[0])
+def _window(tendon: Tendon, make: MakeSection, passing: Region) -> SheetWindow:
+    return SheetWindow(name=tendon.label or tendon.name, outline=loops_of(rounded(passing, make.window))[0])
 
 
 def _band(start: Array, end: Array, width: float, beyond: float) -> Array:

@@ -13,7 +13,7 @@ from forficula.dynamics import Record
 from forficula.make.flat.pieces import Piece, pieces_of
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import placed
-from forficula.make.solid.poses import Poses, poses_of, stage_at, telling_rows
+from forficula.make.solid.poses import PartPoses, poses_of, stage_at, telling_rows
 from forficula.structure import GROUND
 
 # of a record that are looked at
@@ -90,7 +90,7 @@ def built_overlaps(parts: PartSet) -> dict[tuple[str, str], float]:
     """
     found: dict[tuple[str, str], float] = {}
     count = len(parts.structure.bodies) + 1
-    still = Poses(
+    still = PartPoses(
         rows=np.zeros(1, dtype=np.int64),
         frames=np.broadcast_to(np.eye(3), (1, count, 3, 3)),
         origins=np.zeros((1, count, 3)),
@@ -109,7 +109,7 @@ def state_rows(record: Record) -> dict[str, int]:
     return {name: int(np.searchsorted(record.time, time, side="right")) - 1 for name, time in ends.items()}
 
 
-def overlap(one: Piece, other: Piece, poses: Poses, row: int) -> float:
+def overlap(one: Piece, other: Piece, poses: PartPoses, row: int) -> float:
     """What two pieces have in common in a row of poses, by its place there, mm^3."""
     frames, origins = poses.frames[row], poses.origins[row]
     frame = frames[one.body].T @ frames[other.body]
@@ -123,7 +123,7 @@ def _apart(parts: PartSet, one: int, other: int) -> bool:
     return one != other and {one, other} not in halves
 
 
-def _volumes(one: Piece, other: Piece, poses: Poses, deepest: int) -> Array:
+def _volumes(one: Piece, other: Piece, poses: PartPoses, deepest: int) -> Array:
     """What two pieces have in common, mm^3, (row,): up to where they first touch, and where they are nearest then.
 
     Nothing in other rows.
@@ -141,7 +141,7 @@ def _volumes(one: Piece, other: Piece, poses: Poses, deepest: int) -> Array:
     return volumes
 
 
-def _boxes_meet(one: Piece, other: Piece, poses: Poses) -> Flags:
+def _boxes_meet(one: Piece, other: Piece, poses: PartPoses) -> Flags:
     """Whether the boxes of two pieces are not parted by a plane along a side of either, (row,)."""
     here, there = (poses.frames[:, each.body] @ each.frame for each in (one, other))
     middles = [
@@ -154,7 +154,7 @@ def _boxes_meet(one: Piece, other: Piece, poses: Poses) -> Flags:
     return np.asarray(~apart.any(axis=1))
 
 
-def _placed_ends(piece: Piece, poses: Poses) -> Array:
+def _placed_ends(piece: Piece, poses: PartPoses) -> Array:
     """The line in a piece, m, (row, 2, 3)."""
     turned = np.einsum("rij,kj->rki", poses.frames[:, piece.body], piece.ends)
     return np.asarray(turned + poses.origins[:, None, piece.body])
@@ -175,7 +175,7 @@ def _distances(one: Array, other: Array) -> Array:
     return np.asarray(np.linalg.norm(gap, axis=1))
 
 
-def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: Poses, volumes: Array) -> Touch:
+def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: PartPoses, volumes: Array) -> Touch:
     """When two pieces first touch, found among all rows, and where they are deepest in each other."""
     first = int(np.argmax(volumes > _TOUCHES))
     row = int(poses.rows[first])

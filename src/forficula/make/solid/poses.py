@@ -14,7 +14,7 @@ from forficula.structure import built_frames
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Poses:
+class PartPoses:
     """How bodies are placed from where they are built, in some rows of a record.
 
     Attributes:
@@ -28,7 +28,7 @@ class Poses:
     origins: Array
 
 
-def poses_of(record: Record, rows: Sequence[int] | Indices) -> Poses:
+def poses_of(record: Record, rows: Sequence[int] | Indices) -> PartPoses:
     """How the bodies of a tree are placed in rows of a record, from the angles of its hinges."""
     structure = record.structure
     at = pose(tree_of(structure), record.series["hinge_angle"][np.asarray(rows)])
@@ -36,7 +36,7 @@ def poses_of(record: Record, rows: Sequence[int] | Indices) -> Poses:
     origins, frames = np.vstack([origins, np.zeros((1, 3))]), np.concatenate([frames, np.eye(3)[None]])
     turns = at.frames @ np.swapaxes(frames, 1, 2)
     moves = at.origins - np.einsum("rbij,bj->rbi", turns, origins)
-    return Poses(rows=np.asarray(rows, dtype=np.int64), frames=turns, origins=moves)
+    return PartPoses(rows=np.asarray(rows, dtype=np.int64), frames=turns, origins=moves)
 
 
 def telling_rows(record: Record, most: int) -> Indices:

@@ -17,7 +17,7 @@ _CORNERS = 181
 
 
 @dataclass(frozen=True, kw_only=True)
-class Section:
+class CrossSection:
     """Of a bar with its flat.
 
     Attributes:
@@ -63,7 +63,7 @@ class Section:
         return push / self.area + float(np.abs(shares @ self.outline.T).max())
 
 
-def bar_section(diameter: float) -> Section:
+def bar_section(diameter: float) -> CrossSection:
     """The section of a round bar with a flat at `FLAT` of its radius, by the integrals of a circular segment."""
     radius, half = diameter / 2, math.acos(FLAT)
     sine, cosine = math.sin(half), math.cos(half)
@@ -74,7 +74,7 @@ def bar_section(diameter: float) -> Section:
     square = radius**4 / 4 * (half - sine * cosine + 2 * sine**3 * cosine)
     along = radius**4 / 4 * (half - sine * cosine - 2 / 3 * sine**3 * cosine)
     circle = math.pi * radius**4 / 4
-    return Section(
+    return CrossSection(
         diameter=diameter,
         area=area,
         centre=-first / area,

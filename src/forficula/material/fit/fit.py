@@ -12,7 +12,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.fit.fit_form import FLOOR, FittedForm, fit_form, one_rate
-from forficula.material.fit.fit_problem import Model, Problem, problem_of
+from forficula.material.fit.fit_problem import FitProblem, LawModel, problem_of
 from forficula.material.fit.fit_start import Starter, pulling_solution
 from forficula.material.fit.uncertainty import effective_points
 from forficula.material.law.law_form import LawForm, all_forms
@@ -31,7 +31,7 @@ _Rms = Annotated[float, Key("residual_rms"), Unit("Pa")]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Candidate:
+class FitCandidate:
     """A form that was tried.
 
     Attributes:
@@ -110,7 +110,7 @@ class LawFit:
     relative_misfit: Annotated[float, Key("residual_rms_by_largest_stress")]
     scatter: Annotated[float | None, Key("amplitude_standard_deviation")]
     residuals: Annotated[tuple[Residual, ...], Written.NEVER]
-    candidates: Annotated[tuple[Candidate, ...], Key("compared")]
+    candidates: Annotated[tuple[FitCandidate, ...], Key("compared")]
 
     @property
     def law_name(self) -> Annotated[str, Key("law"), Written.FIRST]:
@@ -176,7 +176,7 @@ def fit_law(
     if fitted:
         ambiguous = _ambiguous(fitted, tried, problem)
         refused += [
-            Candidate(form=each.model.form, refused=ambiguous[id(each)]) for each in fitted if id(each) in ambiguous
+            FitCandidate(form=each.model.form, refused=ambiguous[id(each)]) for each in fitted if id(each) in ambiguous
         ]
         fitted = [each for each in fitted if id(each) not in ambiguous]
     if not fitted:
@@ -184,15 +184,17 @@ def fit_law(
     return _chosen(fitted, refused, name, source)
 
 
-def _fitted(problem: Problem, starter: Starter, forms: Sequence[LawForm]) -> tuple[list[FittedForm], list[Candidate]]:
+def _fitted(
+    problem: FitProblem, starter: Starter, forms: Sequence[LawForm]
+) -> tuple[list[FittedForm], list[FitCandidate]]:
     """Forms that the data determine, and those that are refused."""
     fitted: list[FittedForm] = []
-    refused: list[Candidate] = []
+    refused: list[FitCandidate] = []
     for form in forms:
         try:
             fitted.append(fit_form(problem, starter, form))
         except InputError as error:
-            refused.append(Candidate(form=form, refused=str(error)))
+            refused.append(FitCandidate(form=form, refused=str(error)))
     return fitted, refused
 
 
@@ -207,7 +209,7 @@ def _gains(fitted: Sequence[FittedForm], branches: int) -> bool:
     return least < other - _SAME_FIT
 
 
-def _checked(histories: Sequence[StrainHistory]) -> Problem:
+def _checked(histories: Sequence[StrainHistory]) -> FitProblem:
     if not histories:
         raise InputError("histories: need at least one, got none")
     for each in histories:
@@ -218,7 +220,7 @@ def _checked(histories: Sequence[StrainHistory]) -> Problem:
     return problem_of(histories)
 
 
-def _reasons(refused: Sequence[Candidate]) -> str:
+def _reasons(refused: Sequence[FitCandidate]) -> str:
     """Why laws were refused, each reason once, with all values that it names and the number of laws."""
     alike: dict[str, list[tuple[list[str], str]]] = {}
     for each in refused:
@@ -234,7 +236,7 @@ def _reasons(refused: Sequence[Candidate]) -> str:
     return ". ".join(told)
 
 
-def _ambiguous(fitted: Sequence[FittedForm], tried: Sequence[LawForm], problem: Problem) -> dict[int, str]:
+def _ambiguous(fitted: Sequence[FittedForm], tried: Sequence[LawForm], problem: FitProblem) -> dict[int, str]:
     """Forms whose damper a Maxwell branch replaces as well, or the other way round, at the one rate of the data.
 
     Only where both were asked for.
@@ -270,7 +272,7 @@ def _rival_misfit(damper: FittedForm) -> float:
     Of the branches whose time the data sample; those that `fit_form` refuses since their values are open count, too.
     """
     form, problem = damper.model.form, damper.model.problem
-    rival = Model(form=replace(form, damper=0, branches=1), problem=problem, baseline=damper.model.baseline)
+    rival = LawModel(form=replace(form, damper=0, branches=1), problem=problem, baseline=damper.model.baseline)
     others = damper.values[len(form.linear_keys) : len(form.keys)]
     baseline, stress = rival.baseline_columns, problem.stress
     members = problem.membership
@@ -293,7 +295,7 @@ def _effective(fitted: Sequence[FittedForm]) -> float:
     return max(effective_points(best.residual, best.model.problem.specimen), len(best.values) + 2.0)
 
 
-def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, source: str) -> LawFit:
+def _chosen(fitted: list[FittedForm], refused: list[FitCandidate], name: str, source: str) -> LawFit:
     effective = _effective(fitted)
     ranked = sorted(fitted, key=lambda each: each.bic(effective))
     alike = [each for each in ranked if each.bic(effective) <= ranked[0].bic(effective) + _SAME_FIT]
@@ -301,7 +303,7 @@ def _chosen(fitted: list[FittedForm], refused: list[Candidate], name: str, sourc
     ranked = [best, *(each for each in ranked if each is not best)]
     chosen = best.bic(effective)
     tried = [
-        Candidate(
+        FitCandidate(
             form=each.model.form,
             bic=each.bic(effective),
             above_chosen=each.bic(effective) - chosen,

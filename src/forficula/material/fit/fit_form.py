@@ -10,7 +10,7 @@ import scipy
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.material.fit.fit_problem import Model, Problem
+from forficula.material.fit.fit_problem import FitProblem, LawModel
 from forficula.material.fit.fit_start import Starter
 from forficula.material.fit.uncertainty import half_widths, mean_half_width, undetermined
 from forficula.material.law.law_form import LawForm
@@ -39,7 +39,7 @@ class FittedForm:
         law: with intervals.
     """
 
-    model: Model
+    model: LawModel
     values: Array
     residual: Array
     law: MaterialLaw
@@ -55,7 +55,7 @@ class FittedForm:
         return 2 * effective * float(np.log(relative)) + len(self.values) * float(np.log(effective))
 
 
-def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
+def fit_form(problem: FitProblem, starter: Starter, form: LawForm) -> FittedForm:
     """Least squares of one form, with as much of a baseline as the data can tell from it.
 
     Raises:
@@ -67,7 +67,7 @@ def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
     if len(problem.stress) < needed:
         raise InputError(f"{', '.join(form.keys)}: need at least {needed} rows, got {len(problem.stress)}")
     for terms in (2, 1, 0) if problem.unknown_zeros.size else (0,):
-        model = Model(form=form, problem=problem, baseline=terms)
+        model = LawModel(form=form, problem=problem, baseline=terms)
         start = starter.start(model)
         open_keys = undetermined(model.sensitivity(start), form.keys, _LIMIT)
         if not open_keys:
@@ -93,7 +93,7 @@ def fit_form(problem: Problem, starter: Starter, form: LawForm) -> FittedForm:
     return _accepted(model, np.asarray(found.x))
 
 
-def _left_open(keys: Sequence[str], problem: Problem) -> str:
+def _left_open(keys: Sequence[str], problem: FitProblem) -> str:
     """What the data cannot tell, and what would."""
     rates = one_rate(problem)
     kinds = {key.partition(".")[0] for key in keys}
@@ -105,7 +105,7 @@ def _left_open(keys: Sequence[str], problem: Problem) -> str:
     return f"{listed}: the data do not determine them; add unloading, holds or other rates"
 
 
-def _accepted(model: Model, values: Array) -> FittedForm:
+def _accepted(model: LawModel, values: Array) -> FittedForm:
     """Refuse values that are out of bounds or that the data leave open; attach the intervals to the law."""
     form, problem = model.form, model.problem
     values = _in_order(form, values)
@@ -189,7 +189,7 @@ def _natural(form: LawForm, values: Array) -> dict[str, float]:
     return own
 
 
-def _law(form: LawForm, own: dict[str, float], problem: Problem) -> MaterialLaw:
+def _law(form: LawForm, own: dict[str, float], problem: FitProblem) -> MaterialLaw:
     """A law from values by key; raise InputError where it is none."""
 
     def terms(section: str) -> Triple:
@@ -216,7 +216,7 @@ def _law(form: LawForm, own: dict[str, float], problem: Problem) -> MaterialLaw:
     )
 
 
-def one_rate(problem: Problem) -> float | None:
+def one_rate(problem: FitProblem) -> float | None:
     """The one rate of the data, 1/s; None where there are several, or holds."""
     speeds = np.abs(problem.rate)
     moving = speeds > 0.05 * np.percentile(speeds, 99)

@@ -26,7 +26,7 @@ _STEP = 1e-6  # of finite differences: of a share, a logarithm or the largest st
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Problem:
+class FitProblem:
     """Measured histories, end to end, and the blocks of rows whose means are compared.
 
     The model runs over every row; the means of neighbouring rows are compared, as many as make `MOST_POINTS` blocks.
@@ -103,7 +103,7 @@ class Problem:
         return np.concatenate([set_history(each.strain, residual, yield_strain) for each in self.histories])
 
 
-def problem_of(histories: Sequence[StrainHistory]) -> Problem:
+def problem_of(histories: Sequence[StrainHistory]) -> FitProblem:
     """Put histories end to end and choose the blocks.
 
     Where there are more rows than `MOST_ROWS`, the means of neighbours take their place: their strain lies on the
@@ -125,7 +125,7 @@ def problem_of(histories: Sequence[StrainHistory]) -> Problem:
         every = np.add.reduceat(np.concatenate(values), starts) / counts
         return np.asarray(every[compared])
 
-    return Problem(
+    return FitProblem(
         histories=tuple(histories),
         strain=np.concatenate([each.strain for each in histories]),
         rate=np.concatenate([strain_rate(each) for each in histories]),
@@ -163,7 +163,7 @@ def _thinned(history: StrainHistory, size: int) -> StrainHistory:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Model:
+class LawModel:
     """A form held against histories.
 
     Values are in the order of `LawForm.keys`; then the logarithms of the specimens' amplitudes, of all but the last,
@@ -181,7 +181,7 @@ class Model:
     """
 
     form: LawForm
-    problem: Problem
+    problem: FitProblem
     baseline: int
 
     @cached_property

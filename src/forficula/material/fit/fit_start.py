@@ -8,7 +8,7 @@ from itertools import combinations, product
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.material.fit.fit_problem import Model, Problem
+from forficula.material.fit.fit_problem import FitProblem, LawModel
 from forficula.material.law.law_form import LawForm
 
 _MOST_ROWS = 500
@@ -22,7 +22,7 @@ _WIDTH = (0.05, 0.2, 0.6)  # of the energy at the peak
 class Starter:
     """Columns of histories at the nodes of the grid, worked out once for every form."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: FitProblem) -> None:
         self._problem = problem
         self._rows = slice(None, None, max(1, -(-len(problem.stress) // _MOST_ROWS)))
         self._branches: dict[float, Array] = {}
@@ -30,7 +30,7 @@ class Starter:
         rate = problem.rate
         self._damper = self._thin(np.stack([rate * np.abs(rate) ** power for power in range(3)], axis=1))
 
-    def start(self, model: Model) -> Array:
+    def start(self, model: LawModel) -> Array:
         """The best node, with proportional values, amplitudes and baseline that fit it, as a model has them."""
         best, misfit = min((self._fitted(model, each) for each in self._nodes(model)), key=lambda each: each[1])
         # branches that a coarse grid sets wrong may merge, and never part again
@@ -46,7 +46,7 @@ class Starter:
                     best, misfit = moved, less
         return best
 
-    def _fitted(self, model: Model, others: Array) -> tuple[Array, tuple[bool, float]]:
+    def _fitted(self, model: LawModel, others: Array) -> tuple[Array, tuple[bool, float]]:
         """The values that fit a node, and how badly: whether a branch is none, and the sum of squares, Pa^2."""
         count, form = len(model.form.linear_keys), model.form
         solution, squares = pulling_solution(
@@ -68,7 +68,7 @@ class Starter:
     def _thin(self, values: Array) -> Array:
         return self._problem.block(values)[self._rows]
 
-    def _nodes(self, model: Model) -> Iterator[Array]:
+    def _nodes(self, model: LawModel) -> Iterator[Array]:
         form, problem = model.form, self._problem
         times = self._times(form)[0]
         shares: dict[str, list[tuple[float, ...]]] = {
@@ -86,7 +86,7 @@ class Starter:
         for parts in product(combinations(times, form.branches), sets, soft[form.softening]):
             yield np.array([value for part in parts for value in part])
 
-    def _columns(self, model: Model, others: Array) -> Array:
+    def _columns(self, model: LawModel, others: Array) -> Array:
         form = model.form
         if form.softening != "none":
             # energy of a linear spring, near enough to begin with

@@ -18,7 +18,7 @@ from forficula.files import read_toml, write_text
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_keys import TERMS, law_unit, nearest, number
-from forficula.material.law.material_law import Bounds, Fact, MaterialLaw, MaxwellBranch, Unknown
+from forficula.material.law.material_law import Bounds, LawFact, MaterialLaw, MaxwellBranch, Unknown
 from forficula.material.law.softening import OgdenRoxburgh, Triple
 from forficula.names import check_known
 from forficula.quantities import as_written, format_quantity, parse_quantity
@@ -285,7 +285,7 @@ def _unknown(tables: Mapping[str, Any]) -> tuple[Unknown, ...]:
     return tuple(Unknown(key=key, why=_string(f"unknown.{key}", why)) for key, why in table.items())
 
 
-def _fact(index: int, value: object) -> Fact:
+def _fact(index: int, value: object) -> LawFact:
     keys, key = ("what", "value", "source"), f"facts.{index}"
     table = _table(key, value, keys, needed=keys)
-    return Fact(**{name: _string(f"{key}.{name}", table[name]) for name in keys})
+    return LawFact(**{name: _string(f"{key}.{name}", table[name]) for name in keys})

@@ -10,7 +10,7 @@ from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of
 from forficula.material.law.law_file import law_values
 from forficula.material.law.law_keys import law_unit
-from forficula.material.law.material_law import Fact, MaterialLaw
+from forficula.material.law.material_law import LawFact, MaterialLaw
 from forficula.serial import Key
 
 
@@ -47,7 +47,7 @@ class LawSummary:
     source: str
     parameters: list[LawValue]
     drift: Mapping[str, Drift]
-    facts: tuple[Fact, ...]
+    facts: tuple[LawFact, ...]
 
 
 def law_summary(law: MaterialLaw) -> LawSummary:

@@ -65,7 +65,7 @@ class Unknown:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fact:
+class LawFact:
     """What a source says of a material beside its law, as text with units."""
 
     what: str
@@ -123,7 +123,7 @@ class MaterialLaw(Displayed):
     ranges: tuple[Bounds, ...] = ()
     intervals: tuple[Bounds, ...] = ()
     unknown: tuple[Unknown, ...] = ()
-    facts: tuple[Fact, ...] = ()
+    facts: tuple[LawFact, ...] = ()
     no_tendon: str = ""
 
     def __post_init__(self) -> None:

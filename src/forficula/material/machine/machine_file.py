@@ -10,8 +10,8 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.files import read_bytes, shown_path
 from forficula.material.machine.machine_text import parse_recordings
-from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, Kind
-from forficula.material.machine.recording import Column, Recording, at_line
+from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, ColumnKind
+from forficula.material.machine.recording import RecordedColumn, Recording, at_line
 from forficula.material.machine.specimen import specimen_area, specimen_length
 from forficula.material.machine.zs2_file import parse_zs2
 from forficula.material.tensile.tensile_test import TensileTest, falling
@@ -106,7 +106,7 @@ def _tensile_test(recording: Recording, length: float | None, area: float | None
     )
 
 
-def _in_si(column: Column, line: int, kind: Kind, other: Kind | None = None) -> tuple[Array, bool]:
+def _in_si(column: RecordedColumn, line: int, kind: ColumnKind, other: ColumnKind | None = None) -> tuple[Array, bool]:
     """A column's values, shape (row,), as one kind or else the other, and whether it is the first."""
     if (factor := kind.factor(column.unit)) is not None:
         return column.values * factor, True

@@ -19,7 +19,7 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import choose_columns, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
-from forficula.material.machine.recording import Column, Property, Recording, at_line, travel_among
+from forficula.material.machine.recording import Property, RecordedColumn, Recording, at_line, travel_among
 from forficula.quantities import as_written
 
 _DELIMITERS = ("\t", ";", ",")
@@ -87,7 +87,7 @@ def _recording(
     cells = {role: [row[column] for row in body] for role, column in columns.items()}
     decimal = _decimal_sign(cells, body_lines)
     found = {
-        role: Column(name=names[column], unit=units[column], values=_numbers(cells[role], decimal, body_lines))
+        role: RecordedColumn(name=names[column], unit=units[column], values=_numbers(cells[role], decimal, body_lines))
         for role, column in columns.items()
     }
     return Recording(

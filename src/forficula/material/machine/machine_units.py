@@ -11,7 +11,7 @@ _INCH = 0.0254  # m, exact
 
 
 @dataclass(frozen=True, kw_only=True)
-class Kind:
+class ColumnKind:
     """The units of one kind of quantity.
 
     Attributes:
@@ -30,22 +30,26 @@ class Kind:
         return f"need one of {', '.join(self.factors)}"
 
 
-TIME = Kind(factors={"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "sec": 1.0, "Sek": 1.0, "Sek.": 1.0, "sec.": 1.0})
-LENGTH = Kind(factors={"mm": 1e-3, "m": 1.0, "cm": 1e-2, "µm": 1e-6, "um": 1e-6, "in": _INCH, "inch": _INCH})
-AREA = Kind(factors={"mm^2": 1e-6, "mm2": 1e-6, "cm^2": 1e-4, "cm2": 1e-4, "m^2": 1.0, "m2": 1.0, "in^2": _INCH**2})
-FORCE = Kind(
+TIME = ColumnKind(
+    factors={"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "sec": 1.0, "Sek": 1.0, "Sek.": 1.0, "sec.": 1.0}
+)
+LENGTH = ColumnKind(factors={"mm": 1e-3, "m": 1.0, "cm": 1e-2, "µm": 1e-6, "um": 1e-6, "in": _INCH, "inch": _INCH})
+AREA = ColumnKind(
+    factors={"mm^2": 1e-6, "mm2": 1e-6, "cm^2": 1e-4, "cm2": 1e-4, "m^2": 1.0, "m2": 1.0, "in^2": _INCH**2}
+)
+FORCE = ColumnKind(
     factors={
         **{"N": 1.0, "kN": 1e3, "mN": 1e-3, "cN": 1e-2, "daN": 10.0, "MN": 1e6},
         **{"gf": _GRAM_FORCE, "kgf": 1e3 * _GRAM_FORCE, "kp": 1e3 * _GRAM_FORCE, "lbf": _POUND_FORCE},
     }
 )
-STRESS = Kind(
+STRESS = ColumnKind(
     factors={
         **{"MPa": 1e6, "kPa": 1e3, "Pa": 1.0, "GPa": 1e9, "N/mm^2": 1e6, "N/mm2": 1e6},
         **{"psi": _POUND_FORCE / _INCH**2, "ksi": 1e3 * _POUND_FORCE / _INCH**2},
     }
 )
-STRAIN = Kind(factors={"%": 1e-2, "mm/mm": 1.0, "m/m": 1.0, "in/in": 1.0, "1": 1.0, "-": 1.0, "‰": 1e-3})
+STRAIN = ColumnKind(factors={"%": 1e-2, "mm/mm": 1.0, "m/m": 1.0, "in/in": 1.0, "1": 1.0, "-": 1.0, "‰": 1e-3})
 
 
 def is_unit(text: str) -> bool:

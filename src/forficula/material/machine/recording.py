@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Column:
+class RecordedColumn:
     """One measured quantity as the file has it.
 
     Attributes:
@@ -58,20 +58,20 @@ class Recording:
     """
 
     name: str
-    time: Column
-    travel: Column
-    force: Column
+    time: RecordedColumn
+    travel: RecordedColumn
+    force: RecordedColumn
     properties: tuple[Property, ...]
     names_line: int
     lines: NDArray[np.int64]
 
 
-def travel_among(columns: Mapping[str, Column]) -> Column:
+def travel_among(columns: Mapping[str, RecordedColumn]) -> RecordedColumn:
     """The column of travel, or that of position, from where the test began."""
     if "travel" in columns:
         return columns["travel"]
     position = columns["position"]
-    return Column(name=position.name, unit=position.unit, values=position.values - position.values[0])
+    return RecordedColumn(name=position.name, unit=position.unit, values=position.values - position.values[0])
 
 
 def at_line(line: int, message: str) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import all_keys, name_key
-from forficula.material.machine.machine_units import AREA, LENGTH, Kind
+from forficula.material.machine.machine_units import AREA, LENGTH, ColumnKind
 from forficula.material.machine.recording import Property, at_line
 from forficula.material.tensile.tensile_test import UNITS, size_rule
 from forficula.quantities import as_written, format_quantity, show_quantity
@@ -75,7 +75,7 @@ def specimen_area(properties: Sequence[Property], given: float | None) -> float:
     return _agreed("area", area, given)
 
 
-def _first(properties: Sequence[Property], labels: Sequence[str], kind: Kind, *, needed: bool) -> _Size | None:
+def _first(properties: Sequence[Property], labels: Sequence[str], kind: ColumnKind, *, needed: bool) -> _Size | None:
     """The best of the labels that stands in the file."""
     by_key = {name_key(each.label): each for each in reversed(properties)}
     found = next((by_key[key] for label in labels for key in all_keys(label) if key in by_key), None)

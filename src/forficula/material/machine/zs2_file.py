@@ -15,7 +15,7 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.machine.machine_names import choose_columns
-from forficula.material.machine.recording import Column, Recording, travel_among
+from forficula.material.machine.recording import RecordedColumn, Recording, travel_among
 from forficula.quantities import as_written
 
 _CHANNELS = ("SeriesDef", "TestTaskDefs", "Elem0", "ChannelManager", "ChannelManager")
@@ -157,7 +157,7 @@ def _unit(table: object) -> str:
     return _UNITS.get(str(table), str(table)) if table else ""
 
 
-def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dict[str, Column]:
+def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dict[str, RecordedColumn]:
     """The columns of one specimen by role; none where nothing was measured."""
     arrays: dict[object, Array] = {}
     for element in dict.fromkeys(place[0] for place in data):
@@ -170,12 +170,12 @@ def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dic
     places = choose_columns([channels[number].name for number in numbers])
     columns = {role: numbers[place] for role, place in places.items()}
     return {
-        role: Column(name=channels[number].name, unit=channels[number].unit, values=arrays[number])
+        role: RecordedColumn(name=channels[number].name, unit=channels[number].unit, values=arrays[number])
         for role, number in columns.items()
     }
 
 
-def _recording(name: str, columns: dict[str, Column]) -> Recording:
+def _recording(name: str, columns: dict[str, RecordedColumn]) -> Recording:
     """One specimen as a file of text would have it, without lines."""
     time, travel, force = columns["time"], travel_among(columns), columns["force"]
     rows = {each.name: len(each.values) for each in (time, travel, force)}

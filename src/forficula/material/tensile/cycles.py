@@ -26,7 +26,7 @@ _GAUSS = 1.4826  # standard deviations in a median absolute deviation of normal 
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Branch:
+class CycleBranch:
     """One way of a cycle, in the order of time.
 
     Attributes:
@@ -54,8 +54,8 @@ class Cycle:
     """
 
     number: Annotated[int, Key("cycle")]
-    loading: Annotated[Branch, Written.NEVER]
-    unloading: Annotated[Branch, Written.NEVER]
+    loading: Annotated[CycleBranch, Written.NEVER]
+    unloading: Annotated[CycleBranch, Written.NEVER]
 
     @property
     def largest_strain(self) -> Annotated[float, Written.ALWAYS]:
@@ -208,6 +208,6 @@ def find_cycles(test: TensileTest, *, band: float = BAND, drop_first: bool = Tru
     return tuple(kept)
 
 
-def _branch(test: TensileTest, first: int, last: int) -> Branch:
+def _branch(test: TensileTest, first: int, last: int) -> CycleBranch:
     rows = slice(first, last + 1)
-    return Branch(time=test.time[rows], strain=test.strain[rows], stress=test.stress[rows])
+    return CycleBranch(time=test.time[rows], strain=test.strain[rows], stress=test.stress[rows])

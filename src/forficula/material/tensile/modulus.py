@@ -11,7 +11,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.material.tensile.cycles import Branch, Cycle
+from forficula.material.tensile.cycles import Cycle, CycleBranch
 from forficula.quantities import Unit
 from forficula.serial import Key, Written
 
@@ -128,7 +128,7 @@ def _class(number: int, way: int, place: int, width: float, values: Sequence[_Va
     )
 
 
-def _values(branch: Branch, zero_stress: float, width: float) -> Iterator[tuple[int, _Value]]:
+def _values(branch: CycleBranch, zero_stress: float, width: float) -> Iterator[tuple[int, _Value]]:
     """The classes that a branch passes, and its moduli there."""
     places = np.floor(branch.strain / width).astype(np.int64)
     for place in range(max(int(places.min()), 0), int(places.max()) + 1):

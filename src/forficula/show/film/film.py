@@ -16,7 +16,7 @@ from forficula.analysis import measure
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.files import replacing
-from forficula.show.film.film_clock import Cut, film_cuts, moment
+from forficula.show.film.film_clock import FilmCut, film_cuts, moment
 from forficula.show.film.film_frame import FilmFrame, Picture
 
 if TYPE_CHECKING:
@@ -100,14 +100,14 @@ def _title(record: Record) -> str:
     return f"The {record.structure.appearance.whole} {record.design.name} {does}"
 
 
-def frame_times(cuts: tuple[Cut, ...], rate: int) -> list[float]:
+def frame_times(cuts: tuple[FilmCut, ...], rate: int) -> list[float]:
     """When the pictures of a film are shown, s from its start."""
     return [number / rate for number in range(max(1, round(rate * sum(cut.length for cut in cuts))))]
 
 
 def _pictures(
     frame: FilmFrame,
-    cuts: tuple[Cut, ...],
+    cuts: tuple[FilmCut, ...],
     rate: int,
     progress: Callable[[int, int], None] | None,
 ) -> Iterator[Picture]:

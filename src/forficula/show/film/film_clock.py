@@ -18,7 +18,7 @@ _HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # seconds of a film: of a state, on the way
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cut:
+class FilmCut:
     """A part of a film.
 
     Attributes:
@@ -38,7 +38,7 @@ class Cut:
     slowed: float | None = None
 
 
-def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> tuple[Cut, ...]:
+def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> tuple[FilmCut, ...]:
     """Cut a run: its states, held for a while, and its driven stages from their start until all is still.
 
     Args:
@@ -53,11 +53,11 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     held = sorted(lettered_states(record.structure, outcome), key=lambda each: each[1].time)
     # half a step either way, for times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
-    cuts: list[Cut] = []
+    cuts: list[FilmCut] = []
     for name, state in [each for each in held if each[1].time <= driven[0].start + half][-1:]:
         cuts.append(_hold(name, state.time))
         if state.time < driven[0].start:
-            skipped = Cut(words=name, first=state.time, last=driven[0].start, length=_SKIP)
+            skipped = FilmCut(words=name, first=state.time, last=driven[0].start, length=_SKIP)
             cuts.append(skipped)
     for stage, until in pairwise([*driven, None]):
         assert stage is not None
@@ -72,7 +72,7 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
     return tuple(cuts)
 
 
-def moment(cuts: Sequence[Cut], time: float) -> tuple[Cut, float]:
+def moment(cuts: Sequence[FilmCut], time: float) -> tuple[FilmCut, float]:
     """The cut that a film shows at one of its own times (s), and the moment of the run, s."""
     for cut in cuts:
         if time < cut.length or cut is cuts[-1]:
@@ -90,15 +90,15 @@ def last_sound_time(record: Record) -> float:
     return float(record.time[sound][-1]) if sound.any() else float(record.time[0])
 
 
-def _state(state: State, words: str, after: float, on_the_way: str) -> list[Cut]:
+def _state(state: State, words: str, after: float, on_the_way: str) -> list[FilmCut]:
     """Go on to a state quickly, and hold it."""
     if state.time <= after:
         return [_hold(words, state.time)]
-    return [Cut(words=on_the_way, first=after, last=state.time, length=_SKIP), _hold(words, state.time)]
+    return [FilmCut(words=on_the_way, first=after, last=state.time, length=_SKIP), _hold(words, state.time)]
 
 
-def _hold(words: str, time: float) -> Cut:
-    return Cut(words=words, first=time, last=time, length=_HOLD)
+def _hold(words: str, time: float) -> FilmCut:
+    return FilmCut(words=words, first=time, last=time, length=_HOLD)
 
 
 def _last_stage(record: Record, time: float) -> str:
@@ -106,8 +106,8 @@ def _last_stage(record: Record, time: float) -> str:
     return next((end.stage.name for end in reversed(record.stages) if end.start < time), "")
 
 
-def _move(words: str, start: float, end: float, slowed: float | None, stage: StageEnd | None) -> Cut:
+def _move(words: str, start: float, end: float, slowed: float | None, stage: StageEnd | None) -> FilmCut:
     """A stage, slowed down by a factor of one digit unless one is wanted."""
     lasts = max(end - start, 1e-9)
     factor = slowed or float(f"{_MOVE / lasts:.1g}")
-    return Cut(words=words, first=start, last=end, length=lasts * factor, stage=stage, slowed=factor)
+    return FilmCut(words=words, first=start, last=end, length=lasts * factor, stage=stage, slowed=factor)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from forficula.arrays import Array
 from forficula.dynamics import Record
 from forficula.quantities import reading_unit, round_below, show_value
-from forficula.show.film.film_clock import Cut
+from forficula.show.film.film_clock import FilmCut
 from forficula.show.run.energies_figure import stored_energies
 from forficula.show.structure.painted_shape import PaintedShape, paint_shape, shape_handles, structure_view
 from forficula.show.structure.shape import Shape, shape_of
@@ -40,7 +40,9 @@ _LEAD = 0.04  # before and after a move, as a share of it
 class FilmFrame:
     """A picture that is drawn again and again: what stays is drawn once, what moves every time."""
 
-    def __init__(self, record: Record, cuts: tuple[Cut, ...], size: tuple[int, int], *, strain: bool = False) -> None:
+    def __init__(
+        self, record: Record, cuts: tuple[FilmCut, ...], size: tuple[int, int], *, strain: bool = False
+    ) -> None:
         """Draw what stays.
 
         Args:
@@ -74,7 +76,7 @@ class FilmFrame:
             self._canvas.draw()  # type: ignore[no-untyped-call]
         self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
 
-    def draw(self, cut: Cut, time: float) -> Picture:
+    def draw(self, cut: FilmCut, time: float) -> Picture:
         """Draw a moment of the run.
 
         Args:
@@ -116,14 +118,14 @@ class FilmFrame:
         under, opacity = pixels[first[1] : last[1], first[0] : last[0], :3], drawn[..., 3:] / np.float32(255)
         under[:] = np.rint(opacity * drawn[..., :3] + (1 - opacity) * under)
 
-    def _largest_strain(self, cuts: tuple[Cut, ...]) -> float:
+    def _largest_strain(self, cuts: tuple[FilmCut, ...]) -> float:
         """The largest strain of a face at the samples that the film shows."""
         times = self._record.time
         shown = times[(times >= cuts[0].first) & (times <= cuts[-1].last)]
         surfaces = (surface_at(self._record, self._shape, float(time)) for time in shown)
         return max((float(face_strains(self._shape, each).max(initial=0.0)) for each in surfaces), default=0.0)
 
-    def _corners(self, cuts: tuple[Cut, ...]) -> Array:
+    def _corners(self, cuts: tuple[FilmCut, ...]) -> Array:
         """Everywhere that the structure comes to, on the picture, m, (point, 2)."""
         times = np.concatenate([np.linspace(cut.first, cut.last, 25) for cut in cuts])
         surfaces = [surface_at(self._record, self._shape, time) for time in times]
@@ -148,13 +150,13 @@ def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes
     return axes
 
 
-def _plots(figure: Figure, record: Record, cuts: tuple[Cut, ...]) -> list[tuple[Cut, float, Line2D]]:
+def _plots(figure: Figure, record: Record, cuts: tuple[FilmCut, ...]) -> list[tuple[FilmCut, float, Line2D]]:
     """The energy over the time of every move, side by side: the cut, its factor from s, and its cursor."""
     moves = [cut for cut in cuts if cut.slowed is not None]
     energies = _energies(record)
     unit, factor = reading_unit("J", max(_largest(record, values, cuts) for values, _ in energies.values()))
     width = (_PLOTS_RIGHT - _PLOTS_LEFT - _PLOTS_GAP * (len(moves) - 1)) / len(moves)
-    cursors: list[tuple[Cut, float, Line2D]] = []
+    cursors: list[tuple[FilmCut, float, Line2D]] = []
     first: Axes | None = None
     for place, cut in enumerate(moves):
         left = _PLOTS_LEFT + place * (width + _PLOTS_GAP)
@@ -177,7 +179,7 @@ def _plots(figure: Figure, record: Record, cuts: tuple[Cut, ...]) -> list[tuple[
     return cursors
 
 
-def _zero(cut: Cut) -> float:
+def _zero(cut: FilmCut) -> float:
     """From when on the time of a plot counts, s."""
     return cut.stage.start if cut.stage is not None else 0.0
 
@@ -230,7 +232,7 @@ def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
     )
 
 
-def _clock_text(cut: Cut, time: float) -> str:
+def _clock_text(cut: FilmCut, time: float) -> str:
     """The time, with as many decimals as tell a thousandth of the cut, and how much slower the film is."""
     if cut.slowed is None:
         unit, factor = reading_unit("s", cut.last)
@@ -244,7 +246,7 @@ def _decimals(largest: float) -> int:
     return max(0, 2 - math.floor(math.log10(largest))) if largest > 0 else 0
 
 
-def _largest(record: Record, values: Array, cuts: tuple[Cut, ...]) -> float:
+def _largest(record: Record, values: Array, cuts: tuple[FilmCut, ...]) -> float:
     """The largest value of a series, (time, ...), while the film shows it."""
     rows = (record.time >= cuts[0].first) & (record.time <= cuts[-1].last)
     return float(np.nanmax(values[rows], initial=0.0))

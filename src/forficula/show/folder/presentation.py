@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from forficula.dynamics import as_record
 from forficula.errors import InputError
 from forficula.files import clear_leftovers, write_bytes
-from forficula.results import KINDS, Kind, kind_of_class, kinds_in
+from forficula.results import KINDS, ResultKind, kind_of_class, kinds_in
 from forficula.show.style import COLUMN_WIDTH, COPIES, ENDINGS, PAGE_WIDTH, Drawing, save_figure
 
 if TYPE_CHECKING:
@@ -46,14 +46,14 @@ class Presentation:
     page: Callable[[Any, Path, bool], None] | None = None
 
 
-def presentation(kind: Kind) -> Presentation:
+def presentation(kind: ResultKind) -> Presentation:
     """Load the presentation of a kind of results."""
     found = import_module(f"forficula.show.folder.{kind.module}").PRESENTATION
     assert isinstance(found, Presentation)
     return found
 
 
-def result_kind(result: object) -> Kind:
+def result_kind(result: object) -> ResultKind:
     """Find the kind of a result.
 
     Raises:

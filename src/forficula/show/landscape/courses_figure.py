@@ -27,7 +27,7 @@ from forficula.show.style import (
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_courses
 from forficula.statics.net.load_path import PathPoint
-from forficula.statics.net.net import Shape
+from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_course import Course, displaces, gone, reaction
 from forficula.structure import drive_unit, driven_motor
 
@@ -68,7 +68,7 @@ def _draw_course(
     panel: SubFigure,
     landscape: EnergyLandscape,
     course: Course,
-    moments: Sequence[tuple[float, Shape, str]],
+    moments: Sequence[tuple[float, NetShape, str]],
     pictures: Pictures,
     width: float,
 ) -> None:
@@ -124,13 +124,13 @@ class _Plot:
             self.drive = "force on all points"
         self.along = "angle turned" if motor.direction is None else f"way along the {motor.kind}"
 
-    def _gone(self, shape: Shape) -> float:
+    def _gone(self, shape: NetShape) -> float:
         return gone(self._structure, self._net, self._drive, shape)
 
-    def _force(self, shape: Shape) -> float:
+    def _force(self, shape: NetShape) -> float:
         return reaction(self._structure, self._net, self._drive, shape)
 
-    def at(self, factor: float, shape: Shape) -> tuple[float, float]:
+    def at(self, factor: float, shape: NetShape) -> tuple[float, float]:
         """Where a shape under a factor of the load stands."""
         across = self._along * (self._gone(shape) - self._zero)
         if self._displaces:
@@ -163,9 +163,9 @@ def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, 
     return found
 
 
-def _moments(course: Course) -> list[tuple[float, Shape, str]]:
+def _moments(course: Course) -> list[tuple[float, NetShape, str]]:
     """Factor, shape and words of what is pictured: the start, the ends of snaps, the end, and where it rests."""
-    found: list[tuple[float, Shape, str]] = [(0.0, course.start.shape, "start")]
+    found: list[tuple[float, NetShape, str]] = [(0.0, course.start.shape, "start")]
     for snap in course.slow.snaps:
         if snap.kind != "branch":
             found += [(snap.factor, snap.before, "snaps"), (snap.factor, snap.after.shape, "lands")]

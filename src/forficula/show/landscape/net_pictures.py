@@ -15,7 +15,7 @@ from forficula.show.structure.painted_shape import PaintedShape, hang, paint_sha
 from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_of
 from forficula.show.style import ORANGE
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import places
 from forficula.structure import Structure
 
@@ -43,7 +43,7 @@ class Pictures:
         return float(height / width)
 
 
-def net_pictures(structure: Structure, net: Net, shapes: Sequence[Shape]) -> Pictures:
+def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> Pictures:
     """Paint a structure in some shapes of the net that it is."""
     shape, view = shape_of(structure), structure_view(structure)
     at = {point.body: number for number, point in enumerate(structure.points)}

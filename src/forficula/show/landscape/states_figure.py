@@ -12,7 +12,7 @@ from forficula.show.style import PAGE_WIDTH, describe, figure_style, fit_legend,
 from forficula.statics import EnergyLandscape
 from forficula.statics.landscape import net_states
 from forficula.statics.net.energy import shape_at
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_state import NetState
 
 _SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
@@ -76,7 +76,7 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         return describe(figure, f"{what}, at the end of a swing. {words}.")
 
 
-def _swung(net: Net, state: NetState, mode: int) -> Shape:
+def _swung(net: Net, state: NetState, mode: int) -> NetShape:
     """A state at the end of a swing that is far larger than it would be."""
     shift = state.modes[mode] / np.linalg.norm(state.modes[mode], axis=1).max()
     return shape_at(net, state.rest.shape.positions + _SWING * net.size * shift, state.rest.shape.angles)

@@ -16,7 +16,7 @@ STOP_COLOUR = "#D55E00"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Look:
+class PartLook:
     """Parts that are drawn alike.
 
     Attributes:
@@ -30,7 +30,7 @@ class Look:
     colour: str
 
 
-def part_looks(parts: PartSet) -> tuple[tuple[Look, ...], tuple[int, ...]]:
+def part_looks(parts: PartSet) -> tuple[tuple[PartLook, ...], tuple[int, ...]]:
     """How parts look: all looks in the order of the parts, and the number of each part's own.
 
     >>> from forficula.make.make_parts import make_parts
@@ -38,14 +38,14 @@ def part_looks(parts: PartSet) -> tuple[tuple[Look, ...], tuple[int, ...]]:
     >>> [look.name for look in looks], own
     (['proximal bar', 'distal bar', 'pin', 'strap'], (0, 1, 2, 3))
     """
-    looks: dict[str, Look] = {}
+    looks: dict[str, PartLook] = {}
     own = []
     for part in parts.parts:
         name = _name(parts, part)
         if name not in looks:
             bars = sum(look.kind == "bar" for look in looks.values())
             colour = _BARS[bars % len(_BARS)] if part.kind == "bar" else _KINDS.get(part.kind, _OTHERS)
-            looks[name] = Look(name=name, kind=part.kind, colour=colour)
+            looks[name] = PartLook(name=name, kind=part.kind, colour=colour)
         own.append(list(looks).index(name))
     return tuple(looks.values()), tuple(own)
 

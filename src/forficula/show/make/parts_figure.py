@@ -16,7 +16,7 @@ from forficula.pattern.geometry import triangle_normals
 from forficula.quantities import round_below
 from forficula.show.make.painted_parts import PlacedPart, paint_parts, placed_parts
 from forficula.show.make.part_facts import mass_text, masses_text, part_masses, total_mass
-from forficula.show.make.part_looks import Look, part_looks
+from forficula.show.make.part_looks import PartLook, part_looks
 from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
@@ -112,7 +112,7 @@ def _scale(axes: Axes) -> None:
 def _name(
     axes: Axes,
     taken: Sequence[PlacedPart],
-    looks: Sequence[Look],
+    looks: Sequence[PartLook],
     known: Mapping[str, float | None],
     view: View,
     narrow: bool,

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 
 from forficula.arrays import Array
 from forficula.material.characterisation import Characterisation
-from forficula.material.tensile.cycles import Branch, Cycle
+from forficula.material.tensile.cycles import Cycle, CycleBranch
 from forficula.show.material.material_units import stress_unit
 from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, in_column, is_narrow
 
@@ -66,7 +66,7 @@ def _shown(numbers: Sequence[int]) -> list[int]:
 
 def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
     for way, (colour, style) in WAYS.items():
-        branches: list[Branch] = [getattr(cycle, way) for cycle in cycles]
+        branches: list[CycleBranch] = [getattr(cycle, way) for cycle in cycles]
         if len(branches) > 1:
             for branch in branches:
                 axes.plot(100 * branch.strain, branch.stress / factor, color=colour, lw=0.5, alpha=0.35)
@@ -85,7 +85,7 @@ def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
             axes.set_title(words, loc="right", fontsize=7)
 
 
-def _median_curve(branches: Sequence[Branch]) -> tuple[Array, Array]:
+def _median_curve(branches: Sequence[CycleBranch]) -> tuple[Array, Array]:
     """The median over specimens at each strain that all of them pass, shape (points,)."""
     low = max(float(branch.strain.min()) for branch in branches)
     high = min(float(branch.strain.max()) for branch in branches)

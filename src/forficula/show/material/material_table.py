@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from forficula.material.characterisation import AREA, LENGTH, Characterisation
-from forficula.material.fit.fit import Candidate, LawFit
+from forficula.material.fit.fit import FitCandidate, LawFit
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_keys import show_range, show_value
 from forficula.material.law.law_summary import known_values
@@ -171,9 +171,9 @@ def _candidates(fit: LawFit) -> list[RenderableType]:
     return [Text(title, style="italic"), table]
 
 
-def _telling(tried: list[Candidate]) -> list[Candidate]:
+def _telling(tried: list[FitCandidate]) -> list[FitCandidate]:
     """The best of each kind: order of the spring and way to lose energy."""
-    best: dict[tuple[object, ...], Candidate] = {}
+    best: dict[tuple[object, ...], FitCandidate] = {}
     for each in tried:
         best.setdefault((each.form.damper, each.form.branches, each.form.softening), each)
     return list(best.values())

@@ -14,7 +14,7 @@ from forficula.goals.goal import Goal
 from forficula.goals.optimise.optimum import Optimum
 from forficula.goals.optimise.optimum_table import optimum_csv
 from forficula.goals.outcome_quantity import PROBABILITY
-from forficula.show.page.data.samples_data import MET, Number, Samples, samples_data
+from forficula.show.page.data.samples_data import MET, Number, ShownSamples, samples_data
 from forficula.show.page.parts.deviation_text import deviation_text
 from forficula.show.page.parts.goal_tables import (
     effort_table,
@@ -136,7 +136,7 @@ def _views(goal: Goal, optimum: Optimum, results: Dataset, best: int | None) -> 
 def _data(goal: Goal, optimum: Optimum, results: Dataset) -> dict[str, Any]:
     """The candidates for the page's script."""
     return samples_data(
-        Samples(
+        ShownSamples(
             name=goal.name,
             noun="design",
             file="table.csv",

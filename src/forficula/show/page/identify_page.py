@@ -12,7 +12,7 @@ import scipy
 from forficula.files import write_text
 from forficula.goals.identify.exclusion import Together
 from forficula.quantities import show_value
-from forficula.show.page.data.samples_data import Number, Samples, samples_data
+from forficula.show.page.data.samples_data import Number, ShownSamples, samples_data
 from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.parts.html import escaped, paragraph, section
 from forficula.show.page.parts.outcome_words import Signs
@@ -158,7 +158,7 @@ def _data(results: Dataset) -> dict[str, Any]:
         for number, (word, count, runs) in enumerate(zip(words, met.sum(axis=1), ran, strict=True))
     ]
     return samples_data(
-        Samples(
+        ShownSamples(
             name=str(results.attrs["name"]),
             noun="sample",
             file="samples.csv",

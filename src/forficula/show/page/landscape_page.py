@@ -13,7 +13,7 @@ from forficula.analysis.simulated_snap import inner_hinge
 from forficula.dynamics import Record
 from forficula.show.landscape.landscape_table import landscape_table
 from forficula.show.page.data.landscape_curves import Curve, curve_data, landscape_curves
-from forficula.show.page.data.landscape_poses import NO_POSE, Poses, pose_clip, poses_of
+from forficula.show.page.data.landscape_poses import NO_POSE, LandscapePoses, pose_clip, poses_of
 from forficula.show.page.data.packing import packed
 from forficula.show.page.parts.design_rows import design_title
 from forficula.show.page.parts.rich_html import laid_out
@@ -76,7 +76,7 @@ def landscape_page(
     )
 
 
-def _still_data(poses: Poses) -> dict[str, Any]:
+def _still_data(poses: LandscapePoses) -> dict[str, Any]:
     """What the page's script draws of a structure that a slider moves."""
     clip = pose_clip(poses, poses.structure.name)
     return {
@@ -88,7 +88,7 @@ def _still_data(poses: Poses) -> dict[str, Any]:
     }
 
 
-def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: Poses | None) -> dict[str, Any]:
+def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: LandscapePoses | None) -> dict[str, Any]:
     """At which angle of a curve each pose is, rising, deg, and words on how they were found, or why there are none."""
     if poses is None:
         return {"poses": None, "drawn": NO_POSE}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from forficula.design import TORQUE, Stage, key_quantity, stage_drives
+from forficula.design import TORQUE, StageSection, key_quantity, stage_drives
 from forficula.dynamics import compile_model, why_not_portable
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
@@ -66,7 +66,7 @@ def _in_si(study: Study, point: Any) -> dict[str, float] | None:
     return found
 
 
-def _search(search: Search, stages: Sequence[Stage]) -> dict[str, Any]:
+def _search(search: Search, stages: Sequence[StageSection]) -> dict[str, Any]:
     last = len(stages) - 1
     cut = search.next_drive is not None
     driven = _first_driven(stages, search.first.drive)
@@ -95,6 +95,6 @@ def _step(step: SearchStep, until: int) -> dict[str, Any]:
     }
 
 
-def _first_driven(stages: Sequence[Stage], drive: str) -> int | None:
+def _first_driven(stages: Sequence[StageSection], drive: str) -> int | None:
     """Number of the first stage with a drive."""
     return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), None)

@@ -14,7 +14,7 @@ from forficula.analysis import Verdict, verdict_word
 from forficula.design import Design, key_value
 from forficula.files import write_text
 from forficula.goals.deviation import Deviation
-from forficula.show.page.data.samples_data import MET, Number, Samples, samples_data, scale_of
+from forficula.show.page.data.samples_data import MET, Number, ShownSamples, samples_data, scale_of
 from forficula.show.page.parts.bars import BarRow, bar, bar_table, percent_text
 from forficula.show.page.parts.deviation_text import deviation_text, plain_key
 from forficula.show.page.parts.html import section
@@ -172,7 +172,7 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
             {"units": "", "display": "%"},
         )
     return samples_data(
-        Samples(
+        ShownSamples(
             name=design.name,
             noun="sample",
             file="table.csv",

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from forficula.arrays import Array
 from forficula.show.structure.raster import SAMPLES, Picture, rasterise
 from forficula.show.structure.shape import Shape
-from forficula.show.structure.surface import Surface
+from forficula.show.structure.surface import DrawnSurface
 from forficula.show.style import BLUE, PICTURE_RESOLUTION, VERMILION
 from forficula.structure import Structure, outer_ends
 
@@ -108,7 +108,10 @@ def structure_view(structure: Structure) -> View:
 
 
 def paint_shape(
-    surface: Surface, view: View, tendon_colours: str | Sequence[str] | ArrayLike, face_colours: Array | None = None
+    surface: DrawnSurface,
+    view: View,
+    tendon_colours: str | Sequence[str] | ArrayLike,
+    face_colours: Array | None = None,
 ) -> PaintedShape:
     """Cover a surface with triangles and shade them.
 
@@ -189,7 +192,7 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     return handles
 
 
-def _faces(surface: Surface, view: View, own: Array | None) -> tuple[Array, Array]:
+def _faces(surface: DrawnSurface, view: View, own: Array | None) -> tuple[Array, Array]:
     """Corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
         return np.zeros((0, 4, 3)), np.zeros((0, 3))

@@ -47,7 +47,7 @@ class DrawnBar:
 
 
 @dataclass(frozen=True, kw_only=True)
-class DrawnLine:
+class ShapeLine:
     """A line on a sheet or a plate.
 
     Attributes:
@@ -94,7 +94,7 @@ class Shape:
     regions: tuple[str, ...]
     solid: tuple[bool, ...]
     bars: tuple[DrawnBar, ...]
-    lines: tuple[DrawnLine, ...]
+    lines: tuple[ShapeLine, ...]
     tendons: tuple[tuple[int, int], ...]
     joints: Indices
     held: Indices
@@ -127,18 +127,18 @@ def shape_of(structure: Structure) -> Shape:
         vertices.at(point, point, 0.0)
     keys = list(vertices.numbers)
     rims = [
-        DrawnLine(kind="rim", crease="B", path=(min(ends), max(ends)))
+        ShapeLine(kind="rim", crease="B", path=(min(ends), max(ends)))
         for ends, count in _sides(faces).items()
         if count == 1 and not _along_bar(structure, (keys[end] for end in ends))
     ]
     triangles, _ = facet_triangles(structure)
     faces += (tuple(vertices.at(point, point, 0.0) for point in corners) for corners in triangles.tolist())
     names += ["facet"] * len(triangles)
-    sheets, edges = set(names), list[DrawnLine]()
+    sheets, edges = set(names), list[ShapeLine]()
     anchors = np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
     for plate in structure.plates:
         corners = [vertices.at(point, point, 0.0) for point in plate.points]
-        edges += (DrawnLine(kind="edge", crease="B", path=ends) for ends in pairwise([*corners, corners[0]]))
+        edges += (ShapeLine(kind="edge", crease="B", path=ends) for ends in pairwise([*corners, corners[0]]))
         pieces = drawn_pieces(anchors[list(plate.points)])
         faces += (tuple(corners[corner] for corner in piece) for piece in pieces)
         names += [structure.bodies[plate.body].role] * len(pieces)
@@ -192,21 +192,21 @@ def vertex_places(shape: Shape, anchors: Array) -> Array:
     return np.asarray(first + shape.share[:, np.newaxis] * (second - first))
 
 
-def facet_lines(structure: Structure, vertex: Callable[[int], int]) -> list[DrawnLine]:
+def facet_lines(structure: Structure, vertex: Callable[[int], int]) -> list[ShapeLine]:
     """The creases between facets, and their sides that no other facet has, by what finds the vertex at a point."""
     hinges = [(number, structure.hinges[number]) for number in hinge_groups(structure).get("creases", ())]
     sides = _sides(facet.points for facet in structure.facets)
-    rims = [DrawnLine(kind="rim", crease="B", path=tuple(map(vertex, ends))) for ends in sides if sides[ends] == 1]
+    rims = [ShapeLine(kind="rim", crease="B", path=tuple(map(vertex, ends))) for ends in sides if sides[ends] == 1]
     creases = []
     for number, hinge in hinges:
         assert hinge.flaps is not None
         letter = hinge.assignment if hinge.assignment in ("M", "V") else "B"
         path = (vertex(hinge.flaps[0]), vertex(hinge.flaps[1]))
-        creases.append(DrawnLine(kind="crease", crease=letter, path=path, hinge=number))
+        creases.append(ShapeLine(kind="crease", crease=letter, path=path, hinge=number))
     return [*rims, *creases]
 
 
-def _line_thickness(structure: Structure, built: Array, lines: Sequence[DrawnLine]) -> float:
+def _line_thickness(structure: Structure, built: Array, lines: Sequence[ShapeLine]) -> float:
     """By what lines are drawn where there are no bars, m: less where facets are small."""
     sides = [float(np.linalg.norm(built[line.path[-1]] - built[line.path[0]])) for line in lines]
     most = _THICKNESS * structure.span
@@ -290,7 +290,7 @@ def _along_bar(structure: Structure, ends: Iterable[tuple[int, int, float]]) -> 
 
 def _creases(
     structure: Structure, anchors: Array, built: Array, faces: Sequence[Sequence[int]], names: Sequence[str]
-) -> tuple[list[str], list[DrawnLine]]:
+) -> tuple[list[str], list[ShapeLine]]:
     """The letter of every bar, and the creases on which no bar lies."""
     pattern = structure.appearance.pattern
     if pattern is None:
@@ -312,7 +312,7 @@ def _creases(
             continue
         path = _on_segment(built, pattern.vertices_coords[edge], within)
         if len(path) > 1:
-            lines.append(DrawnLine(kind="crease", crease=letter, path=path))
+            lines.append(ShapeLine(kind="crease", crease=letter, path=path))
     return [letters.get(bar, "B") for bar in bars], lines
 
 
@@ -331,14 +331,14 @@ def _on_segment(built: Array, segment: Array, within: float) -> tuple[int, ...]:
     return tuple(path) if whole else ()
 
 
-def _between_regions(faces: Sequence[Sequence[int]], names: Sequence[str]) -> list[DrawnLine]:
+def _between_regions(faces: Sequence[Sequence[int]], names: Sequence[str]) -> list[ShapeLine]:
     """Where regions of a sheet meet: creases of which nothing else is known."""
     regions: dict[frozenset[int], set[str]] = {}
     for face, name in zip(faces, names, strict=True):
         for ends in pairwise([*face, face[0]]):
             regions.setdefault(frozenset(ends), set()).add(name)
     return [
-        DrawnLine(kind="crease", crease="B", path=(min(ends), max(ends)))
+        ShapeLine(kind="crease", crease="B", path=(min(ends), max(ends)))
         for ends, found in regions.items()
         if len(found) > 1
     ]

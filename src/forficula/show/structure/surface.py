@@ -14,7 +14,7 @@ _FLAT = 1e-9  # of a triangle's squared size: what has no area has no strain
 
 
 @dataclass(frozen=True, kw_only=True)
-class Surface:
+class DrawnSurface:
     """A structure in space.
 
     Attributes:
@@ -44,7 +44,7 @@ class Surface:
     span: float
 
 
-def surface_at(record: Record, shape: Shape, time: float) -> Surface:
+def surface_at(record: Record, shape: Shape, time: float) -> DrawnSurface:
     """Find the surface at a time.
 
     Args:
@@ -58,7 +58,7 @@ def surface_at(record: Record, shape: Shape, time: float) -> Surface:
     return surface_of(shape, np.concatenate(list(moved)), folds, two_sided=bool(record.structure.facets))
 
 
-def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) -> Surface:
+def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) -> DrawnSurface:
     """Lay the surface through points.
 
     Args:
@@ -72,7 +72,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
     ends = [pair for line in shape.lines for pair in zip(line.path[:-1], line.path[1:], strict=True)]
     angles = np.append(folds, np.nan)
     hinges = [-1 if line.hinge is None else line.hinge for line in shape.lines for _ in line.path[1:]]
-    return Surface(
+    return DrawnSurface(
         faces=vertices[corners],
         regions=shape.face_region,
         two_sided=two_sided,
@@ -87,7 +87,7 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
     )
 
 
-def face_strains(shape: Shape, surface: Surface) -> Array:
+def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
     """The largest principal strain of each face, Green's, 0 where it is as built, (face,).
 
     Of a face of four corners it is that of its two triangles which is stretched further: (l - 1) / 2 with l the larger

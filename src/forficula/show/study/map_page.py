@@ -20,7 +20,7 @@ from matplotlib.textpath import TextPath
 
 from forficula.arrays import Array, Flags
 from forficula.show.study.factor_text import display_values, factor_label, number_text, plain_name
-from forficula.show.study.map_panel import Panel, View
+from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.outcome_looks import INK, ink_of, known_words, look_of
 from forficula.show.style import (
     BLUE,
@@ -60,8 +60,8 @@ class _Scale:
 
 
 def draw_page(
-    view: View,
-    panels: Sequence[Panel],
+    view: MapView,
+    panels: Sequence[MapPanel],
     *,
     one_scale: bool = False,
     quantity: str = "",
@@ -121,7 +121,7 @@ def draw_page(
     )
 
 
-def _empty_page(view: View, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:
+def _empty_page(view: MapView, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:
     """A figure with axes for so many panels, as high as their cells need."""
     rows = math.ceil(count / columns)
     upwards = _across_and_upwards(view)[1]
@@ -137,7 +137,7 @@ def _empty_page(view: View, count: int, columns: int, width: float, cells: bool)
     return figure, list(grid[:count])
 
 
-def _across_and_upwards(view: View) -> tuple[int, int]:
+def _across_and_upwards(view: MapView) -> tuple[int, int]:
     """Numbers of cells."""
     return view.table[view.x].size, view.table[view.y].size if view.y else 1
 
@@ -153,7 +153,7 @@ def _columns(panels: int, width: float) -> int:
     return {1: 1, 2: 2, 4: 2}.get(panels, 3)
 
 
-def _scale(panels: Sequence[Panel]) -> _Scale:
+def _scale(panels: Sequence[MapPanel]) -> _Scale:
     """One scale for all values of some panels."""
     values = np.concatenate([panel.values.values.astype(float).ravel() for panel in panels])
     finite = values[np.isfinite(values)]
@@ -183,7 +183,7 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
     bar.outline.set_visible(False)
 
 
-def _missing(view: View, panel: Panel) -> dict[str, Flags]:
+def _missing(view: MapView, panel: MapPanel) -> dict[str, Flags]:
     """Where there is no value, by reason, in the panel's own order of dimensions."""
     absent = ~np.isfinite(panel.values.values.astype(float))
     words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
@@ -192,7 +192,7 @@ def _missing(view: View, panel: Panel) -> dict[str, Flags]:
     return {word: where for word in order if (where := absent & (words == word)).any()}
 
 
-def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool) -> None:
+def _legend(figure: Figure, view: MapView, panels: Sequence[MapPanel], *, cells: bool) -> None:
     """Every reason that a panel shows, once."""
     words = list(dict.fromkeys(word for panel in panels for word in _missing(view, panel)))
     handles: list[Patch | Line2D] = []
@@ -211,7 +211,7 @@ def _legend(figure: Figure, view: View, panels: Sequence[Panel], *, cells: bool)
         figure.set_figheight(figure.get_figheight() + max(more, 0.0))
 
 
-def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
+def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
     """A cell for each pair of values, evenly spaced whatever the values are."""
     order = [name for name in (view.y, view.x) if name]
     panel = replace(panel, values=panel.values.transpose(*order), reasons=panel.reasons.transpose(*order))
@@ -239,13 +239,13 @@ def _draw_cells(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         axis.set_ticks(list(places), [number_text(shown_values[place].item()) for place in places])
 
 
-def _cells(view: View, panel: Panel, scale: _Scale) -> Array:
+def _cells(view: MapView, panel: MapPanel, scale: _Scale) -> Array:
     """Values in the scale's unit, (upwards, across)."""
     values = panel.values.transpose(*(name for name in (view.y, view.x) if name)).values
     return np.atleast_2d(values.astype(float) * scale.factor)
 
 
-def _write_numbers(figure: Figure, view: View, drawn: Sequence[tuple[Axes, Panel, _Scale]]) -> None:
+def _write_numbers(figure: Figure, view: MapView, drawn: Sequence[tuple[Axes, MapPanel, _Scale]]) -> None:
     """Every value in its cell, in the ink that shows on its colour, with as many digits as fit those of all maps."""
     cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
     if not any(np.isfinite(values).any() for _, _, values in cells):
@@ -283,7 +283,7 @@ def _short_texts(values: Array, digits: int) -> dict[tuple[int, ...], str]:
     return texts
 
 
-def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
+def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
     """Samples over two factors, coloured by value; over one, the value upwards and the failures along the bottom."""
     values = panel.values.values.astype(float) * scale.factor
     across = _positions(axes, view, "x")
@@ -319,7 +319,7 @@ def _draw_points(axes: Axes, view: View, panel: Panel, scale: _Scale) -> None:
         )
 
 
-def _positions(axes: Axes, view: View, which: str) -> Array:
+def _positions(axes: Axes, view: MapView, which: str) -> Array:
     """Where a factor's values lie on an axis: at their size, or words one after another."""
     values, _ = display_values(view.table[view.x if which == "x" else str(view.y)])
     if values.dtype.kind in "iuf":
@@ -333,7 +333,7 @@ def _positions(axes: Axes, view: View, which: str) -> Array:
 def maps_text(
     quantity: str,
     factors: Sequence[str],
-    panels: Sequence[Panel],
+    panels: Sequence[MapPanel],
     units: Sequence[tuple[str, float]],
     *,
     whole: str,
@@ -352,7 +352,7 @@ def maps_text(
     return f"{what} over {' and '.join(factors)}. {told[:1].upper()}{told[1:]}."
 
 
-def _panel_text(panel: Panel, unit: str, factor: float) -> str:
+def _panel_text(panel: MapPanel, unit: str, factor: float) -> str:
     """How many values there are, from where to where, and how many are missing, by reason."""
     values = panel.values.values.astype(float)
     absent = ~np.isfinite(values)

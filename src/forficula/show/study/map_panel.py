@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Panel:
+class MapPanel:
     """What one pair of axes shows.
 
     Attributes:
@@ -27,7 +27,7 @@ class Panel:
 
 
 @dataclass(frozen=True, kw_only=True)
-class View:
+class MapView:
     """Where things are drawn: over which factors, and what of the table.
 
     Attributes:

@@ -14,12 +14,12 @@ from forficula.errors import InputError
 from forficula.quantities import show_value
 from forficula.show.study.factor_text import plain_name, value_text, value_with_unit
 from forficula.show.study.map_page import draw_page
-from forficula.show.study.map_panel import Panel, View
+from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.outcome_looks import OTHER, map_style
 from forficula.show.style import PAGE_WIDTH, Drawing
 from forficula.study.assumptions.choices import CHOICE
 from forficula.study.tables.outcome_kinds import (
-    Kind,
+    OutcomeKind,
     asked_transitions,
     not_tried_word,
     outcome_kinds,
@@ -98,7 +98,7 @@ def draw_moving_maps(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             here = values.isel({moving: index})
             title = f"{value_with_unit(table[moving], index)}: {int(here.count())} of {here.size} {first.wording.verb}"
             why = reasons.isel({moving: index})
-            panels.append(Panel(title=title, values=here, reasons=why, unit=_unit(table, first.least)))
+            panels.append(MapPanel(title=title, values=here, reasons=why, unit=_unit(table, first.least)))
         quantity, note = first.least.replace("_", " "), few or f"by {plain_name(table[moving])}"
         return draw_page(view, panels, one_scale=True, quantity=quantity, note=note, width=width)
 
@@ -142,7 +142,7 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
         view = table_view(table, x, y)
         outcomes = view.table["outcome"]
         nothing = outcomes.copy(data=np.full(outcomes.shape, np.nan))
-        return draw_page(view, [Panel(title="outcome", values=nothing, reasons=outcomes, unit="")], width=width)
+        return draw_page(view, [MapPanel(title="outcome", values=nothing, reasons=outcomes, unit="")], width=width)
 
 
 def draw_first_times(
@@ -178,11 +178,11 @@ def draw_first_times(
         view = _slice(table, [name for name in (panels, y) if name], x=found.value, y=y)
         times, reasons = view.table[found.times], view.table[found.outcomes]
         if panels is None:
-            only = Panel(title=found.label, values=times, reasons=reasons, unit="s")
+            only = MapPanel(title=found.label, values=times, reasons=reasons, unit="s")
             return draw_page(view, [only], quantity=found.label, width=width)
         chosen, few = _few_values(table, panels)
         drawn = [
-            Panel(
+            MapPanel(
                 title=value_text(table[panels], index),
                 values=times.isel({panels: index}),
                 reasons=reasons.isel({panels: index}),
@@ -215,7 +215,7 @@ def _draw(
     with map_style():
         view = table_view(table, x, y)
         panels = [
-            Panel(
+            MapPanel(
                 title=title, values=view.table[name], reasons=missing_reasons(view.table, name), unit=_unit(table, name)
             )
             for name, title in names.items()
@@ -252,7 +252,7 @@ def _name(factors: Sequence[str], wanted: str) -> str:
     return name
 
 
-def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> View:
+def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> MapView:
     """What to draw over two factors, or over the only one.
 
     Raises:
@@ -271,13 +271,13 @@ def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> Vi
     return _slice(table, [upwards, across], x=across, y=upwards)
 
 
-def _slice(table: Dataset, kept: Sequence[str], *, x: str, y: str | None) -> View:
+def _slice(table: Dataset, kept: Sequence[str], *, x: str, y: str | None) -> MapView:
     """The middle of every factor that is not kept, of choices the base, and a note that says so."""
     if _is_sampled(table):
-        return View(table=table, x=x, y=y, note="", sampled=True)
+        return MapView(table=table, x=x, y=y, note="", sampled=True)
     middle = {name: 0 if name == CHOICE else table.sizes[name] // 2 for name in _factors(table) if name not in kept}
     note = ", ".join(value_text(table[name], index) for name, index in middle.items() if table.sizes[name] > 1)
-    return View(table=table.isel(middle), x=x, y=y, note=f"at {note}" if note else "", sampled=False)
+    return MapView(table=table.isel(middle), x=x, y=y, note=f"at {note}" if note else "", sampled=False)
 
 
 def _known(table: Dataset, *names: str) -> bool:
@@ -348,7 +348,7 @@ def missing_reasons(table: Dataset, name: str) -> DataArray:
     return outcome.copy(data=why(outcome.values, first_outcome.values, reference.values))
 
 
-def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Callable[[str, str, str], str]:
+def _why_not_later(kinds: Mapping[str, OutcomeKind], not_tried: str, where: str) -> Callable[[str, str, str], str]:
     """What says why a later transition was missed, of its outcome, of the first, and of the first as it was before.
 
     Args:
@@ -356,10 +356,10 @@ def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Cal
         not_tried: the word for what was not tried.
         where: with which value the first was done before, or nothing.
     """
-    stuck_later = next((word for word, kind in kinds.items() if kind is Kind.STUCK_LATER), OTHER)
+    stuck_later = next((word for word, kind in kinds.items() if kind is OutcomeKind.STUCK_LATER), OTHER)
     did_first = {word for word, kind in kinds.items() if kind.did_first}
-    silent = (Kind.UNDECIDED, Kind.DIVERGED, Kind.UNTRUSTED, Kind.NOT_BUILT)
-    short_of_first = (Kind.STUCK, Kind.UNDER_WAY, Kind.MOVING, Kind.LOST)
+    silent = (OutcomeKind.UNDECIDED, OutcomeKind.DIVERGED, OutcomeKind.UNTRUSTED, OutcomeKind.NOT_BUILT)
+    short_of_first = (OutcomeKind.STUCK, OutcomeKind.UNDER_WAY, OutcomeKind.MOVING, OutcomeKind.LOST)
 
     def why(outcome: str, first: str, reference: str) -> str:
         if where and reference in did_first:
@@ -369,6 +369,6 @@ def _why_not_later(kinds: Mapping[str, Kind], not_tried: str, where: str) -> Cal
             word = reference if kinds.get(reference) in silent else f"{reference}{where}"
         else:
             word = not_tried if kinds.get(first) in short_of_first else outcome
-        return OTHER if kinds.get(word) in (Kind.DID_FIRST, Kind.DID_ALL) else word
+        return OTHER if kinds.get(word) in (OutcomeKind.DID_FIRST, OutcomeKind.DID_ALL) else word
 
     return why

@@ -19,7 +19,7 @@ from forficula.study.tables.map_comparison import (
     ONLY_SIMULATED,
     ONLY_STATIC,
 )
-from forficula.study.tables.outcome_kinds import Kind, outcome_kinds
+from forficula.study.tables.outcome_kinds import OutcomeKind, outcome_kinds
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -29,7 +29,7 @@ OTHER = "no value"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Look:
+class OutcomeLook:
     """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
 
     face: str
@@ -37,35 +37,35 @@ class Look:
     marker: str
 
 
-_LOOKS: dict[Kind, Look] = {
-    Kind.DID_ALL: Look(face=BLUE, hatch="", marker="o"),
-    Kind.DID_FIRST: Look(face=SKY, hatch="", marker="D"),
-    Kind.STUCK_LATER: Look(face="#F3DDA6", hatch="....", marker="s"),
-    Kind.STUCK: Look(face="1.0", hatch="/////", marker="x"),
-    Kind.UNDER_WAY: Look(face="0.93", hatch="xxxx", marker="*"),
-    Kind.LOST: Look(face="1.0", hatch="|||||", marker="1"),
-    Kind.MOVING: Look(face="0.93", hatch=r"\\\\\\", marker=">"),
-    Kind.MOVING_LATER: Look(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
-    Kind.LOST_LATER: Look(face="#F3DDA6", hatch="|||||", marker="2"),
-    Kind.UNDECIDED: Look(face="#F7E9F1", hatch="//\\\\//", marker="D"),
-    Kind.DIVERGED: Look(face="0.75", hatch="++++", marker="P"),
-    Kind.UNTRUSTED: Look(face="0.75", hatch="OO", marker="d"),
-    Kind.NOT_BUILT: Look(face="0.6", hatch="", marker="X"),
-    Kind.NOT_TRIED: Look(face="0.86", hatch="", marker="_"),
+_LOOKS: dict[OutcomeKind, OutcomeLook] = {
+    OutcomeKind.DID_ALL: OutcomeLook(face=BLUE, hatch="", marker="o"),
+    OutcomeKind.DID_FIRST: OutcomeLook(face=SKY, hatch="", marker="D"),
+    OutcomeKind.STUCK_LATER: OutcomeLook(face="#F3DDA6", hatch="....", marker="s"),
+    OutcomeKind.STUCK: OutcomeLook(face="1.0", hatch="/////", marker="x"),
+    OutcomeKind.UNDER_WAY: OutcomeLook(face="0.93", hatch="xxxx", marker="*"),
+    OutcomeKind.LOST: OutcomeLook(face="1.0", hatch="|||||", marker="1"),
+    OutcomeKind.MOVING: OutcomeLook(face="0.93", hatch=r"\\\\\\", marker=">"),
+    OutcomeKind.MOVING_LATER: OutcomeLook(face="#F3DDA6", hatch=r"\\\\\\", marker="<"),
+    OutcomeKind.LOST_LATER: OutcomeLook(face="#F3DDA6", hatch="|||||", marker="2"),
+    OutcomeKind.UNDECIDED: OutcomeLook(face="#F7E9F1", hatch="//\\\\//", marker="D"),
+    OutcomeKind.DIVERGED: OutcomeLook(face="0.75", hatch="++++", marker="P"),
+    OutcomeKind.UNTRUSTED: OutcomeLook(face="0.75", hatch="OO", marker="d"),
+    OutcomeKind.NOT_BUILT: OutcomeLook(face="0.6", hatch="", marker="X"),
+    OutcomeKind.NOT_TRIED: OutcomeLook(face="0.86", hatch="", marker="_"),
 }
 _OTHER_LOOKS = {
-    BOTH: Look(face=BLUE, hatch="", marker="o"),
-    BOTH_LESS: Look(face=SKY, hatch="", marker="p"),
-    BOTH_MORE: Look(face=SKY, hatch="/////", marker="H"),
-    ONLY_SIMULATED: Look(face=ORANGE, hatch="", marker="^"),
-    ONLY_STATIC: Look(face=PURPLE, hatch="", marker="v"),
-    NEITHER: Look(face="0.93", hatch="", marker="x"),
-    NOT_SIMULATED: Look(face="1.0", hatch="", marker="."),
-    OTHER: Look(face="0.97", hatch="---", marker="+"),
+    BOTH: OutcomeLook(face=BLUE, hatch="", marker="o"),
+    BOTH_LESS: OutcomeLook(face=SKY, hatch="", marker="p"),
+    BOTH_MORE: OutcomeLook(face=SKY, hatch="/////", marker="H"),
+    ONLY_SIMULATED: OutcomeLook(face=ORANGE, hatch="", marker="^"),
+    ONLY_STATIC: OutcomeLook(face=PURPLE, hatch="", marker="v"),
+    NEITHER: OutcomeLook(face="0.93", hatch="", marker="x"),
+    NOT_SIMULATED: OutcomeLook(face="1.0", hatch="", marker="."),
+    OTHER: OutcomeLook(face="0.97", hatch="---", marker="+"),
 }
 
 # failed in the first transition before the next, with a value that its word names
-_BEFORE_NEXT = Look(face="0.93", hatch="oo", marker="h")
+_BEFORE_NEXT = OutcomeLook(face="0.93", hatch="oo", marker="h")
 
 
 @contextmanager
@@ -80,7 +80,7 @@ def known_words(table: Dataset) -> list[str]:
     return [*outcome_kinds(table), *_OTHER_LOOKS]
 
 
-def look_of(table: Dataset, word: str) -> Look:
+def look_of(table: Dataset, word: str) -> OutcomeLook:
     """How a structure of a table is drawn that came to this."""
     kind = outcome_kinds(table).get(word)
     if kind is not None:
@@ -88,6 +88,6 @@ def look_of(table: Dataset, word: str) -> Look:
     return _OTHER_LOOKS.get(word) or (_BEFORE_NEXT if " with " in word else _OTHER_LOOKS[OTHER])
 
 
-def ink_of(look: Look) -> str:
+def ink_of(look: OutcomeLook) -> str:
     """A marker's colour: the face where that shows on white."""
     return look.face if look.face in (BLUE, SKY) else INK

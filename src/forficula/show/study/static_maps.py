@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from forficula.show.study.map_page import draw_page
-from forficula.show.study.map_panel import Panel, View
+from forficula.show.study.map_panel import MapPanel, MapView
 from forficula.show.study.maps import table_view
 from forficula.show.study.outcome_looks import map_style
 from forficula.show.style import PAGE_WIDTH, is_narrow
 from forficula.study.tables.map_comparison import NOT_SIMULATED, compare_maps, simulated_values
-from forficula.study.tables.outcome_kinds import Kind, table_transitions, word_of
+from forficula.study.tables.outcome_kinds import OutcomeKind, table_transitions, word_of
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -63,27 +63,27 @@ def _of_every_run(statics: Dataset, simulated: Dataset) -> str:
     return start if start in simulated else "residual"
 
 
-def _panel(view: View, name: str, title: str, simulated: bool = False) -> Panel:
+def _panel(view: MapView, name: str, title: str, simulated: bool = False) -> MapPanel:
     table = view.table
     values = table[f"simulated_{name}"] if simulated else table[name]
     before, *_ = table_transitions(table)
     first = name == before.least
-    why = np.full(values.shape, word_of(table, Kind.STUCK if first else Kind.STUCK_LATER), dtype=object)
+    why = np.full(values.shape, word_of(table, OutcomeKind.STUCK if first else OutcomeKind.STUCK_LATER), dtype=object)
     # from a state in which it does not rest nothing leads on, and its energy is not known
     if not first and not simulated:
         lost = np.isnan(table[f"{before.state}_energy"].values)
         why[lost] = table["outcome"].values[lost]
     if simulated:
         verdict = table[f"verdict_{name}"].values
-        why[verdict == NOT_SIMULATED] = word_of(table, Kind.NOT_TRIED)
+        why[verdict == NOT_SIMULATED] = word_of(table, OutcomeKind.NOT_TRIED)
         why[~table["simulated"].values] = NOT_SIMULATED
     else:
-        not_built = word_of(table, Kind.NOT_BUILT)
+        not_built = word_of(table, OutcomeKind.NOT_BUILT)
         why[table["outcome"].values == not_built] = not_built
-    return Panel(title=title, values=values, reasons=values.copy(data=why), unit="N m")
+    return MapPanel(title=title, values=values, reasons=values.copy(data=why), unit="N m")
 
 
-def _verdicts(view: View, name: str, verb: str) -> Panel:
+def _verdicts(view: MapView, name: str, verb: str) -> MapPanel:
     words: DataArray = view.table[f"verdict_{name}"]
     nothing = words.copy(data=np.full(words.shape, np.nan))
-    return Panel(title=f"{verb}: compared", values=nothing, reasons=words, unit="N m")
+    return MapPanel(title=f"{verb}: compared", values=nothing, reasons=words, unit="N m")

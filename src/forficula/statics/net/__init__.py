@@ -10,29 +10,29 @@ from forficula.statics.net.load import (
     pressure,
 )
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
-from forficula.statics.net.minimum import Rest, minimum, stationary
+from forficula.statics.net.minimum import NetRest, minimum, stationary
 from forficula.statics.net.modes import Modes, natural_modes
-from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Triangles
+from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.net_state import Strength, strength
-from forficula.statics.net.rigidity import Rigidity, rigidity, rigidity_matrix
+from forficula.statics.net.rigidity import NetRigidity, rigidity, rigidity_matrix
 from forficula.statics.net.saddle import Saddle, find_saddle
 from forficula.statics.net.stable_states import StableStates, find_stable_states, same_shape
 from forficula.statics.net.supports import loose_motions, supported
 
 __all__ = [
     "Collapse",
-    "Creases",
     "Expansion",
     "Load",
     "LoadPath",
     "Modes",
     "Net",
+    "NetCreases",
+    "NetRest",
+    "NetRigidity",
+    "NetShape",
     "PathEvent",
     "PathPoint",
-    "Rest",
-    "Rigidity",
     "Saddle",
-    "Shape",
     "Springs",
     "StableStates",
     "Strength",

@@ -13,7 +13,7 @@ from forficula.errors import InputError
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.load import Load, crease_torques
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
-from forficula.statics.net.minimum import Rest, minimum
+from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net
 
 _BEYOND = 1e-3
@@ -41,7 +41,7 @@ class Collapse:
 
 def collapse(
     net: Net,
-    state: Rest,
+    state: NetRest,
     load: Load,
     *,
     most: float | None = None,
@@ -73,7 +73,7 @@ def collapse(
     return Collapse(kind="none", factor=last.factor, point=last, mode=np.zeros_like(net.nodes), path=path)
 
 
-def snapped(net: Net, lost: Collapse) -> Rest:
+def snapped(net: Net, lost: Collapse) -> NetRest:
     """Where it goes from a limit or a bifurcation, under a load a thousandth larger.
 
     Of the two senses of the mode the one that ends lower; what it comes to without the load is `minimum` from there.
@@ -99,7 +99,7 @@ def snapped(net: Net, lost: Collapse) -> Rest:
 
 
 def holding_torque(
-    net: Net, state: Rest, crease: int, *, sense: int = 1, step: float | None = None, increments: int = 300
+    net: Net, state: NetRest, crease: int, *, sense: int = 1, step: float | None = None, increments: int = 300
 ) -> Collapse:
     """The torque on one crease, N m as the factor, at which a stable state is lost.
 

@@ -10,7 +10,7 @@ from scipy.sparse import bsr_array, csc_array
 from forficula.arrays import Array
 from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
-from forficula.statics.net.net import Net, Shape, Triangles
+from forficula.statics.net.net import Net, NetShape, Triangles
 
 # energy, by side, by pair of sides
 Piece = tuple[float, Array, Array]
@@ -31,7 +31,7 @@ class Expansion:
         free: by the free ones, N/m.
     """
 
-    shape: Shape
+    shape: NetShape
     stored: float
     energy: float
     slope: Array
@@ -39,7 +39,7 @@ class Expansion:
     free: csc_array
 
 
-def shape_at(net: Net, positions: Array, near: Array | None = None) -> Shape:
+def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
     """The shape with nodes at some places.
 
     Args:
@@ -48,15 +48,15 @@ def shape_at(net: Net, positions: Array, near: Array | None = None) -> Shape:
         near: angles that those of the creases follow, rad, (crease,); None for 0.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
-    return Shape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
+    return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
 
 
-def built_shape(net: Net) -> Shape:
+def built_shape(net: Net) -> NetShape:
     """The shape as built."""
     return shape_at(net, net.nodes)
 
 
-def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0) -> Expansion:
+def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 0.0) -> Expansion:
     """The potential about a shape: energy, slope and sparse curvature in closed form, all elements at once.
 
     Args:
@@ -85,7 +85,7 @@ def expand(net: Net, shape: Shape, load: Load | None = None, factor: float = 0.0
     )
 
 
-def stored_by_part(net: Net, shape: Shape) -> tuple[float, Array, float, float, float]:
+def stored_by_part(net: Net, shape: NetShape) -> tuple[float, Array, float, float, float]:
     """Energies, J: of the bars, of each crease, (crease,), of tendons, membranes and the weight (0 at z = 0)."""
     springs, tendons, _, triangles = sides_of(net, shape.positions)
     shortest = _SHORTEST * net.size
@@ -98,12 +98,12 @@ def stored_by_part(net: Net, shape: Shape) -> tuple[float, Array, float, float, 
     )
 
 
-def angle_slopes(net: Net, shape: Shape) -> tuple[Array, Layout]:
+def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
     """Slopes of the creases' angles by their sides, 1/m, (crease, 3, 3), and how the sides hang on the nodes."""
     return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)
 
 
-def load_slope(net: Net, shape: Shape, load: Load) -> Array:
+def load_slope(net: Net, shape: NetShape, load: Load) -> Array:
     """What forces and torques of a load exert on the nodes in a shape, N, (node, 3)."""
     if not load.torques.any():
         return load.forces + 0.0  # as a sum, without a 0 that is negative
@@ -130,7 +130,7 @@ def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def _work(net: Net, shape: Shape, load: Load) -> float:
+def _work(net: Net, shape: NetShape, load: Load) -> float:
     return float(np.sum(load.forces * (shape.positions - net.nodes)) + load.torques @ shape.angles)
 
 
@@ -172,7 +172,7 @@ def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piec
     return float(np.sum(law.energy(angles))), acting[:, None, None] * slope, blocks
 
 
-def membrane_stresses(net: Net, shape: Shape) -> Array:
+def membrane_stresses(net: Net, shape: NetShape) -> Array:
     """Principal second Piola-Kirchhoff stresses of the membranes, the larger first, Pa, (triangle, 2)."""
     if net.membranes is None:
         return np.zeros((0, 2))

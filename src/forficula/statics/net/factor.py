@@ -17,7 +17,7 @@ _NUDGE = 1e-13  # of the largest entry: what a matrix that is exactly singular i
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Factor:
+class Factorisation:
     """A symmetric matrix in factors.
 
     Attributes:
@@ -36,14 +36,14 @@ class Factor:
         return right.copy() if self.lower_upper is None else np.asarray(self.lower_upper.solve(right))
 
 
-def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
+def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
     """Take a symmetric matrix, plus a multiple of the identity, apart.
 
     Pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs are the
     inertia.
     """
     if not matrix.shape[0]:
-        return Factor(lower_upper=None)
+        return Factorisation(lower_upper=None)
     scale = float(np.abs(matrix.data).max(initial=0.0)) or 1.0
     for nudge in (0.0, _NUDGE * scale, -10 * _NUDGE * scale, 100 * _NUDGE * scale):
         by = shift + nudge
@@ -53,7 +53,7 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factor:
         except RuntimeError:  # exactly singular
             continue
         if np.array_equal(parts.perm_r, parts.perm_c):
-            return Factor(lower_upper=parts)
+            return Factorisation(lower_upper=parts)
     raise ArithmeticError("a curvature that no shift makes regular")
 
 

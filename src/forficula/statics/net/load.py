@@ -9,7 +9,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.pattern.geometry import triangle_normals
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -75,7 +75,7 @@ def held_displacements(net: Net, displacements: Array) -> Load:
     return replace(no_load(net), displacements=displacements)
 
 
-def pressure(net: Net, shape: Shape, triangles: Indices) -> Load:
+def pressure(net: Net, shape: NetShape, triangles: Indices) -> Load:
     """A pressure of 1 Pa on the right-hand backs of triangles: it pushes them along their normals.
 
     Args:

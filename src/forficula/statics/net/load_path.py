@@ -11,9 +11,9 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.statics.net.energy import Expansion, expand, load_slope, shape_at
-from forficula.statics.net.factor import Factor, factored, softest
+from forficula.statics.net.factor import Factorisation, factored, softest
 from forficula.statics.net.load import Load, check_load
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12
@@ -41,7 +41,7 @@ class PathPoint:
         corrections: of Newton's method.
     """
 
-    shape: Shape
+    shape: NetShape
     factor: float
     energy: float
     index: int
@@ -91,14 +91,14 @@ class _Station:
     """A point with what the next increment needs: factors, and the way the path goes, of length 1, (node, 3)."""
 
     point: PathPoint
-    parts: Factor
+    parts: Factorisation
     way: Array
     pace: float  # change of the factor by length along the path
 
 
 def load_path(
     net: Net,
-    start: Shape,
+    start: NetShape,
     load: Load,
     *,
     step: float | None = None,
@@ -192,7 +192,7 @@ def _passes(before: float, after: float, target: float) -> bool:
     return after == target or (before - target) * (after - target) < 0
 
 
-def _settled(net: Net, load: Load, start: Shape, factor: float) -> Expansion | None:
+def _settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion | None:
     """The equilibrium beside a shape at a constant factor; None where there is none near."""
     here = expand(net, start, load, factor)
     for _ in range(30):
@@ -207,11 +207,11 @@ def _settled(net: Net, load: Load, start: Shape, factor: float) -> Expansion | N
     return None
 
 
-def _moved(net: Net, shape: Shape, step: Array) -> Shape:
+def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
     return shape_at(net, shape.positions + step, shape.angles)
 
 
-def _tangent(net: Net, load: Load, here: Expansion, parts: Factor) -> Array:
+def _tangent(net: Net, load: Load, here: Expansion, parts: Factorisation) -> Array:
     """Displacements by the factor, m, (node, 3)."""
     push = load_slope(net, here.shape, load)
     if np.any(load.displacements):

@@ -9,9 +9,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.statics.net.energy import Expansion, expand, shape_at
-from forficula.statics.net.factor import Factor, factored
+from forficula.statics.net.factor import Factorisation, factored
 from forficula.statics.net.load import Load, check_load
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import supported
 
 _MOST_STEPS = 2000
@@ -25,7 +25,7 @@ _NEUTRAL = 1e-11
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Rest:
+class NetRest:
     """Where a net is in equilibrium.
 
     Attributes:
@@ -39,7 +39,7 @@ class Rest:
         settled: whether the last step was none.
     """
 
-    shape: Shape
+    shape: NetShape
     energy: float
     slope: float
     index: int
@@ -56,13 +56,13 @@ class Rest:
 
 def minimum(
     net: Net,
-    start: Shape,
+    start: NetShape,
     load: Load | None = None,
     factor: float = 0.0,
     *,
     longest_step: float | None = None,
-    stop: Callable[[Shape], bool] | None = None,
-) -> Rest:
+    stop: Callable[[NetShape], bool] | None = None,
+) -> NetRest:
     """Go downhill to rest.
 
     Every step minimises the energy plus shift / 2 |step|^2 (proximal steps, Rockafellar 1976, which follow the way of a
@@ -111,7 +111,7 @@ def minimum(
     return _rest(net, here, pins, steps, settled)
 
 
-def stationary(net: Net, start: Shape, load: Load | None = None, factor: float = 0.0) -> Rest:
+def stationary(net: Net, start: NetShape, load: Load | None = None, factor: float = 0.0) -> NetRest:
     """The equilibrium beside a shape, stable or not, by Newton's method on the slope.
 
     Args:
@@ -131,10 +131,10 @@ def stationary(net: Net, start: Shape, load: Load | None = None, factor: float =
     return _rest(net, here, pins, steps, settled)
 
 
-def _rest(net: Net, here: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> Rest:
+def _rest(net: Net, here: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
     near = _NEUTRAL * float(np.abs(here.free.data).max(initial=0.0))
     index = factored(here.free, near).index
-    return Rest(
+    return NetRest(
         shape=here.shape,
         energy=here.stored,
         slope=float(np.abs(here.slope[net.free]).max(initial=0.0)),
@@ -150,15 +150,15 @@ def _raised(shift: float, stiffest: float) -> float:
     return max(10 * shift, _SMALLEST_SHIFT * stiffest)
 
 
-def _moved(net: Net, shape: Shape, step: Array) -> Shape:
+def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
     positions = shape.positions.copy()
     positions[net.free] += step
     return shape_at(net, positions, shape.angles)
 
 
 def _proximal_step(
-    net: Net, here: Expansion, parts: Factor, shift: float, load: Load | None, factor: float, longest: float
-) -> tuple[Shape | None, int]:
+    net: Net, here: Expansion, parts: Factorisation, shift: float, load: Load | None, factor: float, longest: float
+) -> tuple[NetShape | None, int]:
     """A shape of less energy, None where the step does not get there, and how many corrections it took."""
     down = -here.slope[net.free]
     step = parts.solve(down)

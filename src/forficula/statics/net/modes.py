@@ -13,7 +13,7 @@ from forficula.arrays import Array, Flags
 from forficula.errors import InputError
 from forficula.statics.net.energy import expand
 from forficula.statics.net.factor import factored
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import rigid_motions
 
 _DENSE = 200  # coordinates up to which all modes are worked out
@@ -36,7 +36,7 @@ class Modes:
     rigid: Flags
 
 
-def natural_modes(net: Net, shape: Shape, count: int = 10) -> Modes:
+def natural_modes(net: Net, shape: NetShape, count: int = 10) -> Modes:
     """The slowest modes about a shape at rest: curvature and masses as a generalised eigenproblem.
 
     Larger nets by Lanczos' method about a shift a little below 0 (Ericsson and Ruhe 1980, doi
@@ -90,7 +90,7 @@ def _all_modes(curvature: csc_array, masses: csc_array) -> tuple[Array, Array]:
     return squares, follow @ vectors
 
 
-def _rigid(net: Net, shape: Shape, shapes: Array) -> Flags:
+def _rigid(net: Net, shape: NetShape, shapes: Array) -> Flags:
     motions = rigid_motions(shape.positions).reshape(net.nodes.size, -1)
     flat = shapes.reshape(len(shapes), -1)
     left = flat - flat @ motions @ motions.T

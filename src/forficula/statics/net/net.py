@@ -36,7 +36,7 @@ class Springs:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Creases:
+class NetCreases:
     """Where panels turn against one another, diagonals of facets among them.
 
     Attributes:
@@ -105,7 +105,7 @@ class Net:
     points: csr_array
     masses: csr_array | Array
     springs: Springs = field(default_factory=Springs)
-    creases: Creases = field(default_factory=Creases)
+    creases: NetCreases = field(default_factory=NetCreases)
     tendons: Tendons = field(default_factory=Tendons)
     membranes: Triangles | None = None
     gravity: float = 0.0
@@ -152,7 +152,7 @@ class Net:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Shape:
+class NetShape:
     """Where a net is.
 
     Attributes:

@@ -12,13 +12,13 @@ from forficula.errors import InputError
 from forficula.statics.net.energy import expand
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathPoint, load_path
-from forficula.statics.net.minimum import Rest, minimum
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.minimum import NetRest, minimum
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_of import motor_load, own_angles, places
 from forficula.statics.net.slow_path import SlowPath, slow_path
 from forficula.structure import (
     Drive,
-    Goal,
+    StageGoal,
     Structure,
     Transition,
     distances_of,
@@ -53,18 +53,18 @@ class Course:
     name: str
     drive: Drive
     load: Load
-    start: Rest
+    start: NetRest
     slow: SlowPath
     through: LoadPath | None
     least: float | None
     largest_force: float | None
-    rest: Rest
+    rest: NetRest
 
 
 def drive_course(
     structure: Structure,
     net: Net,
-    start: Rest,
+    start: NetRest,
     drive: Drive,
     transition: Transition | None,
     *,
@@ -87,7 +87,7 @@ def drive_course(
     load = motor_load(structure, net, drive.strengths)
     goal = None if transition is None else goal_of(structure, transition.goal)
 
-    def there(shape: Shape) -> bool:
+    def there(shape: NetShape) -> bool:
         return goal is not None and short_of(structure, net, goal, shape) <= 0
 
     end = 1.0 if goal is None else _MOST
@@ -139,14 +139,14 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
     return net if np.array_equal(held, net.free) else replace(net, free=held)
 
 
-def watched(structure: Structure, net: Net, shape: Shape) -> Array:
+def watched(structure: Structure, net: Net, shape: NetShape) -> Array:
     """What goals are bounds on: angles and distances, rad and m, (coordinate,)."""
     pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
     distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
     return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
 
 
-def short_of(structure: Structure, net: Net, goal: Goal, shape: Shape) -> float:
+def short_of(structure: Structure, net: Net, goal: StageGoal, shape: NetShape) -> float:
     """By how much a shape is out of a goal's bounds, rad or m; not above 0 within."""
     read = watched(structure, net, shape)
     return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
@@ -157,7 +157,7 @@ def displaces(structure: Structure, drive: Drive) -> bool:
     return driven_motor(structure, drive).kind == "displacement"
 
 
-def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
+def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
     """How far a drive has gone on the way that it pushes: m of its points, or rad of its hinges, weighted mean.
 
     The weights are the shares of its motors, of which those count that are of the kind of the first.
@@ -174,7 +174,7 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
     return float(np.sign(drive.strength or 1.0)) * far / weight
 
 
-def reaction(structure: Structure, net: Net, drive: Drive, shape: Shape) -> float:
+def reaction(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
     """The force that a displacement takes, on all its points together and along it, N.
 
     What is stored changes by it times the way: it is the slope of the potential by how far the drive has gone.
@@ -186,7 +186,7 @@ def reaction(structure: Structure, net: Net, drive: Drive, shape: Shape) -> floa
     return float(np.sign(drive.strength or 1.0)) * force
 
 
-def _first_at(structure: Structure, net: Net, goal: Goal, points: Sequence[PathPoint]) -> float | None:
+def _first_at(structure: Structure, net: Net, goal: StageGoal, points: Sequence[PathPoint]) -> float | None:
     """The factor at which a goal is first reached, between two points in proportion; None where it never is."""
     before, beside = None, np.inf
     for point in points:

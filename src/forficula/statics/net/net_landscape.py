@@ -13,9 +13,9 @@ from forficula.errors import InputError
 from forficula.statics.landscape import EnergyLandscape, NetSurvey, Pass, Rest
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
-from forficula.statics.net.minimum import Rest as NetRest
+from forficula.statics.net.minimum import NetRest as NetRest
 from forficula.statics.net.minimum import minimum
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course, drive_course, short_of
 from forficula.statics.net.net_of import net_of, own_angles, panels, start_shape
 from forficula.statics.net.net_state import NetState, known, mobility, net_state, stored_parts
@@ -80,7 +80,7 @@ def slow_courses(structure: Structure) -> tuple[Course, ...]:
     return tuple(_transition_courses(structure, net, first, through_snaps=False)[0])
 
 
-def _settled(net: Net, built: Shape) -> tuple[NetRest, tuple[str, ...]]:
+def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
     """Where it comes to rest when let go, pushed off ridges; and what is to be said of that."""
     rest, off = minimum(net, built), 0
     while rest.settled and rest.index and off < _RIDGES:
@@ -222,7 +222,7 @@ def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
     return next(same, None)
 
 
-def _apart(one: Shape, other: Shape) -> float:
+def _apart(one: NetShape, other: NetShape) -> float:
     """How far two shapes differ: by all distances of the nodes, which motions of the whole leave."""
     first, second = (np.linalg.norm(each.positions[:, None] - each.positions[None], axis=2) for each in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))

@@ -16,7 +16,7 @@ from forficula.material.law.crease_law import CreaseLaw
 from forficula.material.law.tendon_law import stacked_laws
 from forficula.statics.net.energy import shape_at
 from forficula.statics.net.load import Load, no_load, point_forces
-from forficula.statics.net.net import Creases, Net, Shape, Springs, Tendons, Triangles
+from forficula.statics.net.net import Net, NetCreases, NetShape, Springs, Tendons, Triangles
 from forficula.statics.net.plate_nodes import joint_places, place_weights, plate_nodes, stiffness_of
 from forficula.structure import GROUND, Structure, built_points, crease_flaps, crease_law, facet_triangles
 from forficula.structure.sheets.facets import BEND
@@ -58,7 +58,7 @@ def net_of(structure: Structure) -> Net:
             stiffness=np.concatenate([[spring.stiffness for spring in structure.springs], stiffness]),
             rest_length=np.concatenate([[spring.rest_length for spring in structure.springs], rest]),
         ),
-        creases=Creases(points=laid.creases, law=valley_law(structure)),
+        creases=NetCreases(points=laid.creases, law=valley_law(structure)),
         tendons=Tendons(
             points=_pairs([tendon.points for tendon in structure.tendons]),
             law=stacked_laws([tendon.law.elastic for tendon in structure.tendons]),
@@ -68,7 +68,7 @@ def net_of(structure: Structure) -> Net:
     )
 
 
-def places(net: Net, shape: Shape) -> Array:
+def places(net: Net, shape: NetShape) -> Array:
     """Where the points of the structure are, and after them those that joints have, m, (point, 3)."""
     return np.asarray(net.points @ shape.positions)
 
@@ -79,13 +79,13 @@ def panels(structure: Structure) -> Indices:
     return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
 
 
-def start_shape(structure: Structure, net: Net) -> Shape:
+def start_shape(structure: Structure, net: Net) -> NetShape:
     """The shape as built, with panels that lie on one another on the side where they start."""
     start = np.array([hinge.start for hinge in structure.hinges])
     return shape_at(net, net.nodes, _senses(structure) * start)
 
 
-def own_angles(structure: Structure, shape: Shape) -> Array:
+def own_angles(structure: Structure, shape: NetShape) -> Array:
     """Angles of the hinges in their own senses, rad, (hinge,)."""
     return np.asarray(_senses(structure) * shape.angles)
 

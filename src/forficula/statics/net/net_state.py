@@ -14,9 +14,9 @@ from forficula.statics.net.collapse import Collapse, collapse
 from forficula.statics.net.energy import membrane_stresses, sides_of, stored_by_part
 from forficula.statics.net.load import Load, acceleration, pressure
 from forficula.statics.net.load_path import PathPoint
-from forficula.statics.net.minimum import Rest
+from forficula.statics.net.minimum import NetRest
 from forficula.statics.net.modes import natural_modes
-from forficula.statics.net.net import Net, Shape, Springs
+from forficula.statics.net.net import Net, NetShape, Springs
 from forficula.statics.net.net_of import bends, motor_load, own_angles, panels, places
 from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
@@ -82,7 +82,7 @@ class NetState:
     """
 
     name: str
-    rest: Rest
+    rest: NetRest
     energy: float
     stored: Mapping[str, float]
     readings: Mapping[str, Array]
@@ -97,7 +97,7 @@ class NetState:
     found: int
 
 
-def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int, *, loads: bool) -> NetState:
+def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: int, *, loads: bool) -> NetState:
     """What is to be told of a stable state.
 
     Args:
@@ -131,7 +131,7 @@ def net_state(structure: Structure, net: Net, rest: Rest, name: str, found: int,
     )
 
 
-def readings(structure: Structure, net: Net, measure: Measure, shape: Shape) -> Array:
+def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) -> Array:
     """What a measure reads in a shape, rad of each of its hinges, or m, (coordinate,)."""
     if measure.points is not None:
         one, other = places(net, shape)[list(measure.points)]
@@ -139,7 +139,7 @@ def readings(structure: Structure, net: Net, measure: Measure, shape: Shape) -> 
     return read_angles(measure, own_angles(structure, shape))
 
 
-def stored_parts(structure: Structure, net: Net, shape: Shape) -> dict[str, float]:
+def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, float]:
     """Energy by what stores it, J; what the structure does not have is left out."""
     bars, folds, tendons, membranes, weight = stored_by_part(net, shape)
     flat = bends(structure)
@@ -161,7 +161,7 @@ def known(net: Net, energy: float) -> float:
     return energy if abs(energy) > _ROUNDING * scale else 0.0
 
 
-def mobility(structure: Structure, net: Net, shape: Shape) -> Mobility | None:
+def mobility(structure: Structure, net: Net, shape: NetShape) -> Mobility | None:
     """Mechanisms and states of self-stress, where panels stay flat; None for a net too large, or of plates."""
     if np.count_nonzero(net.free) > _LARGEST or structure.plates:
         return None
@@ -181,7 +181,7 @@ def _unstretched(net: Net) -> Net:
     return replace(net, springs=springs, membranes=None)
 
 
-def _withstands(structure: Structure, net: Net, rest: Rest) -> list[Withstood]:
+def _withstands(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
     """Every load that is tried; those that would carry the whole away are left out."""
     found = []
     for words, unit, load in _loads(structure, net, rest.shape):
@@ -191,7 +191,7 @@ def _withstands(structure: Structure, net: Net, rest: Rest) -> list[Withstood]:
     return found
 
 
-def _lost(net: Net, rest: Rest, load: Load) -> Collapse | None:
+def _lost(net: Net, rest: NetRest, load: Load) -> Collapse | None:
     """Where a load carries a state away; None where the whole would go, or no path is found."""
 
     def strained(point: PathPoint) -> bool:
@@ -208,7 +208,7 @@ def _lost(net: Net, rest: Rest, load: Load) -> Collapse | None:
     return None
 
 
-def _loads(structure: Structure, net: Net, shape: Shape) -> list[tuple[str, str, Load]]:
+def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, str, Load]]:
     """Loads in words, with the SI unit of their size: forces of drives, accelerations, pressure, torques on creases."""
     loads = []
     for number, motor in enumerate(structure.motors):
@@ -261,7 +261,7 @@ class Strength:
     stresses: Array
 
 
-def strength(net: Net, shape: Shape) -> Strength:
+def strength(net: Net, shape: NetShape) -> Strength:
     """What every part bears."""
     bars, tendons, _, _ = sides_of(net, shape.positions)
     rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=1)

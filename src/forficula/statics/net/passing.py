@@ -6,13 +6,13 @@ import numpy as np
 
 from forficula.arrays import Array, Flags, Indices
 from forficula.pattern.drawings.flat_faces import parts_of
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.net import Net, NetShape
 
 _TURNED = 1e-3  # rad beyond 180 deg
 _WITHIN = 1e-6  # share of a side or a panel by which it is pierced at least
 
 
-def panels_pass(net: Net, shape: Shape, triangles: Indices) -> bool:
+def panels_pass(net: Net, shape: NetShape, triangles: Indices) -> bool:
     """Whether a crease is folded beyond 180 deg, or a side of one triangle goes through another.
 
     Triangles that share a corner pass through one another at their creases only.

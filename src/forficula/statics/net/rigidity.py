@@ -10,12 +10,12 @@ from scipy.sparse import csr_array, eye_array, kron, vstack
 from forficula.arrays import Array, Indices
 from forficula.pattern.facts.rigidity import nullity
 from forficula.statics.net.energy import angle_slopes
-from forficula.statics.net.net import Flags, Net, Shape
+from forficula.statics.net.net import Flags, Net, NetShape
 from forficula.statics.net.supports import loose_motions
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rigidity:
+class NetRigidity:
     """What the rigidity matrix of a net says.
 
     Attributes:
@@ -29,7 +29,7 @@ class Rigidity:
     self_stresses: int
 
 
-def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
+def rigidity_matrix(net: Net, shape: NetShape, stiff: Flags) -> csr_array:
     """Changes of the bars' lengths and of stiff creases' angles (times the net's size) by displacements.
 
     The rows of a truss (Pellegrino and Calladine 1986, doi 10.1016/0020-7683(86)90014-4), and facets kept flat as by
@@ -58,13 +58,13 @@ def rigidity_matrix(net: Net, shape: Shape, stiff: Flags) -> csr_array:
     return csr_array((vstack((lengths, angles), format="csr") @ by_side)[:, net.free.ravel()])
 
 
-def rigidity(net: Net, shape: Shape, stiff: Flags) -> Rigidity:
+def rigidity(net: Net, shape: NetShape, stiff: Flags) -> NetRigidity:
     """Count mechanisms of first order and states of self-stress; arguments as for `rigidity_matrix`."""
     matrix = rigidity_matrix(net, shape, stiff)
     zeros, _ = nullity(matrix)
     rigid = loose_motions(net, shape.positions).shape[2]
     rank = matrix.shape[1] - zeros
-    return Rigidity(degrees_of_freedom=zeros - rigid, rigid_motions=rigid, self_stresses=matrix.shape[0] - rank)
+    return NetRigidity(degrees_of_freedom=zeros - rigid, rigid_motions=rigid, self_stresses=matrix.shape[0] - rank)
 
 
 def _rows(numbers: Array, columns: Indices, width: int) -> csr_array:

@@ -10,7 +10,7 @@ from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import lowest
 from forficula.statics.net.load import Load, no_load
 from forficula.statics.net.load_path import LoadPath, load_path
-from forficula.statics.net.minimum import Rest, minimum, stationary
+from forficula.statics.net.minimum import NetRest, minimum, stationary
 from forficula.statics.net.net import Net
 from forficula.statics.net.stable_states import same_shape
 from forficula.statics.net.supports import supported
@@ -30,8 +30,8 @@ class Saddle:
         path: of loads that led there.
     """
 
-    rest: Rest
-    ends: tuple[Rest, Rest]
+    rest: NetRest
+    ends: tuple[NetRest, NetRest]
     joins: bool
     path: LoadPath
 
@@ -43,8 +43,8 @@ class Saddle:
 
 def find_saddle(
     net: Net,
-    first: Rest,
-    second: Rest,
+    first: NetRest,
+    second: NetRest,
     *,
     load: Load | None = None,
     step: float | None = None,
@@ -91,7 +91,7 @@ def find_saddle(
     return other
 
 
-def _towards(net: Net, here: Rest, there: Rest) -> Load:
+def _towards(net: Net, here: NetRest, there: NetRest) -> Load:
     turned = np.asarray(net.creases.law.stiffness) * (there.shape.angles - here.shape.angles)
     if np.any(turned):
         return replace(no_load(net), torques=turned)
@@ -99,7 +99,7 @@ def _towards(net: Net, here: Rest, there: Rest) -> Load:
     return replace(no_load(net), forces=np.where(net.free, way * net.springs.stiffness.max(), 0.0))
 
 
-def _saddle_at(net: Net, path: LoadPath, first: Rest, second: Rest) -> Saddle | None:
+def _saddle_at(net: Net, path: LoadPath, first: NetRest, second: NetRest) -> Saddle | None:
     """The saddle beside the end of a path; None where it ends at another stationary point."""
     rest = stationary(net, path.points[-1].shape)
     if not rest.settled or rest.index != 1 or rest.neutral:

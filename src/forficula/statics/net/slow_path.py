@@ -11,8 +11,8 @@ import numpy as np
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.load import Load
 from forficula.statics.net.load_path import LoadPath, PathEvent, PathPoint, load_path
-from forficula.statics.net.minimum import Rest, minimum
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.minimum import NetRest, minimum
+from forficula.statics.net.net import Net, NetShape
 
 _MOST_SNAPS = 12
 _BEYOND = 1e-4  # of the factor: how far past a limit the load is when it lands
@@ -36,8 +36,8 @@ class Snap:
 
     kind: Literal["limit", "bifurcation", "branch"]
     factor: float
-    before: Shape
-    after: Rest
+    before: NetShape
+    after: NetRest
     released: float
 
 
@@ -63,14 +63,14 @@ class SlowPath:
 
 def slow_path(
     net: Net,
-    start: Shape,
+    start: NetShape,
     load: Load,
     *,
     begin: float = 0.0,
     end: float = 1.0,
     step: float | None = None,
     increments: int = 100,
-    stop: Callable[[Shape], bool] | None = None,
+    stop: Callable[[NetShape], bool] | None = None,
 ) -> SlowPath:
     """Let a load grow or fall so slowly that the net always rests, but where it snaps.
 
@@ -91,7 +91,7 @@ def slow_path(
         InputError: as for `load_path`.
     """
 
-    def told(shape: Shape) -> bool:
+    def told(shape: NetShape) -> bool:
         return stop is not None and stop(shape)
 
     paths, snaps, factor = list[LoadPath](), list[Snap](), begin
@@ -134,11 +134,11 @@ def _up_to(path: LoadPath) -> LoadPath:
     return LoadPath(load=path.load, points=points, events=path.events[:1], ended=path.ended, pins=path.pins)
 
 
-def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[Shape], bool]) -> Snap:
+def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[NetShape], bool]) -> Snap:
     """Where a net lands that a limit or a bifurcation throws off its path; of two ways the one further down."""
     beyond = (factor - event.point.factor) * load.displacements
     before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
-    landed = list[tuple[float, Rest]]()
+    landed = list[tuple[float, NetRest]]()
     for sign in (1.0, -1.0) if event.kind == "bifurcation" else (0.0,):
         pushed = shape_at(net, before.positions + sign * _PUSH * net.size * event.mode, before.angles)
         rest = minimum(net, pushed, load, factor, longest_step=_STEP * net.size, stop=stop)

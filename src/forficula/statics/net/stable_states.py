@@ -10,8 +10,8 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.statics.net.energy import expand, shape_at
 from forficula.statics.net.factor import softest
-from forficula.statics.net.minimum import Rest, minimum
-from forficula.statics.net.net import Net, Shape
+from forficula.statics.net.minimum import NetRest, minimum
+from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import loose_motions, supported
 
 _SOFT = 12  # modes of which a push is made
@@ -34,14 +34,14 @@ class StableStates:
         seed: of the pushes.
     """
 
-    states: tuple[Rest, ...]
+    states: tuple[NetRest, ...]
     counts: tuple[int, ...]
     tries: int
     failed: int
     seed: int
 
 
-def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, seed: int = 0) -> StableStates:
+def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40, seed: int = 0) -> StableStates:
     """Go downhill from given shapes, then again and again from pushes of what was found.
 
     A push is, by turns, a random combination of the softest modes, softer ones further, and a while with other and
@@ -54,7 +54,7 @@ def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, se
         seed: of the random numbers.
     """
     random = np.random.default_rng(seed)
-    states, counts, failed, last = list[Rest](), list[int](), 0, starts[0]
+    states, counts, failed, last = list[NetRest](), list[int](), 0, starts[0]
     for number in range(len(starts) + tries):
         if number < len(starts):
             begin = starts[number]
@@ -82,7 +82,7 @@ def find_stable_states(net: Net, starts: Sequence[Shape], *, tries: int = 40, se
     )
 
 
-def same_shape(net: Net, one: Shape, other: Shape) -> bool:
+def same_shape(net: Net, one: NetShape, other: NetShape) -> bool:
     """Whether two shapes are the same; of a net without supports or weight, up to a motion of the whole."""
     places = one.positions
     if not net.gravity and loose_motions(net).shape[2] == 6:
@@ -100,7 +100,7 @@ def _laid_on(places: Array, others: Array) -> Array:
     return np.asarray(centred @ left @ proper @ right + others.mean(axis=0))
 
 
-def _pushed(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
+def _pushed(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:
     held, _ = supported(net)
     curvature = expand(held, shape).free
     stiffness, modes = softest(curvature, _SOFT)
@@ -112,7 +112,7 @@ def _pushed(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
     return shape_at(net, shape.positions + push, shape.angles)
 
 
-def _folded(net: Net, shape: Shape, random: np.random.Generator) -> Shape:
+def _folded(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:
     law = replace(
         net.creases.law,
         rest_angle=shape.angles * random.uniform(-_FOLD, _FOLD, len(shape.angles)),

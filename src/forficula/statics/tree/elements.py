@@ -19,7 +19,7 @@ Expansion = tuple[Array, Array, Array]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Piece:
+class LinePiece:
     """Something that stretches, before it is laid out.
 
     Attributes:
@@ -32,7 +32,7 @@ class Piece:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Group:
+class ElementGroup:
     """Pieces of one shape side by side.
 
     Attributes:
@@ -72,11 +72,11 @@ class Elements:
 
     tree: Tree
     carried: Carried
-    groups: tuple[Group, ...]
+    groups: tuple[ElementGroup, ...]
     blocks: dict[int, tuple[tuple[Span, Span] | Indices, ...]]
 
 
-def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[Piece]) -> Elements:
+def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[LinePiece]) -> Elements:
     """Lay out pieces on points.
 
     Args:
@@ -116,11 +116,11 @@ def _rows(hinges: tuple[int, ...], count: int) -> tuple[Span, Span] | Indices:
 
 def _group(
     carried: Carried,
-    pieces: Sequence[Piece],
+    pieces: Sequence[LinePiece],
     joined: Sequence[tuple[int, ...]],
     numbers: list[int],
     known: dict[int, dict[tuple[int, ...], int]],
-) -> Group:
+) -> ElementGroup:
     points = np.array([pieces[number].points for number in numbers])
     sides = np.array([pieces[number].sides for number in numbers])
     size = len(joined[numbers[0]])
@@ -133,7 +133,7 @@ def _group(
     flat = points.ravel()
     every = span(flat)
     own = isinstance(every, slice) and every.step == 1
-    return Group(
+    return ElementGroup(
         pieces=span(numbers),
         points=every,
         gathers=None if own else np.asarray(flat[:, None] == np.arange(len(carried.bodies)), dtype=np.float64),
@@ -150,7 +150,7 @@ def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> In
     return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
 
 
-def _sides(group: Group, places: Array, moves: Array) -> tuple[Array, Array]:
+def _sides(group: ElementGroup, places: Array, moves: Array) -> tuple[Array, Array]:
     """The sides of a group in some poses, and how they move with the hinges of their block.
 
     Args:

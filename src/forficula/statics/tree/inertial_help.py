@@ -8,7 +8,7 @@ import numpy as np
 
 from forficula.serial import Joules, NewtonMetres
 from forficula.statics.tree.potential import Ensemble, potential
-from forficula.statics.tree.quasi_static import SlowPath
+from forficula.statics.tree.quasi_static import QuasiStaticPath
 from forficula.structure import Drive
 
 # A snap at a torque that differs less from the least one makes no difference to it.
@@ -31,7 +31,7 @@ class InertialHelp:
     barrier: Joules
 
 
-def inertial_help(structures: Ensemble, path: SlowPath, drive: Drive) -> InertialHelp | None:
+def inertial_help(structures: Ensemble, path: QuasiStaticPath, drive: Drive) -> InertialHelp | None:
     """Find the first snap of a path to a goal that releases more energy than the rest of the path has to climb.
 
     At the constant torque of the snap the energy less the torque's work is conserved but for damping. So a structure

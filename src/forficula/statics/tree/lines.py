@@ -12,7 +12,7 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.errors import InputError
 from forficula.material import ElasticLaw
-from forficula.statics.tree.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import Tree
 from forficula.structure import Structure
 
@@ -68,7 +68,7 @@ def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
                 )
         bodies += [end.body for end in ends]
         places += [end.place for end in ends]
-    pieces = [Piece(points=(2 * each, 2 * each + 1), sides=np.array([[-1.0, 1.0]])) for each in range(len(numbers))]
+    pieces = [LinePiece(points=(2 * each, 2 * each + 1), sides=np.array([[-1.0, 1.0]])) for each in range(len(numbers))]
     laws = [[each.tendons[number].law.elastic for number in numbers] for each in structures]
     parts: Any = {
         name: np.array([[getattr(law, name) for law in row] for row in laws])

@@ -15,7 +15,7 @@ from forficula.statics.tree.pose import carried_points, places_of, pose
 from forficula.statics.tree.potential import Ensemble, rest, start_angles
 from forficula.structure import (
     Drive,
-    Goal,
+    StageGoal,
     Structure,
     Transition,
     distances_of,
@@ -34,7 +34,7 @@ _NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to ste
 
 
 @dataclass(frozen=True, kw_only=True)
-class SlowPath:
+class QuasiStaticPath:
     """Equilibria of one structure under a slowly growing torque, and the snaps between them.
 
     Attributes:
@@ -61,7 +61,7 @@ class SlowTransition:
 
     torque: Array
     position: Array
-    paths: tuple[SlowPath, ...] = ()
+    paths: tuple[QuasiStaticPath, ...] = ()
 
 
 def start_state(structures: Ensemble) -> Equilibria:
@@ -125,7 +125,7 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
     )
 
 
-def at_goal(structures: Ensemble, position: Array, goal: Goal) -> Flags:
+def at_goal(structures: Ensemble, position: Array, goal: StageGoal) -> Flags:
     """Whether every hinge and distance is within a goal's bounds, (case,)."""
     built = structures.structure
     read = goal_coordinates(built, position, _distances(built, structures, position))
@@ -254,9 +254,9 @@ class _PathRecord:
             self.add(case, torque, position)
         self._snaps[case].append((before, len(self._steps[case]) - 1))
 
-    def paths(self) -> tuple[SlowPath, ...]:
+    def paths(self) -> tuple[QuasiStaticPath, ...]:
         return tuple(
-            SlowPath(
+            QuasiStaticPath(
                 torque=np.array([torque for torque, _ in steps]),
                 position=np.array([position for _, position in steps]),
                 snaps=tuple(snaps),

@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.pattern.geometry import triangle_normals
-from forficula.statics.tree.elements import Elements, Expansion, Piece, elements, stretched
+from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elements, stretched
 from forficula.statics.tree.pose import Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
 
@@ -54,12 +54,12 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
     """Lay out the membranes and limits of a structure."""
     bodies: list[int] = []
     places: list[Array] = []
-    pieces: list[Piece] = []
+    pieces: list[LinePiece] = []
     volumes: list[Array] = []
     for membrane in structure.membranes:
         nodes = tuple(range(len(bodies), len(bodies) + len(membrane.bodies)))
         sides, volume = _triangles(membrane)
-        pieces.append(Piece(points=nodes, sides=sides))
+        pieces.append(LinePiece(points=nodes, sides=sides))
         volumes.append(volume)
         bodies += membrane.bodies.tolist()
         places += list(membrane.places)
@@ -71,7 +71,7 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
                 bodies.append(structure.points[end].body)
                 places.append(structure.points[end].place)
         first, second = limit.points
-        pieces.append(Piece(points=(ends[first], ends[second]), sides=np.array([[-1.0, 1.0]])))
+        pieces.append(LinePiece(points=(ends[first], ends[second]), sides=np.array([[-1.0, 1.0]])))
     laid = elements(tree, bodies, np.array(places).reshape(-1, 3), pieces)
     laws = [membrane.law for membrane in structure.membranes]
     numbers = [np.arange(len(pieces))[group.pieces] for group in laid.groups]

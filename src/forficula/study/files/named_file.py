@@ -10,14 +10,14 @@ from typing import Any, Generic, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.files import as_path, read_text
 from forficula.names import near_name
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
 
-Model = TypeVar("Model", bound=Part)
+Model = TypeVar("Model", bound=Section)
 Built = TypeVar("Built")
 
 

@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field
 
 from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.names import check_known, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity
@@ -20,7 +20,7 @@ from forficula.study.search_steps import Search, SearchStep
 _MOST_TORQUES = 1000  # every one of them is a run of every point
 
 
-class TorqueSearchTable(Part):
+class TorqueSearchTable(Section):
     """The table `search` of a goal file; DRIVE stands for names of the design's drives, by which keys are checked."""
 
     model_config = ConfigDict(extra="allow")

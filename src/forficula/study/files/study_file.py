@@ -21,7 +21,7 @@ from forficula.design import (
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.provenance import check_paper
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word
@@ -32,7 +32,7 @@ from forficula.study.search_steps import Search
 from forficula.study.study import Study
 
 
-class PointSampling(Part):
+class PointSampling(Section):
     """How points are drawn."""
 
     method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
@@ -42,7 +42,7 @@ class PointSampling(Part):
     seed: Whole = entry("random seed", 0, at_least=0)
 
 
-class StudyFile(Part):
+class StudyFile(Section):
     """A study as its file has it."""
 
     about: ClassVar[str] = (

@@ -13,8 +13,8 @@ from forficula.analysis.outcome import outcome_values
 from forficula.analysis.verdict import UNSETTLED
 from forficula.design import Design, put
 from forficula.dynamics import (
-    Check,
     Model,
+    NumericalCheck,
     Record,
     but_last_drive,
     compile_model,
@@ -112,13 +112,13 @@ def with_checks(record: Record, others: Mapping[str, Record | InputError]) -> Re
     return replace(record, checks=(*record.checks, *checks))
 
 
-def _check(name: str, record: Record) -> Check:
+def _check(name: str, record: Record) -> NumericalCheck:
     return check_of(name, float(record.design.protocol.timestep), measure(record))
 
 
-def check_of(name: str, timestep: float, outcome: Outcome) -> Check:
+def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
     """Return what a record keeps of a second run at a timestep, s."""
-    return Check(
+    return NumericalCheck(
         name=name,
         timestep=timestep,
         verdict=outcome.verdict.value,
@@ -294,7 +294,7 @@ def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
     return "" if all(_same_ending(each, outcome) for each in told) else UNSETTLED
 
 
-def _coarser(attempt: _Attempt, outcome: Outcome) -> tuple[Check, ...]:
+def _coarser(attempt: _Attempt, outcome: Outcome) -> tuple[NumericalCheck, ...]:
     """The runs at longer timesteps that a search for one compared with the last; none where the step is given."""
     own = float(attempt.design.protocol.timestep)
     return tuple(

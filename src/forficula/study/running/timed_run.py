@@ -15,7 +15,7 @@ from forficula.dynamics import Record, StageEnd
 from forficula.structure import Transition, goal_coordinates, goal_of
 
 
-class Kind(NamedTuple):
+class RunKind(NamedTuple):
     """What must not change with a timestep."""
 
     holds: tuple[bool, ...]
@@ -43,7 +43,7 @@ class TimedRun:
     status: str
     word: str
     verdict: Verdict
-    outcome: Kind
+    outcome: RunKind
     transition_times: Mapping[str, float]
     starts: Mapping[str, float]
     times: Array
@@ -72,7 +72,7 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
         status=outcome.status,
         word=ending_word(outcome.ending),
         verdict=outcome.verdict,
-        outcome=Kind(
+        outcome=RunKind(
             tuple(bool(holds) for holds in outcome.holds.values()),
             record.diverged_at is not None,
             outcome.verdict is Verdict.UNTRUSTED,

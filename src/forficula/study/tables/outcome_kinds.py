@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _ATTRIBUTE = "transitions"
 
 
-class Kind(Enum):
+class OutcomeKind(Enum):
     """How far a structure came on its way through the transitions of a protocol."""
 
     DID_ALL = "all transitions"
@@ -46,7 +46,13 @@ class Kind(Enum):
     @property
     def did_first(self) -> bool:
         """Whether the first transition was done, so that the next one could be tried."""
-        return self in (Kind.DID_ALL, Kind.DID_FIRST, Kind.STUCK_LATER, Kind.MOVING_LATER, Kind.LOST_LATER)
+        return self in (
+            OutcomeKind.DID_ALL,
+            OutcomeKind.DID_FIRST,
+            OutcomeKind.STUCK_LATER,
+            OutcomeKind.MOVING_LATER,
+            OutcomeKind.LOST_LATER,
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,38 +183,38 @@ def not_tried_word(transitions: Sequence[TableTransition]) -> str:
     return f"not tried: did not {transitions[0].wording.verb}" if transitions else "not tried"
 
 
-def word_of(table: Dataset, kind: Kind) -> str:
+def word_of(table: Dataset, kind: OutcomeKind) -> str:
     """The word by which a table tells a kind; "" where it has none."""
     return next((word for word, its in outcome_kinds(table).items() if its is kind), "")
 
 
-def outcome_kinds(table: Dataset) -> Mapping[str, Kind]:
+def outcome_kinds(table: Dataset) -> Mapping[str, OutcomeKind]:
     """What each word that a table may have means; those that came furthest first."""
     transitions = table_transitions(table)
-    kinds: dict[str, Kind] = {}
+    kinds: dict[str, OutcomeKind] = {}
     if not transitions:
-        kinds[verdict_word(Verdict.REACHED, None)] = Kind.DID_ALL
+        kinds[verdict_word(Verdict.REACHED, None)] = OutcomeKind.DID_ALL
     first, later = [each.wording for each in transitions[:1]], [each.wording for each in transitions[1:]]
     reached = [verdict_word(Verdict.REACHED, wording) for wording in reversed([*first, *later])]
-    kinds |= {word: Kind.DID_FIRST if place else Kind.DID_ALL for place, word in enumerate(reached)}
+    kinds |= {word: OutcomeKind.DID_FIRST if place else OutcomeKind.DID_ALL for place, word in enumerate(reached)}
     for verdict, wordings, kind in (
-        (Verdict.STUCK, later, Kind.STUCK_LATER),
-        (Verdict.STUCK, first, Kind.STUCK),
+        (Verdict.STUCK, later, OutcomeKind.STUCK_LATER),
+        (Verdict.STUCK, first, OutcomeKind.STUCK),
     ):
         kinds |= {verdict_word(verdict, wording): kind for wording in wordings}
-    kinds |= {verdict_word(Verdict.STUCK, wording, under_way=True): Kind.UNDER_WAY for wording in first}
+    kinds |= {verdict_word(Verdict.STUCK, wording, under_way=True): OutcomeKind.UNDER_WAY for wording in first}
     for verdict, wordings, kind in (
-        (Verdict.NOT_HELD, first, Kind.LOST),
-        (Verdict.MOVING, first, Kind.MOVING),
-        (Verdict.MOVING, later, Kind.MOVING_LATER),
-        (Verdict.NOT_HELD, later, Kind.LOST_LATER),
+        (Verdict.NOT_HELD, first, OutcomeKind.LOST),
+        (Verdict.MOVING, first, OutcomeKind.MOVING),
+        (Verdict.MOVING, later, OutcomeKind.MOVING_LATER),
+        (Verdict.NOT_HELD, later, OutcomeKind.LOST_LATER),
     ):
         kinds |= {verdict_word(verdict, wording): kind for wording in wordings}
     for verdict, kind in (
-        (Verdict.UNDECIDED, Kind.UNDECIDED),
-        (Verdict.DIVERGED, Kind.DIVERGED),
-        (Verdict.UNTRUSTED, Kind.UNTRUSTED),
-        (Verdict.NOT_BUILT, Kind.NOT_BUILT),
+        (Verdict.UNDECIDED, OutcomeKind.UNDECIDED),
+        (Verdict.DIVERGED, OutcomeKind.DIVERGED),
+        (Verdict.UNTRUSTED, OutcomeKind.UNTRUSTED),
+        (Verdict.NOT_BUILT, OutcomeKind.NOT_BUILT),
     ):
         kinds[verdict_word(verdict, None)] = kind
-    return kinds | {not_tried_word(transitions): Kind.NOT_TRIED}
+    return kinds | {not_tried_word(transitions): OutcomeKind.NOT_TRIED}

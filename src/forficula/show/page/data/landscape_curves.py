@@ -31,7 +31,7 @@ _MOVING = ("kinetic", "Maxwell branches")  # energies that are none at rest, so 
 
 
 @dataclass(frozen=True, kw_only=True)
-class Course:
+class DrawnCourse:
     """Energies over an angle: a line, or where a run is, by frame.
 
     Attributes:
@@ -62,9 +62,9 @@ class Curve:
 
     title: str
     axis: str
-    lines: tuple[Course, ...]
-    marks: tuple[Course, ...]
-    balls: tuple[Course, ...]
+    lines: tuple[DrawnCourse, ...]
+    marks: tuple[DrawnCourse, ...]
+    balls: tuple[DrawnCourse, ...]
     top: tuple[float, float] | None
     text: str
     hinge: int | None = None
@@ -92,7 +92,7 @@ def curve_data(curve: Curve) -> dict[str, Any]:
     """A curve as data for JSON, in deg and in one unit of energy."""
     unit, factor = reading_unit("J", max(float(line.energy.max()) for line in curve.lines))
 
-    def course(each: Course) -> dict[str, Any]:
+    def course(each: DrawnCourse) -> dict[str, Any]:
         places, values = packed(np.degrees(each.angle), "f4"), packed(factor * each.energy, "f4")
         return {"name": each.name, "places": places, "values": values}
 
@@ -130,7 +130,7 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         energy = record.series["tendon_energy"][rows, crossed.tendon]
         if own.spring is not None:
             energy = energy + record.series["hinge_energy"][rows, crossed.hinge]
-        balls.append(Course(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
+        balls.append(DrawnCourse(name=name, angle=record.series["hinge_angle"][rows, crossed.hinge], energy=energy))
     barrier, top = "", None
     if own.barrier is not None and own.barrier_angle is not None:
         start, reach = own.hinge.overbend, own.hinge.overbend - own.barrier_angle
@@ -156,12 +156,12 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
     )
 
 
-def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> Course:
+def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> DrawnCourse:
     """A line with so many places that a barrier of a few degrees is round; the moment is its slope."""
     rising = hinge.angle[::-1]
     angle = np.unique(np.concatenate([rising, np.linspace(rising[0], rising[-1], _PLACES)]))[::-1]
     spline = scipy.interpolate.CubicHermiteSpline(rising, energy[::-1], -moment[::-1])
-    return Course(name=name, angle=hinge.sense * angle, energy=spline(angle))
+    return DrawnCourse(name=name, angle=hinge.sense * angle, energy=spline(angle))
 
 
 def _alike(hinge: HingeLandscape, own: HingeLandscape) -> bool:
@@ -179,14 +179,14 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         return None
     folds = bool(np.any(path.ring_angle))
     axis = f"mean {title_of(hinge_measure(structure, fold.folds[0]))}" if folds else "mean pleat angle"
-    balls: tuple[Course, ...] = ()
+    balls: tuple[DrawnCourse, ...] = ()
     if record is not None:
         angles = record.series["hinge_angle"][rows]
         angle = angles[:, list(fold.folds)].mean(axis=1) if folds else 2 * angles[:, list(fold.turns)].mean(axis=1)
         stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
-        balls = (Course(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
+        balls = (DrawnCourse(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
     along = -path.ring_angle if folds else path.pleat_angle
-    line = Course(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
+    line = DrawnCourse(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
     states = [
         _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line) for each in fold_states(landscape)
     ]
@@ -213,10 +213,10 @@ def _weight_zero(record: Record) -> float:
     return float(first[0] - record.series["gravitational_energy"][0])
 
 
-def _mark(name: str, ends: tuple[float, float], energy: float, line: Course) -> Course:
+def _mark(name: str, ends: tuple[float, float], energy: float, line: DrawnCourse) -> DrawnCourse:
     """A stable state: a place, or the part of a line along which it rests."""
     low, high = sorted(ends)
     between = (line.angle >= low - _SAME) & (line.angle <= high + _SAME)
     if high - low <= _SAME:
-        return Course(name=name, angle=np.array([low]), energy=np.array([energy]))
-    return Course(name=name, angle=line.angle[between], energy=line.energy[between])
+        return DrawnCourse(name=name, angle=np.array([low]), energy=np.array([energy]))
+    return DrawnCourse(name=name, angle=line.angle[between], energy=line.energy[between])

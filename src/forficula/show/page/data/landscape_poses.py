@@ -21,7 +21,7 @@ NO_POSE = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Poses:
+class LandscapePoses:
     """A structure at some angles of its hinges.
 
     Attributes:
@@ -35,7 +35,7 @@ class Poses:
     why: str
 
 
-def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Poses | None:
+def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> LandscapePoses | None:
     """Find what a structure looks like along its landscape's curves: as it folds rigidly, or as one hinge turns.
 
     Args:
@@ -47,7 +47,7 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Poses | 
     """
     structure, path = landscape.structure, landscape.fold_path
     if path is not None:
-        return Poses(
+        return LandscapePoses(
             structure=structure,
             angles=path.angles,
             why="Panels are rigid and fold together in the one way they have.",
@@ -57,10 +57,12 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Poses | 
     angles = np.tile([hinge.start for hinge in structure.hinges], (_TURNS, 1))
     turned = shown.own.sense * shown.own.angle
     angles[:, shown.hinge] = np.linspace(turned.min(), turned.max(), _TURNS)
-    return Poses(structure=structure, angles=angles, why="This hinge turns alone; the others are as at the start.")
+    return LandscapePoses(
+        structure=structure, angles=angles, why="This hinge turns alone; the others are as at the start."
+    )
 
 
-def pose_clip(poses: Poses, name: str) -> Clip:
+def pose_clip(poses: LandscapePoses, name: str) -> Clip:
     """Poses as a clip, with the number of the pose in place of a time."""
     structure = poses.structure
     mesh, tree = shape_mesh(structure), tree_of(structure)

@@ -29,7 +29,7 @@ from forficula.show.page.data.packed_arrays import PackedArrays
 from forficula.show.page.parts.design_rows import key_meanings
 from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
 from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
-from forficula.structure import Goal, Measure, Structure, Transition, goal_of, measure_of, sums_of
+from forficula.structure import Measure, StageGoal, Structure, Transition, goal_of, measure_of, sums_of
 
 _MOST_STRENGTH = 3.0  # of a drive, by that of the design
 
@@ -233,11 +233,11 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
     }
 
 
-def _goal_named(model: Model, name: str) -> Goal:
+def _goal_named(model: Model, name: str) -> StageGoal:
     return goal_in_units(model, goal_of(model.structure, name))
 
 
-def _goal_data(goal: Goal) -> dict[str, Any]:
+def _goal_data(goal: StageGoal) -> dict[str, Any]:
     return {"until": goal.name, "kind": goal.kind, "least": _bounds(goal.least), "most": _bounds(goal.most)}
 
 

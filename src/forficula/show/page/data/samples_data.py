@@ -37,7 +37,7 @@ class Number:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Samples:
+class ShownSamples:
     """Points, and what a page says of them.
 
     Attributes:
@@ -69,7 +69,7 @@ class Samples:
     own: dict[str, float] = field(default_factory=dict)
 
 
-def samples_data(samples: Samples) -> dict[str, Any]:
+def samples_data(samples: ShownSamples) -> dict[str, Any]:
     """What a page needs to know of points, as data for JSON.
 
     Returns:
@@ -104,7 +104,7 @@ def samples_data(samples: Samples) -> dict[str, Any]:
     }
 
 
-def _factor(samples: Samples, name: str) -> dict[str, Any]:
+def _factor(samples: ShownSamples, name: str) -> dict[str, Any]:
     coordinate = samples.table[name]
     own = samples.own.get(name)
     return factor_data(coordinate) | {"own": None if own is None else rounded(own * scale_of(coordinate))}

@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
-from forficula.show.structure.shape import DrawnLine, Shape, shape_of
+from forficula.show.structure.shape import Shape, ShapeLine, shape_of
 from forficula.structure import GROUND, Structure, built_frames, built_points
 
 # by diameter of the thickest bar: radius of a crease's line, of a rim, of the edge of a plate, of a tendon, of a joint,
@@ -134,7 +134,7 @@ def _thin(shape: Shape, share: float) -> float:
     return max(share * shape.thickness, share * _THINNEST * shape.span)
 
 
-def _dashes(shape: Shape, line: DrawnLine, between: list[list[int]], share: list[float]) -> list[tuple[int, int]]:
+def _dashes(shape: Shape, line: ShapeLine, between: list[list[int]], share: list[float]) -> list[tuple[int, int]]:
     """Ends of the dashes along a crease, as long as in the built shape; those within a piece become vertices."""
     lengths = [float(np.linalg.norm(shape.built[end] - shape.built[start])) for start, end in pairwise(line.path)]
     corners = [0.0, *np.cumsum(lengths).tolist()]

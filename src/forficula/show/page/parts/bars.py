@@ -10,7 +10,7 @@ from forficula.show.page.parts.html import escaped
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bar:
+class ShareBar:
     """A bar on a scale that all of its column share.
 
     Attributes:
@@ -40,15 +40,15 @@ class BarRow:
     """
 
     name: str
-    lanes: tuple[tuple[Bar, ...], ...]
+    lanes: tuple[tuple[ShareBar, ...], ...]
     cells: tuple[str, ...]
     note: str = ""
 
 
-def bar(end: float, kind: str, *, start: float = 0.0, interval: tuple[float, float] | None = None) -> Bar:
+def bar(end: float, kind: str, *, start: float = 0.0, interval: tuple[float, float] | None = None) -> ShareBar:
     """A bar, from 0 where nothing else is said; without an interval where its ends are not finite."""
     low, high = interval if interval is not None and all(map(math.isfinite, interval)) else (end, end)
-    return Bar(start=start, end=end, low=low, high=high, kind=kind)
+    return ShareBar(start=start, end=end, low=low, high=high, kind=kind)
 
 
 def percent_text(share: float) -> str:
@@ -87,7 +87,7 @@ def _row(row: BarRow, scale: tuple[float, float], line: float) -> str:
     return f'<tr><th scope="row">{escaped(row.name)}{note}</th><td>{place}</td>{cells}</tr>'
 
 
-def _drawn(bar: Bar, scale: tuple[float, float]) -> str:
+def _drawn(bar: ShareBar, scale: tuple[float, float]) -> str:
     start, end = sorted((_share(bar.start, scale), _share(bar.end, scale)))
     low, high = _share(bar.low, scale), _share(bar.high, scale)
     # an interval that goes on beyond the scale has no end there

@@ -9,7 +9,7 @@ from typing import Any
 
 from forficula.design import Design
 from forficula.design.files.design_file import load_design, named_designs
-from forficula.design.part import Part
+from forficula.design.part import Section
 from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
@@ -119,11 +119,11 @@ def _apart(row: DesignRow) -> str:
     return f"{key} left out" if row.value == ABSENT else f"{key} {row.value}"
 
 
-def _section(section: str, design: Design) -> Part | None:
+def _section(section: str, design: Design) -> Section | None:
     """A part of a design; of a list of them the first that there is."""
     part = getattr(design, section, None)
     entries = part if isinstance(part, tuple) else (part,)
-    return next((entry for entry in entries if isinstance(entry, Part)), None)
+    return next((entry for entry in entries if isinstance(entry, Section)), None)
 
 
 def _keys(designs: Sequence[dict[str, str]]) -> list[str]:
@@ -169,14 +169,14 @@ def _is_list_of_tables(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
-def key_meanings(part: Part, prefix: str = "") -> Iterator[tuple[str, str]]:
+def key_meanings(part: Section, prefix: str = "") -> Iterator[tuple[str, str]]:
     """What the keys of a part mean, and of the parts in it."""
     for name, field in type(part).model_fields.items():
         value = getattr(part, name)
         yield f"{prefix}{name}", field.description or ""
         inside = value if isinstance(value, tuple) else ()
         for number, entry in enumerate(inside):
-            if isinstance(entry, Part):
+            if isinstance(entry, Section):
                 yield from key_meanings(entry, f"{prefix}{name}.{number}.")
-        if isinstance(value, Part):
+        if isinstance(value, Section):
             yield from key_meanings(value, f"{prefix}{name}.")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from forficula.study.tables.map_comparison import NOT_SIMULATED
-from forficula.study.tables.outcome_kinds import Kind, outcome_kinds
+from forficula.study.tables.outcome_kinds import OutcomeKind, outcome_kinds
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
@@ -16,20 +16,20 @@ if TYPE_CHECKING:
 # the sign of what did all that was asked of it
 _GOOD = "●"
 _SIGNS = {
-    Kind.DID_ALL: _GOOD,
-    Kind.DID_FIRST: "◆",
-    Kind.LOST_LATER: "↻",
-    Kind.MOVING_LATER: "◁",
-    Kind.STUCK_LATER: "■",
-    Kind.STUCK: "×",
-    Kind.UNDER_WAY: "✱",
-    Kind.MOVING: "▷",
-    Kind.LOST: "↺",
-    Kind.UNDECIDED: "≷",
-    Kind.DIVERGED: "✚",
-    Kind.UNTRUSTED: "≠",
-    Kind.NOT_BUILT: "⊘",
-    Kind.NOT_TRIED: "–",
+    OutcomeKind.DID_ALL: _GOOD,
+    OutcomeKind.DID_FIRST: "◆",
+    OutcomeKind.LOST_LATER: "↻",
+    OutcomeKind.MOVING_LATER: "◁",
+    OutcomeKind.STUCK_LATER: "■",
+    OutcomeKind.STUCK: "×",
+    OutcomeKind.UNDER_WAY: "✱",
+    OutcomeKind.MOVING: "▷",
+    OutcomeKind.LOST: "↺",
+    OutcomeKind.UNDECIDED: "≷",
+    OutcomeKind.DIVERGED: "✚",
+    OutcomeKind.UNTRUSTED: "≠",
+    OutcomeKind.NOT_BUILT: "⊘",
+    OutcomeKind.NOT_TRIED: "–",
 }
 _WITH_TORQUE, _OTHER = "⊗", "?"
 # the class of each sign in the style of pages
