@@ -9,11 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
-from rich.console import Console
-from rich.table import Table
 
 from forficula.commands.new import USUAL_KIND, Kind
-from forficula.design.files.key_table import KeyFact
 from forficula.errors import InputError
 from forficula.options import (
     WHOLE_NUMBER,
@@ -37,6 +34,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from forficula.design import Design
+    from forficula.design.files.key_table import KeyFact
     from forficula.design.part import Section
     from forficula.pattern import CreasePattern
     from forficula.pattern.files.fold_writer import Frame
@@ -44,6 +42,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _LAST_PORT = 65535
+_WIDTH = 130  # of tables of keys, in characters
 
 
 def keys(
@@ -287,11 +286,11 @@ def _attachments(design: Design) -> Array | None:
     return built_points(structure)[ends] if ends else None
 
 
-_WIDTH = 130
-
-
 def print_keys(facts: Sequence[KeyFact]) -> None:
     """Print keys table by table, each with what it may hold, what counts without it, and what it means."""
+    from rich.console import Console
+    from rich.table import Table
+
     console = Console(width=_WIDTH, highlight=False, markup=False)
     sections: dict[str, list[KeyFact]] = {}
     for fact in facts:

@@ -225,7 +225,7 @@ def _tell_plan(question: Question, plan: Plan, most: int, seconds: float) -> Non
 
 def _tell_tolerance(found: Tolerance, folder: Path, keep: int) -> None:
     """Write a tolerance and its page, and print it."""
-    from forficula.goals.tolerance.samples import samples_to_keep
+    from forficula.goals.tolerance.kept_samples import samples_to_keep
     from forficula.show import study_progress
     from forficula.show.folder.tolerance_folder import write_tolerance, write_tolerance_report
     from forficula.show.goals.tolerance_text import print_tolerance

@@ -9,8 +9,8 @@ import pytest
 from forficula.design import key_value
 from forficula.goals.deviation import Deviation, deviation_widths
 from forficula.goals.tolerance import Question, assess_tolerance
-from forficula.goals.tolerance.assess_tolerance import saved_plan
 from forficula.goals.tolerance.plan import PLANS
+from forficula.goals.tolerance.saved_plan import saved_plan
 from forficula.structure import structure_of
 from forficula.study.running.evaluate import row_key
 
@@ -88,6 +88,6 @@ def assessed(design, folder, plan, margin, shard=(1, 1), **closed_form):
     question, cluster = asked(design), ClosedForm(design, FACTORS, margin, **closed_form)
     folder.mkdir(exist_ok=True)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("forficula.goals.tolerance.assess_tolerance.PLANS", (plan,))
+        patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))
         saved_plan(folder, question, 5.0, 0, plan)
         return assess_tolerance(question, folder, shard=shard, cluster=cluster)

@@ -11,10 +11,10 @@ from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.goals.tolerance import assess_tolerance, estimate_tolerance
 from forficula.goals.tolerance.advice import advice, most_telling, tighten_first
-from forficula.goals.tolerance.assess_tolerance import kept_plan, saved_plan
 from forficula.goals.tolerance.nearest_failure import Answer
 from forficula.goals.tolerance.plan import PLANS
 from forficula.goals.tolerance.question_file import question_of
+from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from tests.goals.tolerance.closed_form import (
     EDGE,
@@ -275,7 +275,7 @@ def test_what_a_tolerance_would_have_beyond_a_keys_bounds_is_built_at_the_bound_
     question = question_of(design, dict.fromkeys(keys, "10 %"))
     plan = replace(PLANS[-1], points=64, cells=5)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("forficula.goals.tolerance.assess_tolerance.PLANS", (plan,))
+        patch.setattr("forficula.goals.tolerance.saved_plan.PLANS", (plan,))
         saved_plan(tmp_path, question, 5.0, 0, plan)
         built = ClosedForm(design, question.deviations, lambda offsets: 0.3 + 0.1 * offsets[1] + 0.01 * offsets[0])
         found = assess_tolerance(question, tmp_path, cluster=built)

@@ -9,8 +9,8 @@ from matplotlib.colors import to_hex
 
 import forficula as ff
 from forficula.design import load_design
+from forficula.goals.tolerance.kept_samples import samples_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
-from forficula.goals.tolerance.samples import samples_to_keep
 from forficula.goals.tolerance.tolerance_table import tolerance_table
 from forficula.show.folder.presentation import folder_drawings
 from forficula.show.folder.tolerance_folder import tolerance_drawings, write_tolerance

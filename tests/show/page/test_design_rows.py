@@ -19,7 +19,9 @@ def test_a_named_design_differs_in_nothing_from_itself(reference):
 def test_explanations_of_sections_do_not_depend_on_docstrings():
     # which PYTHONOPTIMIZE=2 takes away
     parts = list(_subclasses(Section))
-    assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "Facet"} <= {part.__name__ for part in parts}
+    assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "FacetSection"} <= {
+        part.__name__ for part in parts
+    }
     for part in parts:
         if part.__doc__ and part.__module__.startswith("forficula.design") and not issubclass(part, Design):
             assert part.about == (part.__doc__ or "").splitlines()[0].removesuffix("."), part

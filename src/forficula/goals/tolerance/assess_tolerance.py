@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-import json
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import Design
 from forficula.errors import InputError
-from forficula.files import write_text
 from forficula.goals.assessor import Assessor, open_assessor
 from forficula.goals.deviation import off_values
 from forficula.goals.tolerance.indices import Indices, Values, line_indices, sobol_indices, total_effects
 from forficula.goals.tolerance.narrowing import narrowed
 from forficula.goals.tolerance.nearest_failure import Answer, Ask, Reach, reaches
-from forficula.goals.tolerance.plan import PLANS, Plan, Points, exchanged, plan_within, two_samples
+from forficula.goals.tolerance.plan import PLANS, Plan, exchanged, plan_within, two_samples
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, assess_samples, built_design, joined, margin_names
+from forficula.goals.tolerance.saved_plan import kept_plan, saved_plan
 from forficula.goals.tolerance.screening import Screening, screening
 from forficula.goals.tolerance.tolerance import NearestFailure, Tolerance, VerdictMap
-from forficula.lock import held
 from forficula.names import check_whole
 from forficula.quantities import as_written
 from forficula.study.running.evaluate import evaluate
@@ -146,7 +144,7 @@ class _Trials:
     most: int = 0
     count: int = 0
 
-    def __call__(self, offsets: Points) -> Samples:
+    def __call__(self, offsets: Array) -> Samples:
         """What becomes of designs that are off by so many widths, (samples, factors)."""
         assert self.assessor is not None
         self.count += len(offsets)
@@ -271,7 +269,7 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
     return replace(found, runs=trials.count)
 
 
-def _effects(trials: _Trials, plan: Plan, first: Points, second: Points, at_first: Samples, samples: Samples) -> Values:
+def _effects(trials: _Trials, plan: Plan, first: Array, second: Array, at_first: Samples, samples: Samples) -> Values:
     """The share of the margin's variance that has to do with each factor, (factors,), from few rows."""
     rows, factors = plan.screened, first.shape[1]
     one, other = first[:rows], second[:rows]
@@ -306,7 +304,7 @@ def _nearest(trials: _Trials, plan: Plan, every: Samples) -> NearestFailure | No
     slopes[np.abs(slopes) < _CHANCE / np.sqrt(len(every))] = 0.0
     central = failing[np.argsort(np.sum(failing**2, axis=1), kind="stable")[: plan.nearest - 1]]
     # no minus zeros
-    ways: list[Points] = [*([0.0 - np.sign(slopes)] if slopes.any() else []), *central]
+    ways: list[Array] = [*([0.0 - np.sign(slopes)] if slopes.any() else []), *central]
     found = [
         NearestFailure(offsets=reach.fails * way, works=reach.works / reach.fails)
         for reach, way in zip(reaches(_asking(trials, ways), len(ways), (1.0,), plan.halvings), ways, strict=True)
@@ -322,7 +320,7 @@ def _correlations(samples: Samples) -> Values:
     return np.asarray(np.divide(offsets.T @ margins, scale, out=np.zeros(len(scale)), where=scale > 0))
 
 
-def _asking(trials: _Trials, ways: Sequence[Points]) -> Ask:
+def _asking(trials: _Trials, ways: Sequence[Array]) -> Ask:
     """What answers to deviations along ways, each (factors,) in widths; what no key allows is not run."""
 
     def ask(moves: Sequence[tuple[int, float]]) -> Sequence[Answer]:
@@ -350,48 +348,3 @@ def _map_ends(question: Question, factor: int) -> tuple[float, float]:
     """How far the map goes down and up, in widths: no farther than the key allows."""
     far, (down, up) = _MAP_REACH[question.deviations[factor].distribution], question.reach(factor)
     return max(-far, down), min(far, up)
-
-
-_FILE = "plan.json"
-
-
-def kept_plan(folder: Path, question: Question, minutes: float, seed: int) -> Plan | None:
-    """The plan that a folder has for a question, or None where it has none, or one for another question."""
-    try:
-        found = json.loads((folder / _FILE).read_text("utf-8"))
-    except (OSError, ValueError):
-        return None
-    if not isinstance(found, dict) or found.get("asked") != _asked(question, minutes, seed):
-        return None
-    return next((plan for plan in PLANS if _plain(plan) == found.get("plan")), None)
-
-
-def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan: Plan) -> Plan:
-    """Write a plan where the folder has none for the question yet, and hand on the one that it has then.
-
-    Of several processes that share the runs the first one settles it.
-
-    Raises:
-        InputError: the folder cannot be written.
-    """
-    with held(folder / f".{_FILE}.lock"):
-        if (kept := kept_plan(folder, question, minutes, seed)) is not None:
-            return kept
-        asked = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}
-        write_text(folder / _FILE, json.dumps(asked, indent=1) + "\n")
-    return plan
-
-
-def _asked(question: Question, minutes: float, seed: int) -> Mapping[str, Any]:
-    """What was asked, as JSON has it."""
-    return {
-        "design_hash": question.design.hash,
-        "tolerances": {each.key: [each.distribution, each.size, each.relative] for each in question.deviations},
-        "limits": [str(limit) for limit in question.limits],
-        "minutes": minutes,
-        "seed": seed,
-    }
-
-
-def _plain(plan: Plan) -> Mapping[str, Any]:
-    return {**asdict(plan), "steps": list(plan.steps)}

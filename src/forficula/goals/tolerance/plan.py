@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from forficula.arrays import Array
 from forficula.goals.latin_points import latin_points
 
 
@@ -75,10 +73,7 @@ def plan_within(factors: int, seconds_a_run: float, seconds: float) -> Plan:
     return next(fitting, PLANS[-1])
 
 
-Points = NDArray[np.float64]
-
-
-def two_samples(factors: int, count: int, seed: int) -> tuple[Points, Points]:
+def two_samples(factors: int, count: int, seed: int) -> tuple[Array, Array]:
     """Two samples of the unit cube that are independent of one another, row by row.
 
     They are the halves of one Latin hypercube of twice as many columns. The first rows are the same, however many there
@@ -96,7 +91,7 @@ def two_samples(factors: int, count: int, seed: int) -> tuple[Points, Points]:
     return drawn[:, :factors], drawn[:, factors:]
 
 
-def exchanged(first: Points, second: Points, columns: Sequence[int]) -> Points:
+def exchanged(first: Array, second: Array, columns: Sequence[int]) -> Array:
     """The first sample with some columns of the second.
 
     Args:

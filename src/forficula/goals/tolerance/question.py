@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from forficula.arrays import Array
 from forficula.design import Design, key_quantity, key_value
 from forficula.goals.deviation import Deviation, allowed_ends
 from forficula.goals.limit import Limit
 from forficula.goals.outcome_quantity import SOURCES, Source
-from forficula.goals.tolerance.plan import Points
 from forficula.quantities import show_quantity
 
 # what every margin together is called
@@ -46,12 +46,12 @@ class Question:
         needed = {"run", *(limit.quantity.source for limit in self.limits)}
         return tuple(source for source in SOURCES if source in needed)
 
-    def offsets(self, shares: Points) -> Points:
-        """Points of the unit cube as deviations in widths, (points, factors) both."""
+    def offsets(self, shares: Array) -> Array:
+        """Array of the unit cube as deviations in widths, (points, factors) both."""
         columns = [deviation.offsets(column) for deviation, column in zip(self.deviations, shares.T, strict=True)]
         return np.stack(columns, axis=1)
 
-    def allows(self, offsets: Points) -> bool:
+    def allows(self, offsets: Array) -> bool:
         """Whether every key may have its value that is so many widths off, (factors,)."""
         for deviation, offset in zip(self.deviations, offsets, strict=True):
             quantity, own = key_quantity(deviation.key, type(self.design)), float(key_value(self.design, deviation.key))

@@ -15,14 +15,10 @@ from forficula.design import Design
 from forficula.errors import InputError
 from forficula.goals.assessor import Assessor, value_of
 from forficula.goals.deviation import off_values
-from forficula.goals.kept_designs import runs_to_keep
 from forficula.goals.tolerance.nearest_failure import Answer
-from forficula.goals.tolerance.plan import Points
 from forficula.goals.tolerance.question import MARGIN, Question
-from forficula.goals.tolerance.tolerance import Tolerance
 from forficula.structure import Transition, structure_of
 from forficula.study.running.journal import Row
-from forficula.study.running.kept_runs import RunToKeep
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,7 +35,7 @@ class Samples:
         facts: by `fact_names`, whether each holds, (facts, samples).
     """
 
-    offsets: Points
+    offsets: Array
     answers: NDArray[np.object_]
     outcomes: NDArray[np.object_]
     statuses: NDArray[np.object_]
@@ -81,7 +77,7 @@ def fact_names(question: Question) -> tuple[str, ...]:
     return (*facts, *(str(limit) for limit in question.limits))
 
 
-def assess_samples(question: Question, assess: Assessor, offsets: Points) -> Samples:
+def assess_samples(question: Question, assess: Assessor, offsets: Array) -> Samples:
     """Run designs that are off.
 
     Args:
@@ -147,26 +143,3 @@ def _made(row: Row, transitions: Sequence[Transition]) -> list[bool]:
         lost = row["verdict"] == Verdict.NOT_HELD and row["goal"] == transition.name
         made += [kept or lost, kept]
     return made
-
-
-MOST_KEPT = 12
-
-
-def samples_to_keep(found: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]:
-    """Choose samples by turns of what they came to, of each those that are off the least.
-
-    Args:
-        found: what the runs say.
-        most: how many at most.
-    """
-    samples, question = found.samples, found.question
-    near = np.argsort(np.sum(samples.offsets**2, axis=1), kind="stable").tolist()
-    told = [place for place in near if samples.answers[place] in (Answer.WORKS, Answer.FAILS)]
-    turns = [[place for place in told if samples.outcomes[place] == outcome] for outcome in found.outcomes]
-    wanted = [turn[number] for number in range(len(told)) for turn in turns if number < len(turn)]
-
-    def design_of(number: int) -> Design | str:
-        values = off_values(question.design, question.deviations, samples.offsets[number].tolist())
-        return built_design(question.design, values)
-
-    return runs_to_keep(len(samples.offsets), design_of, wanted, most)
