@@ -16,7 +16,7 @@ from forficula.analysis.crossing_panels import panel_crossing
 from forficula.analysis.package import packages
 from forficula.design import Design, load_design
 from forficula.dynamics import Record, compile_model, simulate
-from forficula.structure import panel_surface
+from forficula.structure.fans import veins
 
 _SECTORS = {1: "20 deg", 2: "20 deg", 3: "15 deg", 5: "12 deg"}
 _TORQUES = {1: "50 N cm", 2: "100 N cm", 3: "100 N cm", 5: "100 N cm"}
@@ -51,7 +51,7 @@ def timed(design: Design) -> tuple[Record, float]:
 
 def row(units: int, strips: int, **values: object) -> dict[str, Any]:
     """One wing with and without contact, one after the other; the better of two rounds each."""
-    panel_surface._STRIPS = strips
+    veins._STRIPS = strips
     free, touching = (wing(units, contact=contact, **values) for contact in (False, True))
     rounds = [(timed(free)[1], *timed(touching)) for _ in range(2)]
     record, without, with_contact = rounds[0][1], min(each[0] for each in rounds), min(each[2] for each in rounds)

@@ -64,7 +64,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "limits": {"slow_open": [">= 5.5 N", "<= 7.2 N"]},
         "objectives": {"closed_tendon_energy": "least"},
     },
-    # the lightest joint on two limits, both of which bind; statics alone
+    # the lightest joint on two limits, both of which are active; statics alone
     "joint": {
         "name": "joint",
         "design": "binder2025-joint",

@@ -59,6 +59,16 @@ _COMMANDS: dict[Callable[..., int | None], bool] = {
 _AsJson = Annotated[
     bool, Parameter(name="--json", help="Write what came of it as JSON, and nothing else there.", negative=())
 ]
+app.meta.suppress_keyboard_interrupt = False
+# what the engine, the loader of libraries and threads say where memory ends
+_OF_MEMORY = ("allocate memory", "failed to map segment", "start new thread")
+# s; of what takes longer, the time is told
+_LONG = 1.0
+# letters of a word in an error; paths of files are shorter
+_LONGEST_WORD = 300
+# [chosen] what numpy and scipy map when they are loaded: 175 MiB were measured with one thread, 82 MiB more by thread
+_LIBRARIES, _THREAD = 192 << 20, 88 << 20
+_THREADS = "OPENBLAS_NUM_THREADS"
 
 
 def _offering_json(command: Callable[..., int | None]) -> Callable[..., int | None]:
@@ -82,11 +92,6 @@ app.command(new)
 app.register_install_completion_command(
     name="--install-completion", add_to_startup=False, help="Let the shell complete commands and options."
 )
-app.meta.suppress_keyboard_interrupt = False
-# what the engine, the loader of libraries and threads say where memory ends
-_OF_MEMORY = ("allocate memory", "failed to map segment", "start new thread")
-# s; of what takes longer, the time is told
-_LONG = 1.0
 
 
 @app.meta.default
@@ -108,10 +113,6 @@ def _launch(
         if (passed := monotonic() - start) > _LONG:
             remark(f"took {passed:.3g} s" if passed < 100 else f"took {passed / 60:.3g} min")
     return status
-
-
-# letters of a word in an error; paths of files are shorter
-_LONGEST_WORD = 300
 
 
 def _worded(error: Exception, arguments: Sequence[str] | None) -> str:
@@ -186,11 +187,6 @@ def main(arguments: Sequence[str] | None = None) -> None:
         sys.exit(1)
     if status:
         sys.exit(status)
-
-
-# [chosen] what numpy and scipy map when they are loaded: 175 MiB were measured with one thread, 82 MiB more by thread
-_LIBRARIES, _THREAD = 192 << 20, 88 << 20
-_THREADS = "OPENBLAS_NUM_THREADS"
 
 
 def check_room_for_libraries() -> None:

@@ -167,7 +167,7 @@ def read_stiffnesses(option: str, text: str) -> list[float]:
     Raises:
         InputError: it is neither, or not > 0.
     """
-    from forficula.design.part import STIFFNESS
+    from forficula.design.section import STIFFNESS
     from forficula.study.factors import range_values
 
     texts = range_values(option, text) if ".." in text else (text,)
@@ -261,7 +261,7 @@ def read_unit(unit: str | None) -> float | None:
     Raises:
         InputError: no length.
     """
-    from forficula.design.part import LENGTH
+    from forficula.design.section import LENGTH
 
     return None if unit is None else read_quantity("--unit", unit, LENGTH)
 

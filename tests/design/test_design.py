@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from forficula.design import FanDesign, load_design, with_values
-from forficula.design.part import Section, field_quantity
+from forficula.design.section import Section, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import parse_quantity
 

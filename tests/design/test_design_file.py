@@ -16,7 +16,7 @@ from forficula.design import (
     with_values,
     write_new_design,
 )
-from forficula.design.part import Section, field_quantity
+from forficula.design.section import Section, field_quantity
 from forficula.errors import InputError
 
 REFERENCE = load_design("binder2025")

@@ -20,6 +20,9 @@ _FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a p
 _LINEAR = 0.2  # true strain up to which membranes count as linearly elastic
 _CRUSHED = -0.499  # Green's strain; -0.5 is a length of 0
 _TRIFLE = 0.5 / 220  # of a structure's size: half a millimetre of the reference wing
+TARGET = "target"
+# that a sentence names
+_NAMED = 4
 
 
 def run_warnings(record: Record) -> list[str]:
@@ -164,11 +167,6 @@ def highest_strain_rates(record: Record) -> Array:
 def _rounded(ratio: float) -> str:
     """To two digits, without an exponent."""
     return f"{float(f'{ratio:.2g}'):.0f}"
-
-
-TARGET = "target"
-# that a sentence names
-_NAMED = 4
 
 
 @dataclass(frozen=True, kw_only=True)

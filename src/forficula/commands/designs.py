@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from forficula.design import Design
     from forficula.design.files.key_table import KeyFact
-    from forficula.design.part import Section
+    from forficula.design.section import Section
     from forficula.pattern import CreasePattern
     from forficula.pattern.files.fold_writer import Frame
 

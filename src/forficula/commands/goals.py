@@ -114,7 +114,7 @@ def optimise(
 def _optimised(asked: Goal, folder: Path, shard: tuple[int, int], dask: str | None) -> Optimum:
     """Search here or on a Dask cluster."""
     from forficula.goals.optimise import optimise_goal
-    from forficula.show.goals.optimise_progress import optimise_progress
+    from forficula.show.goals.goal_progress import optimise_progress
 
     with _cluster(dask) as cluster, optimise_progress() as progress:
         return optimise_goal(asked, folder, shard=shard, cluster=cluster, progress=progress)
@@ -284,7 +284,7 @@ def identify(
 def _identified(asked: Observations, folder: Path, shard: tuple[int, int], dask: str | None) -> Dataset:
     """Run observations here or on a Dask cluster."""
     from forficula.goals.identify.run_identify import identify as identify_in
-    from forficula.show.goals.optimise_progress import identify_progress
+    from forficula.show.goals.goal_progress import identify_progress
 
     with _cluster(dask) as cluster, identify_progress() as (samples, runs):
         return identify_in(asked, folder, shard=shard, cluster=cluster, progress=samples, run_progress=runs)

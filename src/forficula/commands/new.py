@@ -81,7 +81,7 @@ _COMMANDS = {"design": write_design, "study": write_study, "goal": write_goal, "
 
 @new.default
 def write_by_switch(
-    file: Annotated[Path, Parameter(show=False)],
+    file: Annotated[Path | None, Parameter(show=False)] = None,
     /,
     *more: Annotated[str, Parameter(show=False)],
     kind: Annotated[str, Parameter(show=False)] = USUAL_KIND,
@@ -91,14 +91,15 @@ def write_by_switch(
     tests: _Switch = False,
 ) -> None:
     """Write a design file; with one of the switches of earlier versions, another file."""
+    kinds = [*_COMMANDS, "tests"]
+    if file is None:
+        raise InputError(f"new: need {listed(kinds, 'or')}, and a file, as in: forficula new design mine.toml")
     if more:
-        raise InputError(f"new: need {one_of([*_COMMANDS, 'tests'], str(file))}")
+        raise InputError(f"new: need {one_of(kinds, str(file))}")
     switches = {"study": study, "goal": goal, "observations": observations, "tests": tests}
     given = [name for name, wanted in switches.items() if wanted]
     if len(given) > 1:
-        raise InputError(
-            f"new: need one of {listed([*_COMMANDS, 'tests'], 'or')}, got {listed([f'--{name}' for name in given])}"
-        )
+        raise InputError(f"new: need one of {listed(kinds, 'or')}, got {listed([f'--{name}' for name in given])}")
     check_apart("--tests", tests, {"--kind": kind != USUAL_KIND})
     if tests:
         write_tests(file)

@@ -18,8 +18,8 @@ from forficula.design.files.tendon_tables import NO_LAW, value_from_folder
 from forficula.design.law import LawSection, tendon_material
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
-from forficula.design.part import LENGTH, TORQUE
 from forficula.design.protocol import Protocol, StageSection, stage_drives
+from forficula.design.section import LENGTH, TORQUE
 from forficula.design.sheets.crease_pattern import design_frames, design_pattern
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.design.sheets.sheet_parts import Imperfection

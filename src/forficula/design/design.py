@@ -14,8 +14,8 @@ from forficula.design.files.provenance import WORDS, check_paper
 from forficula.design.make import MakeSection
 from forficula.design.medium import MediumSection
 from forficula.design.named_protocol import NamedProtocol
-from forficula.design.part import SHORT_TIME, TIME, Section
 from forficula.design.protocol import Protocol
+from forficula.design.section import SHORT_TIME, TIME, Section
 from forficula.design.stops import StopSection
 from forficula.displayed import Displayed
 from forficula.errors import InputError

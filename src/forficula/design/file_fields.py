@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, ValidationInfo
 from pydantic.fields import FieldInfo
 
 from forficula.design.design import Design
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import as_written

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, ValidationInfo, model_validator
 
-from forficula.design.part import Section, field_quantity, quantity
+from forficula.design.section import Section, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.drift import Drift
 from forficula.material.law.law_cycle import drifts_of

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import SMALL_LENGTH, Section, quantity
+from forficula.design.section import SMALL_LENGTH, Section, quantity
 from forficula.errors import InputError
 from forficula.material.law.law_file import named_laws
 from forficula.names import one_of

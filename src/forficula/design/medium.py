@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from forficula.design.part import DENSITY, Section, quantity
+from forficula.design.section import DENSITY, Section, quantity
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_quantity
 

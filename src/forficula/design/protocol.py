@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
+from forficula.design.section import ACCELERATION, ANGLE, ANGULAR_SPEED, LONG_TIME, SHORT_TIME, TIME, Section, quantity
 from forficula.errors import InputError
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from forficula.design.design import Design
 from forficula.design.files.design_file import AnyDesign, as_design, with_values
 from forficula.design.files.provenance import scaled_source
-from forficula.design.part import Quantity, Section, field_quantity
+from forficula.design.section import Quantity, Section, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written, dimension, show_quantity
 

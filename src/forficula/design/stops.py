@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from forficula.design.part import SHORT_TIME, Section, quantity
+from forficula.design.section import SHORT_TIME, Section, quantity
 
 # [chosen] with this one the openings of the reference wing converge in the timestep; with 0.4 ms one of five does not
 _TIME_CONSTANT = 1e-3  # s

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, model_validator
 
 from forficula.design.law import AREA, LawSection
-from forficula.design.part import DENSITY, LENGTH, STIFFNESS, TENDON_DAMPING, Section, field_quantity, quantity
+from forficula.design.section import DENSITY, LENGTH, STIFFNESS, TENDON_DAMPING, Section, field_quantity, quantity
 from forficula.errors import InputError
 from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw

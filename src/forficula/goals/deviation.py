@@ -14,7 +14,7 @@ from forficula.arrays import Array
 from forficula.design import Design, check_keys_once, key_quantity, key_value, numbered_key
 from forficula.design.file_fields import entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Quantity, Section, field_quantity
+from forficula.design.section import Quantity, Section, field_quantity
 from forficula.errors import InputError, error_prefix
 from forficula.material.law.law_file import load_law
 from forficula.names import near_name

@@ -21,7 +21,7 @@ from forficula.design.file_fields import (
     entry,
 )
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import SIZE, Deviation, ToleranceEntry, read_deviations
 from forficula.goals.goal import Goal, Objective
@@ -67,7 +67,7 @@ class GoalFile(Section):
     name: FolderName = entry("what outputs call it", "goal", left_out="the file's name")
     source: str = entry("where the question comes from", "")
     design: DesignName = DESIGN
-    simulate: YesOrNo = entry("whether a run must do what its protocol asks for; false: statics alone decides", True)
+    simulate: YesOrNo = entry("whether a run must reach the goals of its protocol; false: statics alone decides", True)
     settings: Settings = SETTINGS
     vary: _Parameters = entry(
         "values that the key may have",

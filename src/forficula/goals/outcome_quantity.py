@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from forficula.design import Design, key_quantity, key_value
-from forficula.design.part import LENGTH, MASS, TIME, TORQUE
+from forficula.design.section import LENGTH, MASS, TIME, TORQUE
 from forficula.errors import InputError
 from forficula.names import near_name
 from forficula.quantities import Unit

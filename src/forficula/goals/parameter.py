@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from forficula.design import Design, key_quantity, key_value
 from forficula.design.file_fields import DesignValue, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.value_at import choice_at, written
 from forficula.quantities import as_written, parse_quantity, show_quantity

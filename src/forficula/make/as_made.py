@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Annotated, Literal, cast, get_args
 
 from forficula.design import Design, key_quantity, key_value, save_design
-from forficula.design.part import HINGE_STIFFNESS
+from forficula.design.section import HINGE_STIFFNESS
 from forficula.errors import InputError
 from forficula.make.made_values import MadeTendon, MadeValues, made_values
 from forficula.make.part import PartSet

@@ -14,6 +14,8 @@ from forficula.study import Study
 if TYPE_CHECKING:
     from xarray import Dataset
 
+_NAMED = {paper.name: paper for paper in (BINDER2025,)}
+
 
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
@@ -79,9 +81,6 @@ def comparison_markdown(comparison: Comparison) -> str:
         cells = (row.claim, value, row.ours, words[row.agrees], row.why)
         lines.append(f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |")
     return "\n".join(lines) + "\n"
-
-
-_NAMED = {paper.name: paper for paper in (BINDER2025,)}
 
 
 def named_reproduction(name: str | None) -> Reproduction | None:

@@ -1,4 +1,4 @@
-"""What there is to know of a paper to set results beside it."""
+"""A paper, its claims, and the study that reproduces them."""
 
 from __future__ import annotations
 

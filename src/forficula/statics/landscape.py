@@ -98,7 +98,7 @@ class LeastTorque:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetSurvey:
-    """What the landscape of a net was found on, and how completely.
+    """Net of a landscape, and the extent of the search for its states.
 
     Attributes:
         net: whose shapes are in states, passes and courses.
@@ -113,7 +113,7 @@ class NetSurvey:
 
 @dataclass(frozen=True, kw_only=True)
 class EnergyLandscape(Displayed):
-    """What statics says of a design.
+    """Energy landscape of a design.
 
     Attributes:
         design: the design.

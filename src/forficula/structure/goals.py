@@ -9,8 +9,8 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design.named_protocol import Drive, RestState, Transition
-from forficula.design.part import ANGLE, LENGTH
 from forficula.design.protocol import GoalText, read_goal
+from forficula.design.section import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written, parse_quantity

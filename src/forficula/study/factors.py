@@ -19,7 +19,7 @@ from forficula.design import NO_LAW, Design, key_quantity, names_law, tendon_mat
 from forficula.design.file_fields import ByKey, DesignValue, entry
 from forficula.design.files.provenance import WORDS
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Quantity, Section
+from forficula.design.section import Quantity, Section
 from forficula.errors import InputError, error_prefix
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, plain_value
 

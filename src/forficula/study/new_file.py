@@ -16,7 +16,7 @@ from forficula.design import Design, key_quantity, key_value, load_design
 from forficula.design.file_fields import by_key, left_out
 from forficula.design.files.keys import entry_of, section_fields
 from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import one_of

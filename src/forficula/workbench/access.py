@@ -22,6 +22,9 @@ _REDIRECT = """<!doctype html>
 <meta http-equiv="refresh" content="0; url={address}"></head>
 <body><p>The workbench opens. If it does not, <a href="{address}">open it</a>.</p></body></html>
 """
+_HOSTS = ("127.0.0.1", "localhost")
+# of a page of its own, or of an address that a reader has typed
+_SITES = ("same-origin", "none", "")
 
 
 class Access:
@@ -83,11 +86,6 @@ def refused_page(reason: str) -> str:
         "<p>If the terminal reports that an address was used, and you did not use it, somebody else did: end the"
         " workbench with ctrl-C.</p></body></html>\n"
     )
-
-
-_HOSTS = ("127.0.0.1", "localhost")
-# of a page of its own, or of an address that a reader has typed
-_SITES = ("same-origin", "none", "")
 
 
 def refusal(port: int, host: str, origin: str, site: str) -> str:

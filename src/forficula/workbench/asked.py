@@ -15,7 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 from forficula.allowed_files import reading_only
 from forficula.design import Design, load_design, named_designs
-from forficula.design.part import LENGTH
+from forficula.design.section import LENGTH
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.options import read_settings

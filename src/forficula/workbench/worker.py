@@ -26,6 +26,8 @@ from forficula.workbench.asked import Asked, Opened, asked_design, reading_for_p
 
 Task = Literal["design", "model", "pattern", "landscape", "run"]
 _BETWEEN = 0.1  # s, from one word of how far it is to the next
+# is told what is being done
+Tell = Callable[[str], None]
 
 
 class StoppedError(Exception):
@@ -167,10 +169,6 @@ def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callab
         case "run":
             leave_run(asked, opened, folder, tell)
     return None
-
-
-# is told what is being done
-Tell = Callable[[str], None]
 
 
 def leave_landscape(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:

@@ -1,7 +1,7 @@
 import pytest
 
 from forficula.design import Design, load_design, scale_design, with_values
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.show.page.parts.design_rows import ABSENT, base_design, design_rows, design_title, differing_rows
 from forficula.show.page.parts.design_tables import design_tables
 

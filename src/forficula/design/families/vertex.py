@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from forficula.design.part import ANGLE, LENGTH, Section, quantity
+from forficula.design.section import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.pattern import CreasePattern, vertex_pattern
 

@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from forficula.design.families.counts import count
-from forficula.design.part import ANGLE, LENGTH, Section, quantity
+from forficula.design.section import ANGLE, LENGTH, Section, quantity
 from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, yoshimura_pattern, yoshimura_tube

@@ -26,8 +26,8 @@ from forficula.design.fans.folding import REST_KEYS, check_angles, check_course,
 from forficula.design.files.tendon_tables import is_by_vein
 from forficula.design.medium import check_medium
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
-from forficula.design.part import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
+from forficula.design.section import ANGLE, ANGULAR_SPEED, LENGTH, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.errors import InputError
 from forficula.names import listed

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from forficula.design.part import (
+from forficula.design.section import (
     ANGLE,
     DENSITY,
     HINGE_DAMPING,

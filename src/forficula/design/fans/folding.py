@@ -8,8 +8,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, TypeVar
 
 from forficula.design.named_protocol import Drive, NamedProtocol, RestState, Transition, Wording
-from forficula.design.part import ANGLE
 from forficula.design.protocol import Protocol, check_stages, check_states, stage_drives
+from forficula.design.section import ANGLE
 from forficula.errors import InputError
 from forficula.quantities import Unit, as_written, format_quantity, show_quantity
 

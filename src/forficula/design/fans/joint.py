@@ -13,8 +13,8 @@ from forficula.design.fans.fan_sections import VeinSection
 from forficula.design.fans.folding import REST_KEYS, check_angles, check_course, folding_protocol, other_start
 from forficula.design.fans.joint_sections import JointHinge, JointPattern, JointTendon
 from forficula.design.named_protocol import Action, Drive, NamedProtocol
-from forficula.design.part import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.protocol import Protocol, check_bounds
+from forficula.design.section import ANGLE, ANGULAR_SPEED, SMALL_LENGTH, TORQUE, quantity
 from forficula.design.tendon import TendonSection, check_on_bars
 from forficula.errors import InputError
 from forficula.quantities import show_quantity

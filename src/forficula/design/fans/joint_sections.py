@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from forficula.design.part import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, TORQUE, Section, quantity
+from forficula.design.section import ANGLE, HINGE_DAMPING, INERTIA, LENGTH, TORQUE, Section, quantity
 from forficula.design.tendon import TendonSection
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, strip_pattern

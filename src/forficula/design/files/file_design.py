@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from forficula.design.chosen import choices, facet_areas
-from forficula.design.part import SHORT_TIME, TIME
+from forficula.design.section import SHORT_TIME, TIME
 from forficula.design.sheets.sheet_creases import fold_edges
 from forficula.design.sheets.sheet_parts import Crease, FacetSection
 from forficula.design.sheets.sheet_tables import sheet_values

@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 from forficula.design.design import Design
 from forficula.design.files.key_table import KeyFact, field_fact, field_forms
 from forficula.design.files.keys import entry_of, holds_parts, names_law, section_fields
-from forficula.design.part import Quantity, Section, field_quantity
+from forficula.design.section import Quantity, Section, field_quantity
 from forficula.material.law.law_file import named_laws
 from forficula.names import listed
 from forficula.quantities import Unit, show_quantity

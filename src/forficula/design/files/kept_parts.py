@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from forficula.design.part import Section
+from forficula.design.section import Section
 
 
 def with_kept_parts(part: Section, tables: dict[str, Any]) -> dict[str, Any]:

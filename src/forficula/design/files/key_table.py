@@ -13,7 +13,7 @@ from pydantic.fields import FieldInfo
 from forficula.design.fans.fan import FanDesign
 from forficula.design.file_fields import by_key, left_out
 from forficula.design.files.keys import fields_of, hint, holds_parts
-from forficula.design.part import Quantity, Section, field_quantity, is_list
+from forficula.design.section import Quantity, Section, field_quantity, is_list
 from forficula.errors import InputError
 from forficula.names import listed, unknown_key
 from forficula.quantities import show_quantity

@@ -17,7 +17,7 @@ from forficula.design.files.design_file import load_design
 from forficula.design.files.keys import entry_of, section_fields
 from forficula.design.files.kinds import KINDS, OTHER_REFERENCE
 from forficula.design.law import LawSection
-from forficula.design.part import Section, field_quantity
+from forficula.design.section import Section, field_quantity
 from forficula.errors import InputError
 from forficula.files import check_new, write_text
 from forficula.names import near_name

@@ -13,7 +13,7 @@ from forficula.design.fans.fan import FanDesign
 from forficula.design.files.key_table import key_facts
 from forficula.design.files.keys import hint, is_key, known_keys, needed_keys, section_kinds, siblings
 from forficula.design.files.tables import RejectedError, written_key
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.names import listed, near_name, unknown_key
 from forficula.quantities import as_written
 

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from forficula.design.fans.fan_sections import MOST_UNITS
 from forficula.design.files.tables import RejectedError, entry_index, laid_over, written_key
 from forficula.design.law import law_tables, tendon_material
-from forficula.design.part import field_quantity
+from forficula.design.section import field_quantity
 from forficula.design.sheets.sheet_course import SheetTendon
 from forficula.design.tendon import ElasticTendon, TendonSection, small_extension
 from forficula.errors import InputError

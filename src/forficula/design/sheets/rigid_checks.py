@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.design.part import ANGLE
+from forficula.design.section import ANGLE
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.sheet_creases import crease_sense, creases_between
 from forficula.design.sheets.sheet_places import keeps_distance, place_on

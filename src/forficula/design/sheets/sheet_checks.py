@@ -10,8 +10,8 @@ import numpy as np
 
 from forficula.design.design import check_duration
 from forficula.design.medium import check_medium
-from forficula.design.part import ANGLE, LENGTH, SHORT_TIME, TORQUE
 from forficula.design.protocol import GoalText, check_bound, check_stages, read_goal, stage_drives
+from forficula.design.section import ANGLE, LENGTH, SHORT_TIME, TORQUE
 from forficula.design.sheets.crease_values import crease_key, creases_by_edge, stops
 from forficula.design.sheets.rigid_checks import (
     check_rigid,

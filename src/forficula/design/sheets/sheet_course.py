@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Discriminator, Field, Tag, create_model, field_validator, model_validator
 
-from forficula.design.part import (
+from forficula.design.protocol import Protocol
+from forficula.design.section import (
     ACCELERATION,
     ANGLE,
     ANGULAR_SPEED,
@@ -18,7 +19,6 @@ from forficula.design.part import (
     Section,
     quantity,
 )
-from forficula.design.protocol import Protocol
 from forficula.design.sheets.sheet_names import checked_name
 from forficula.design.tendon import ElasticTendon
 from forficula.errors import InputError

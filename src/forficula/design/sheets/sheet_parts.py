@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from forficula.design.part import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Section, quantity
+from forficula.design.section import ANGLE, DENSITY, MODULUS, SHORT_TIME, SMALL_LENGTH, Section, quantity
 from forficula.design.sheets.sheet_names import checked_name
 from forficula.quantities import Unit
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from forficula.design.families.fold_file import FOLDED
-from forficula.design.part import ANGLE, LENGTH
+from forficula.design.section import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
 from forficula.quantities import format_quantity, parse_quantity

@@ -1,4 +1,4 @@
-"""Forces of stops apart from those of contacts, which the engine adds up: it tells them by sensors."""
+"""Forces of stops, separated from those of contacts by sensors, and torques of dry friction."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.dynamics.engine.model import Model, joint_ranges
+
+# share of the friction by which the engine's solver and this computation may differ
+_ROUNDING = 1e-6
 
 
 def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> Array:
@@ -33,10 +36,6 @@ def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> 
             entries, dofs = model.levers(int(part))
             forces[:, dofs] -= sensed[:, column, None] * derived["ten_J"][:, entries]
     return forces
-
-
-# share of the friction by which the engine's solver and this computation may differ
-_ROUNDING = 1e-6
 
 
 def friction_torques(model: Model, velocity: Array, acceleration: Array, constraints: Array) -> Array:

@@ -8,7 +8,7 @@ from collections import Counter
 import mujoco
 import numpy as np
 
-from forficula.design.part import SMALL_LENGTH
+from forficula.design.section import SMALL_LENGTH
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
 from forficula.structure import Contact, Structure

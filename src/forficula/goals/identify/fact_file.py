@@ -12,7 +12,7 @@ from pydantic import BeforeValidator
 from forficula.design import Design, key_quantity, key_value, value_from_folder
 from forficula.design.file_fields import ByKey, Settings, YesOrNo, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.identify.fact import COUNTS, NUMBERS, PLACES, Fact, LeastValue, Order, Statistic, Term
 from forficula.goals.identify.row_quantity import Combination, is_state, read_combination, row_quantities

@@ -25,6 +25,15 @@ Progress = Callable[[int, int, "Sequence[Sample]"], None]
 
 # Samples side by side, whose runs go out together; of those that are placed fewer, for each batch learns from the last.
 _BATCH, _PLACED_BATCH = 32, 16
+# of a bound: what differs by less differs by rounding
+_ROUNDING = 1e-9
+Target = tuple[int, ...]
+# of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
+_STARTS, _NEAREST = 3, 10
+# by how much of a difference at least and at most, and how many of a sample's shares change at once
+_STEPS, _CHANGED = (0.1, 0.9), 0.6
+# added to every step, so that what the nearest have in common can still change
+_NOISE = 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -173,10 +182,6 @@ def _find_all(facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Ass
     return {number: tuple(found[number, fact] for fact in range(len(facts))) for number in runs}
 
 
-# of a bound: what differs by less differs by rounding
-_ROUNDING = 1e-9
-
-
 @dataclass(frozen=True, kw_only=True)
 class Finding:
     """What a sample says of a fact.
@@ -248,16 +253,6 @@ def _distance(fact: Fact, value: float, bound: float) -> float:
             return max(0.0, value - bound)
         case _:
             return abs(value - bound)
-
-
-Target = tuple[int, ...]
-
-# of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
-_STARTS, _NEAREST = 3, 10
-# by how much of a difference at least and at most, and how many of a sample's shares change at once
-_STEPS, _CHANGED = (0.1, 0.9), 0.6
-# added to every step, so that what the nearest have in common can still change
-_NOISE = 0.02
 
 
 def open_targets(met: Flags) -> list[Target]:

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field
 from forficula.design import Design, key_quantity, numbered_key
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Quantity, Section
+from forficula.design.section import Quantity, Section
 from forficula.errors import InputError, error_prefix
 from forficula.goals.deviation import positive_keys
 from forficula.goals.identify.fact import Fact

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from forficula.design import Design
-from forficula.design.part import ANGLE, LENGTH
+from forficula.design.section import ANGLE, LENGTH
 from forficula.errors import InputError
 from forficula.goals.outcome_quantity import quantities_of
 from forficula.names import one_of

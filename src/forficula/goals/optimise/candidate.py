@@ -1,4 +1,4 @@
-"""Designs that a search tried: what they came to, what became of their neighbours, and whether they hold."""
+"""Designs that a search tried: outcomes, outcomes of their neighbours, and verification."""
 
 from __future__ import annotations
 
@@ -25,6 +25,11 @@ from forficula.serial import Written
 
 # Neighbours that are asked first; each time after that twice as many are known.
 _FIRST = 8
+FINER = 4
+# Fresh neighbours, for each that the search asked.
+_FRESH = 4
+# What tells the draws of the fresh ones from those of the search.
+_OTHER_SEED = 1_000_003
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -169,13 +174,6 @@ def trial_of(goal: Goal, candidate: Candidate) -> Trial:
             surplus = min(surplus, -1 / neighbours.wanted)
     margins = (*found.margins, found.works) if goal.simulate else found.margins
     return Trial(point=candidate.point, objectives=costs(goal, candidate), margins=margins, surplus=surplus)
-
-
-FINER = 4
-# Fresh neighbours, for each that the search asked.
-_FRESH = 4
-# What tells the draws of the fresh ones from those of the search.
-_OTHER_SEED = 1_000_003
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""What a search for the best design came to, and which of its designs are worth a record."""
+"""Result of a search for the best design, and which designs deserve a record."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Search by parabolas and differential evolution: which points to try next, from what became of those before."""
+"""Search by parabolas and differential evolution: which points to try next, from the outcomes of earlier trials."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class ParabolaSearch:
     Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas through the trials around the best ones,
     apart from one another, propose where their optimum is, further ones are drawn around these, and the rest comes from
     differential evolution, which finds what parabolas do not see. Points are a pure function of the arguments and of
-    what was told, in their order: a search that is told the same again asks the same again.
+    what was told, in their order: the same trials in the same order give the same points.
     """
 
     def __init__(

@@ -66,7 +66,7 @@ class Aim:
         return (objectives - self.ideal) / self.span
 
     def values(self, objectives: Array) -> Array:
-        """What rows of objectives come to."""
+        """Compute the value of each row of objectives."""
         shares = self.shares(objectives)
         return np.asarray((self.weights * shares).max(axis=1) + _SUM * shares.sum(axis=1))
 

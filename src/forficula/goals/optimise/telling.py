@@ -16,6 +16,9 @@ from forficula.goals.parameter import Parameter
 from forficula.names import counted
 from forficula.quantities import show_quantity
 
+# of the way from bound to bound: no further from one it lies there
+_NEAR = 1e-3
+
 
 def told(found: Optimum) -> list[str]:
     """Say what was found, what it cost, and where nothing meets the goal, what would have to give."""
@@ -168,10 +171,6 @@ def _effort(found: Optimum) -> str:
 def _missed(margin: float) -> str:
     """By how much a limit is missed: margins go no farther than a whole bound."""
     return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
-
-
-# of the way from bound to bound: no further from one it lies there
-_NEAR = 1e-3
 
 
 def bounded_text(goal: Goal, best: Candidate) -> str | None:

@@ -1,4 +1,4 @@
-"""Which runs a tolerance takes: as many as there is time for."""
+"""Numbers of runs of a tolerance analysis, and the points at which it runs designs."""
 
 from __future__ import annotations
 

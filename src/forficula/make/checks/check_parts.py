@@ -21,6 +21,9 @@ from forficula.names import listed
 from forficula.quantities import show_value
 from forficula.structure import hinges_between
 
+# of the clearance: what corners of circles stand out takes of it
+_ROUND = 0.998
+
 
 def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     """Check parts: geometry at nominal size, and formulas with the strengths of data sheets.
@@ -125,10 +128,6 @@ def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
         unit="m^3",
         text="not looked at without a run of the design: give its folder, --record",
     )
-
-
-# of the clearance: what corners of circles stand out takes of it
-_ROUND = 0.998
 
 
 def mesh_checks(parts: PartSet) -> Iterator[Check]:

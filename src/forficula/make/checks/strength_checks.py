@@ -36,6 +36,10 @@ _POISSON = 0.4
 # of a material's strength in tension, that in shear (von Mises)
 _SHEAR = 1 / math.sqrt(3)
 _ANGLES = 61
+# along each of the two bars
+_PLACES = 33
+# of Euler's load: as near to it as loads are tried
+_NEAR = 1 - 1e-6
 
 
 def strength_checks(parts: PartSet) -> Iterator[Check]:
@@ -298,12 +302,6 @@ def _torque_about(structure: Structure, arm: Arm) -> float:
                     torque += strength * own
         most = max(most, abs(torque))
     return most
-
-
-# along each of the two bars
-_PLACES = 33
-# of Euler's load: as near to it as loads are tried
-_NEAR = 1 - 1e-6
 
 
 def euler_load(length: float, section: CrossSection, youngs_modulus: float) -> float:

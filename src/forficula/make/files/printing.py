@@ -1,4 +1,4 @@
-"""What goes to a printer."""
+"""Files for printers: 3MF and binary STL."""
 
 from __future__ import annotations
 
@@ -12,6 +12,9 @@ from forficula.make.files.three_mf import Item, three_mf_bytes
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import Mesh
 from forficula.pattern.geometry import triangle_normals
+
+_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_HEADER = 80  # bytes
 
 
 def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None) -> dict[str, bytes]:
@@ -35,10 +38,6 @@ def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None
         progress("writing parts.3mf")
         files["parts.3mf"] = three_mf_bytes(items, parts.design.name)
     return files
-
-
-_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-_HEADER = 80  # bytes
 
 
 def stl_bytes(mesh: Mesh, name: str) -> bytes:

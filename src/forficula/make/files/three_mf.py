@@ -36,6 +36,10 @@ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 _DATE = (1980, 1, 1, 0, 0, 0)
 # that slicers and viewers show materials in, in turn; of Okabe and Ito, black left out
 _COLOURS = ("#56B4E9", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#0072B2")
+# mm: between parts, for brims and for fingers
+GAP = 5.0
+# mm, of a common printer; what is longer makes it wider
+BED = 220.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -124,12 +128,6 @@ def _build(items: Sequence[Item]) -> list[str]:
 
 def _text(text: str) -> str:
     return quoteattr(text)[1:-1]
-
-
-# mm: between parts, for brims and for fingers
-GAP = 5.0
-# mm, of a common printer; what is longer makes it wider
-BED = 220.0
 
 
 def places_on_bed(sizes: Sequence[Sequence[float]], gap: float = GAP, bed: float = BED) -> NDArray[np.float64]:

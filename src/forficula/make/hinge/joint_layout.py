@@ -15,7 +15,7 @@ import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design, MakeSection
-from forficula.design.part import SMALL_LENGTH
+from forficula.design.section import SMALL_LENGTH
 from forficula.errors import InputError
 from forficula.make.hinge.straps import Strap, strap_of
 from forficula.quantities import show_quantity

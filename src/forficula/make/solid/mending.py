@@ -9,7 +9,7 @@ import numpy as np
 
 from forficula.arrays import Indices
 from forficula.design import key_value
-from forficula.design.part import SMALL_LENGTH
+from forficula.design.section import SMALL_LENGTH
 from forficula.dynamics import Record
 from forficula.errors import InputError
 from forficula.make.flat.pieces import pieces_of

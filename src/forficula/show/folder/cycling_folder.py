@@ -31,6 +31,7 @@ from forficula.study.cycling import CycleRun, Cycling, driven_transitions
 
 CYCLING_FILES = ("cycles.csv", "cycles.json", *figure_files("cycles"))
 _STIFFNESS = ("stiffness_by_first", "stiffness_by_first_low_95", "stiffness_by_first_high_95")
+_NONE = "—"
 
 
 def write_cycling(cycling: Cycling, folder: Path) -> None:
@@ -189,9 +190,6 @@ PRESENTATION = Presentation(
     read=lambda folder: cycling_drawings(read_cycling(folder)),
     write=write_cycling,
 )
-
-
-_NONE = "—"
 
 
 def cycling_section(cycling: Cycling, drawn: str) -> str:

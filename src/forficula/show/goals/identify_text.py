@@ -24,6 +24,15 @@ if TYPE_CHECKING:
 
 _MOST_PAIRS = 12
 _NARROW = 110
+# what is said of pairs of one verdict, in this order
+_PAIRS = {
+    Together.EXCLUDED: "Exclude one another, as far as samples tell, for each is met by some, and none meets both",
+    Together.UNTRIED: "Met together by none, though each is by some; no sample was placed to meet both",
+    Together.OPEN: "Met together by none, but samples lie too far apart to say that no values between them do",
+    Together.NEARLY: "Met together by none, but nearly so by one",
+    Together.PLACED: "Met together by samples that were placed, and by none that was drawn",
+    Together.RARE: "Met together by none, and the rarer one by too few for that to tell anything",
+}
 
 
 def print_identification(result: Dataset) -> None:
@@ -91,17 +100,6 @@ def _number(fact: Dataset, value: float) -> str:
     si, display = str(fact["fact_units"].values), str(fact["fact_display"].values)
     unit = Unit(display=display, si=si, example="") if si else None
     return value_text(value, unit) if np.isfinite(value) else "-"
-
-
-# what is said of pairs of one verdict, in this order
-_PAIRS = {
-    Together.EXCLUDED: "Exclude one another, as far as samples tell, for each is met by some, and none meets both",
-    Together.UNTRIED: "Met together by none, though each is by some; no sample was placed to meet both",
-    Together.OPEN: "Met together by none, but samples lie too far apart to say that no values between them do",
-    Together.NEARLY: "Met together by none, but nearly so by one",
-    Together.PLACED: "Met together by samples that were placed, and by none that was drawn",
-    Together.RARE: "Met together by none, and the rarer one by too few for that to tell anything",
-}
 
 
 def together_sentences(result: Dataset) -> list[str]:

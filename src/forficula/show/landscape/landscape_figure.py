@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 
 from forficula.quantities import reading_unit, show_value
 from forficula.show.landscape.landscape_marks import (
-    hinge_measure,
     mark_barrier,
     mark_state,
     rounding_torque,
@@ -33,7 +32,7 @@ from forficula.show.style import (
     fit_legend,
     in_column,
 )
-from forficula.statics import EnergyLandscape, FoldPath, StableState, folding_hinges
+from forficula.statics import EnergyLandscape, FoldPath, StableState
 from forficula.statics.landscape import fold_path_of, fold_states
 from forficula.statics.tree.fold_path import rigid_fold
 from forficula.structure import Structure
@@ -227,13 +226,6 @@ def _ways(structure: Structure) -> tuple[str, str]:
     place = states.index(fold.end) if fold.end in states else len(states)
     ways = doing[place : place + 2]
     return ways[0] if ways else f"getting {fold.end}", ways[1] if len(ways) > 1 else f"getting {fold.start}"
-
-
-def folding_hinge(structure: Structure) -> str:
-    """What sentences call a hinge that folds: by the title of its angle, such as "distal hinge"."""
-    measure = hinge_measure(structure, folding_hinges(structure)[0])
-    title = structure.appearance.titles.get(measure.name, "")
-    return title.removesuffix(" angle") or "hinge that folds"
 
 
 def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:

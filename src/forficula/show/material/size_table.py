@@ -10,7 +10,7 @@ from rich.text import Text
 
 from forficula.analysis.sizing import TendonSizes
 from forficula.csv_text import csv_text
-from forficula.design.part import STIFFNESS
+from forficula.design.section import STIFFNESS
 from forficula.material.characterisation import AREA, LENGTH
 from forficula.material.law.law_keys import show_value
 from forficula.material.law.material_law import MaterialLaw

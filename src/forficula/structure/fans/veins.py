@@ -39,6 +39,12 @@ _NOT_RIGID = (
 )
 # the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
+# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is one, for
+# all of it is joined to the panels on both sides, which are further from each other than layers are thick
+_STRIPS = 3
+# how far beside a vein's axis neighbouring panels begin to touch at least, by their thickness: nearer they are joined
+_BESIDE = 5.0
+_SHARES = np.linspace(0, 1, 1001)
 
 
 def vein_structure(design: FanDesign) -> Structure:
@@ -261,14 +267,6 @@ def _remarks(design: FanDesign, camber: float | None) -> tuple[str, ...]:
             " in the compliant wing the membrane gives way instead"
         )
     return tuple(remarks)
-
-
-# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is one, for
-# all of it is joined to the panels on both sides, which are further from each other than layers are thick
-_STRIPS = 3
-# how far beside a vein's axis neighbouring panels begin to touch at least, by their thickness: nearer they are joined
-_BESIDE = 5.0
-_SHARES = np.linspace(0, 1, 1001)
 
 
 def fan_contact(design: FanDesign) -> Contact | None:

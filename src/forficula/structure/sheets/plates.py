@@ -27,6 +27,10 @@ from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.structure import Structure
 
+# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
+_WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
+OPENING = "opening"  # role of these springs
+
 
 def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
@@ -164,11 +168,6 @@ def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLi
         hinge = sheet_hinge(design, crease, pattern, link.edge, length=length, folded=folded)
         hinges.append(replace(hinge, body=body, axis=along / length, built=folded, start=crease.start or folded))
     return tuple(hinges)
-
-
-# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
-_WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
-OPENING = "opening"  # role of these springs
 
 
 def opening_creases(design: SheetDesign) -> frozenset[int]:

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from forficula.design import Design, key_value, with_values
-from forficula.design.part import MODULUS, SHORT_TIME
+from forficula.design.section import MODULUS, SHORT_TIME
 from forficula.errors import InputError
 from forficula.quantities import as_written, parse_quantity, show_quantity
 

@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 
 from forficula.design import Design, load_design, value_from_folder
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.files import as_path, read_text
 from forficula.names import near_name
@@ -56,7 +56,7 @@ def named_files(kind: FileKind[Model]) -> list[str]:
 
 
 def load_named(name_or_path: object, kind: FileKind[Model], build: Callable[[Model, Path], Built]) -> Built:
-    """What a named file or a path describes; it is called by the file's name where it names itself not.
+    """Load a named file or a path and build its object. Without `name` in the file, its name is the file's stem.
 
     Args:
         name_or_path: as a user gives it.
@@ -86,7 +86,9 @@ def _check_kind(tables: Mapping[str, Any], word: str) -> None:
     """Refuse a file of another kind, for which there is another command."""
     for other, (table, command) in _TELLING.items():
         if other != word and table in tables and _TELLING[word][0] not in tables:
-            raise InputError(f"need {_a(word)}, got {_a(other)}, for it has {table}; give it to forficula {command}")
+            raise InputError(
+                f"need {_a(word)}, got {_a(other)}, because it has {table}; give it to forficula {command}"
+            )
 
 
 def _a(what: str) -> str:

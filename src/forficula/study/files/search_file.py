@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field
 
 from forficula.design import TORQUE, Design, key_quantity, key_value
 from forficula.design.file_fields import Whole, entry
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.names import check_known, one_of
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity

@@ -21,7 +21,7 @@ from forficula.design import (
 from forficula.design.file_fields import DESIGN, SETTINGS, DesignName, FolderName, Settings, Whole, entry
 from forficula.design.files.provenance import check_paper
 from forficula.design.files.rejection import read_part
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.errors import InputError, error_prefix
 from forficula.structure import structure_of
 from forficula.study.assumptions.choices import one_at_a_time, with_own_word

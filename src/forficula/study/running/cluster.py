@@ -1,4 +1,4 @@
-"""Runs on a Dask cluster that exists: designs go out as text, rows of plain numbers come back."""
+"""Runs on a Dask cluster, and the SLURM job array that runs the shards of a study."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ _CONNECT_SECONDS = 3
 _LOOK_SECONDS = 0.05
 # How long a study waits for a worker where all have left.
 _PATIENCE_SECONDS = 60
+_MOST_SHARDS = 10_000
 
 
 @dataclass
@@ -168,9 +169,6 @@ def _run_chunk(texts: Iterable[str], until_last: bool) -> dict[str, Any]:
     start = time.perf_counter()
     rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_last=until_last))
     return {"rows": rows, "seconds": time.perf_counter() - start, "versions": versions()}
-
-
-_MOST_SHARDS = 10_000
 
 
 def slurm_script(study: str, out: str, shards: int) -> str:

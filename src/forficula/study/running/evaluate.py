@@ -27,6 +27,11 @@ from forficula.errors import InputError
 from forficula.study.running.journal import SCHEMA, Row
 from forficula.study.running.runs import check_of, half_step, run_each
 
+# [chosen] of a margin, in [-1, 1]. Calibrated on 200 builds of the reference wing within 10 %
+# (benchmarks/confirmation.py): the rule finds 14 of the 14 verdicts that change between 0.2 and 0.1 ms, with 156
+# repetitions.
+_SMALL = 0.05
+
 
 def row_key(design: Design, *, whole: bool = False) -> str:
     """What names a row: every value of the design and its protocol, and whether all of its run was looked at."""
@@ -185,12 +190,6 @@ def _reading(prefix: str, value: float | None, kind: str) -> Row:
     if kind == "distance":
         return {f"{prefix}distance_m": value}
     return {f"{prefix}angle_deg": None if value is None else float(np.degrees(value))}
-
-
-# [chosen] of a margin, in [-1, 1]. Calibrated on 200 builds of the reference wing within 10 %
-# (benchmarks/confirmation.py): the rule finds 14 of the 14 verdicts that change between 0.2 and 0.1 ms, with 156
-# repetitions.
-_SMALL = 0.05
 
 
 def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> bool:

@@ -43,6 +43,9 @@ _FOLDER = "runs"
 # as a folder of ours is named, and as earlier versions named one that they were writing
 _NAME = re.compile(r"\d+(-[a-z]+)?")
 _UNFINISHED = re.compile(r"\.\d+(-[a-z]+)?-\w+")
+# A row for every motion by this share of the size of the whole, and for every so many seconds.
+_SHARE_OF_SIZE = 0.005
+_LONGEST_GAP = 5e-3
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -281,11 +284,6 @@ def _remove_others(folder: Path, wanted: Collection[str]) -> None:
             folder.rmdir()
     except OSError as error:
         raise InputError(f"{folder}: cannot be written: {error.strerror}") from None
-
-
-# A row for every motion by this share of the size of the whole, and for every so many seconds.
-_SHARE_OF_SIZE = 0.005
-_LONGEST_GAP = 5e-3
 
 
 def thin_record(record: Record) -> Record:

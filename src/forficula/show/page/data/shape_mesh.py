@@ -21,6 +21,8 @@ _FINEST = 20  # dashes' lengths to a crease
 _STROKES = {"M": ((2.4, 0.6), (0.5, 0.6)), "V": ((1.2, 0.9),), "B": ((1e9, 0.0),)}
 _DIGITS = 6  # of a share
 _BASE = 0.8  # radius of a rod along what is held fast, by diameter of the thickest bar
+_SAME = 1e-6  # of the length of the whole: places no further apart are one
+_STUB = 0.04  # of that: a rod of a single place
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -168,10 +170,6 @@ def _dash(between: list[list[int]], share: list[float], piece: tuple[int, int], 
         share.append(place)
         ends.append(len(share) - 1)
     return ends[0], ends[1]
-
-
-_SAME = 1e-6  # of the length of the whole: places no further apart are one
-_STUB = 0.04  # of that: a rod of a single place
 
 
 def fixed_rods(structure: Structure) -> Array:

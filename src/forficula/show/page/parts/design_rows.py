@@ -9,7 +9,7 @@ from typing import Any
 
 from forficula.design import Design
 from forficula.design.files.design_file import load_design, named_designs
-from forficula.design.part import Section
+from forficula.design.section import Section
 from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"

@@ -1,4 +1,4 @@
-"""How far a search for the best design is, and the best so far."""
+"""Progress lines of searches and identifications."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ from forficula.goals.optimise.candidate import trial_of
 from forficula.goals.optimise.optimise import SoFar
 from forficula.goals.optimise.telling import value_texts
 from forficula.terminal import is_quiet
+
+# s, between lines
+_EVERY = 10
 
 
 @contextmanager
@@ -40,10 +43,6 @@ def identify_progress() -> Iterator[
             console.print(f"{done} of {needed} runs that are known to be needed so far", soft_wrap=True)
 
     yield samples, runs
-
-
-# s, between lines
-_EVERY = 10
 
 
 @contextmanager
