@@ -1067,3 +1067,12 @@ def test_what_is_wrong_with_the_pattern_of_a_file_names_the_file(in_an_empty_fol
     strip = tent | {"vertices_coords": places, "faces_vertices": faces, "edges_vertices": edges}
     (in_an_empty_folder / "strip.fold").write_text(json.dumps(strip | {"edges_assignment": ["U"] * len(edges)}))
     assert refusal("run", "strip.fold").startswith("strip.fold: faces_vertices[3]: need a sheet of two sides")
+
+
+def test_new_names_its_files_and_where_options_go(in_an_empty_folder, call, refusal):
+    assert refusal("new").startswith("new: need design, study, goal, observations or tests, and FILE")
+    message = "new: need options after study, as in: forficula new study mine.toml --kind joint"
+    assert refusal("new", "--kind", "joint", "study", "mine.toml") == message
+    warned = call("new", "--kind", "joint", "--goal", "mine.toml").err
+    assert "use: forficula new goal mine.toml --kind joint" in warned
+    assert (in_an_empty_folder / "mine.toml").exists()

@@ -552,3 +552,10 @@ def test_a_scaled_sheet_whose_facets_bend_keeps_the_stops_that_it_does_not_have(
     save_design(small, tmp_path / "small.toml")
     assert load_design(tmp_path / "small.toml").stops == load_design("miura-sheet").stops
     assert scale_design("letter-fold", 0.5).stops.time_constant == 0.5 * StopSection().time_constant
+
+
+def test_a_key_that_another_kind_of_drive_has_is_absent():
+    letter = load_design("letter-fold")
+    assert key_value(letter, "drive.close.value") > 0
+    for key in ("angle", "force", "distance", "direction", "to"):
+        assert key_value(letter, f"drive.close.{key}") is None

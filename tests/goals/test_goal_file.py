@@ -192,11 +192,19 @@ def test_one_tolerance_takes_the_place_of_all_by_either_name():
         (
             load_goal,
             "[[fact]]",
-            "need a goal, got an observations file, for it has fact; give it to forficula ident",
+            "need a goal, got an observations file, because it has fact; give it to forficula ident",
         ),
-        (load_goal, "[factors]", "need a goal, got a study, for it has factors; give it to forficula study"),
-        (load_observations, "[objectives]", "need an observations file, got a goal, for it has objectives; give it to"),
-        (load_study, "[[fact]]", "need a study, got an observations file, for it has fact; give it to forficula ident"),
+        (load_goal, "[factors]", "need a goal, got a study, because it has factors; give it to forficula study"),
+        (
+            load_observations,
+            "[objectives]",
+            "need an observations file, got a goal, because it has objectives; give it to",
+        ),
+        (
+            load_study,
+            "[[fact]]",
+            "need a study, got an observations file, because it has fact; give it to forficula ident",
+        ),
     ],
 )
 def test_a_file_of_another_kind_is_sent_to_its_command(tmp_path, read, text, says):

@@ -93,7 +93,9 @@ def write_by_switch(
     """Write a design file; with one of the switches of earlier versions, another file."""
     kinds = [*_COMMANDS, "tests"]
     if file is None:
-        raise InputError(f"new: need {listed(kinds, 'or')}, and a file, as in: forficula new design mine.toml")
+        raise InputError(f"new: need {listed(kinds, 'or')}, and FILE, as in: forficula new design mine.toml")
+    if more and str(file) in kinds:
+        raise InputError(f"new: need options after {file}, as in: forficula new {file} {more[0]} --kind joint")
     if more:
         raise InputError(f"new: need {one_of(kinds, str(file))}")
     switches = {"study": study, "goal": goal, "observations": observations, "tests": tests}
@@ -106,4 +108,5 @@ def write_by_switch(
     else:
         _COMMANDS[given[0] if given else "design"](file, kind=kind)
     for name in given:
-        print(f"warning: --{name} will be removed; use: forficula new {name} {file}", file=sys.stderr)
+        option = f" --kind {kind}" if kind != USUAL_KIND else ""
+        print(f"warning: --{name} will be removed; use: forficula new {name} {file}{option}", file=sys.stderr)

@@ -143,7 +143,8 @@ def _value(design: Design, value: Any, key: str, within: str) -> Any:
         if isinstance(value, tuple):
             value = value[entry_index(within.split("."), part, value, parts[depth:])]
         else:
-            value = getattr(value, part)
+            # a key that another kind of a section has, such as the angle of a drive by torque, is absent
+            value = getattr(value, part, None)
         within = f"{within}.{part}" if within else part
     return value
 
