@@ -83,7 +83,7 @@ def test_files_may_name_designs_beside_them(tmp_path):
         ({"settings": {"tendon": {"stiffness": "4"}}}, "settings.tendon.stiffness: the unit is missing"),
         ({"settings": 3}, "settings: need a table, got 3"),
         ({"tolerances": {"tendon.stiffness": "200 %"}}, "tolerances.tendon.stiffness: need a tolerance"),
-        ({"search": {"runs": 10**12}}, "search.runs: need <= 1000000, got 1000000000000"),
+        ({"search": {"runs": 10**12}}, "search.runs: need a whole number >= 1 and <= 1000000, got 1000000000000"),
         ({"search": {"fold_torques": ["1 N cm"]}}, "search.fold_torques: unknown key"),
         ({"design": "binder"}, "binder"),
         ({"simulate": "no"}, "simulate: need true or false"),

@@ -75,7 +75,10 @@ def test_longer_draws_begin_with_the_shorter_ones():
         ({"design": "binder2025", "unknown": UNKNOWN}, r"fact: is missing; need at least one table \[\[fact\]\]"),
         ({**tables(**TIME), "unknown": {}}, "unknown: need a table with at least one"),
         ({**tables(**TIME), "facts": []}, r"facts: unknown key, got \[\]; did you mean fact\?"),
-        ({**tables(**TIME), "sampling": {"samples": 0}}, "sampling.samples: need >= 1, got 0"),
+        (
+            {**tables(**TIME), "sampling": {"samples": 0}},
+            "sampling.samples: need a whole number >= 1 and <= 1000000, got 0",
+        ),
         (tables(quantity="folded"), "fact 0: name: is missing; give it"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
         (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),

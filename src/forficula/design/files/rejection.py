@@ -61,7 +61,8 @@ def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
         return _of_a_check(place, str(bounds["error"]), model, which)
     if kind == "extra_forbidden":
         if place[-1] in siblings(place, model):
-            return RejectedError(place, f'{key}: is not for kind = "{which}"')
+            keys = ", ".join(section_kinds(place[:-1], model).get(which, {}))
+            return RejectedError(place, f'{key}: is not for kind = "{which}"' + (f", which has {keys}" if keys else ""))
         return RejectedError(place, unknown_key(key, value, hint(place, model)))
     if kind == "missing":
         return RejectedError(place[:-1], f"{key}: is missing; {_remedy(place, model, which)}")
@@ -160,6 +161,13 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any],
         "tuple": f"a list of tables, each under [[{header}]]" if is_tables else "a list of numbers such as [0.3, 0.6]",
         "model": _table_rule(header, is_list=is_tables),
     }
+    if not issubclass(model, Design) and kind.startswith(("greater", "less", "int", "string_type")):
+        # files have few keys, so that all that is allowed fits in the message
+        for fact in key_facts(".".join("0" if part.isdecimal() else part for part in place), model):
+            if fact.allowed.startswith("whole number"):
+                return f"a {fact.allowed.replace(', >=', ' >=').replace(', <=', ' and <=')}{bare}"
+            if kind == "string_type" and fact.allowed != "text":
+                return f"text in quotes: {fact.allowed}"
     rule = rules.get(kind) or next((text for name, text in rules.items() if kind.startswith(f"{name}_")), kind)
     return rule.format(**bounds).replace("'", '"')
 
