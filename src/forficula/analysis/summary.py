@@ -134,7 +134,7 @@ class Summary:
         closure_gap: by how much the loops of bodies are open in the end, m.
         groups: dimensionless groups; null where nothing elastic folds.
         diverged_at: when the run diverged, s.
-        warnings: warnings, one sentence each, one sentence each.
+        warnings: warnings, one sentence each.
         design_hash: hash of all values of the design.
         key: of the run among those of a study.
         versions: of the packages that computed the run.
