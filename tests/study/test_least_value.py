@@ -170,7 +170,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
         ),
         (
             'key = "tendon.stiffness"\nvalues = ["1 N/cm"]\nrefinements = 21',
-            "search.refinements: need <= 20, got 21",
+            "search.refinements: need a whole number >= 0 and <= 20, got 21",
         ),
         (
             'key = "tendon.rest_length"\nvalues = ["1 cm"]',
