@@ -1,6 +1,6 @@
 """Compare optimisers on five goals at equal numbers of designs, and measure the price of robustness of the wing.
 
-Every optimiser is behind `ask` and `tell`. The libraries beside SciPy are compared where they are installed:
+Every optimiser has the interface `ask` and `tell`. The libraries beside SciPy are compared where they are installed:
 pip install cmaes cma
 """
 

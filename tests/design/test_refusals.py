@@ -1,4 +1,4 @@
-"""What holds of every refusal of a value in a design, whichever key it is of; its words are tested once per rule."""
+"""Every refusal of a value in a design names key, value and what is allowed; words are tested once per rule."""
 
 import re
 
@@ -36,7 +36,7 @@ def test_every_refusal_names_the_key_the_value_and_what_is_allowed(value):
     assert len(refused) > len(messages) / 2
     for key, message in refused.items():
         assert len(message.splitlines()) == 1
-        # what contradicts another key is told with the design's name before it; a name is missed where it is used
+        # a contradiction with another key begins with the design's name; a missing name is reported where it is used
         section = "" if key.endswith(".name") else key.rpartition(".")[0]
         assert re.match(rf"(\S+: )?{re.escape(section)}[.\w]*: ", message), message
         # as it was written, or as it is counted or converted

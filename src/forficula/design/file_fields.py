@@ -36,7 +36,7 @@ class ByKey:
     placeholder: str = "KEY"
 
     def __call__(self, value: object, info: ValidationInfo) -> object:
-        """Return the values of a table by dotted key; what is no table is left to whoever refuses it."""
+        """Return the values of a table by dotted key. Validation rejects a value that is not a table later."""
         return self._dotted(value, f"{info.field_name}.", "") if isinstance(value, Mapping) else value
 
     def _dotted(self, table: Mapping[str, Any], header: str, prefix: str) -> dict[str, Any]:

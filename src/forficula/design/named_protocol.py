@@ -90,9 +90,9 @@ class Wording:
 
     Attributes:
         done: what it came to, such as "folded".
-        verb: what it is to do, such as "fold" in "did not fold".
+        verb: such as "fold" in "did not fold".
         doing: what goes on, such as "folding" in "still folding".
-        stays: what is to last, such as "folded" in "did not stay folded".
+        stays: state that must last, such as "folded" in "did not stay folded".
         time: what its time is called, such as "fold time".
         noun: what it is called itself, such as "folding" in "work of folding".
         did: what it came to in a story of several, such as "opened again"; what it came to if empty.

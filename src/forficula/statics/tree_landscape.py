@@ -167,7 +167,7 @@ def _help(structures: Ensemble, transition: Transition, found: SlowTransition | 
 
 
 def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tuple[str, ...]:
-    """What is said of the tendons' hinges: of the ideal ones, and of the true ones where those are slack otherwise.
+    """Remarks on the hinges of tendons: on the ideal ones, and on the true ones where these are slack at other angles.
 
     What holds for some tendons only is said with their names.
     """

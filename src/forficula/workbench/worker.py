@@ -172,7 +172,7 @@ def _result(task: Task, asked: Asked, opened: Opened, folder: Path, tell: Callab
 
 
 def leave_landscape(asked: Asked, opened: Opened, folder: Path, tell: Tell) -> None:
-    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does, and write what it leaves.
+    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does, and write its results.
 
     Raises:
         InputError: the design cannot be read or built.

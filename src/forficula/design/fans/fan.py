@@ -317,7 +317,7 @@ def _room_at_ring(fan: EarwigFan) -> tuple[float, float]:
     return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)
 
 
-@lru_cache(maxsize=64)  # asked of every design that is made of one, most of which start alike
+@lru_cache(maxsize=64)  # most designs derived from one design have the same start
 def start_stretch(fan: EarwigFan, overbend: float) -> float:
     """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
 

@@ -1,4 +1,4 @@
-"""What every key of a design or of another file means, what it may hold, and what counts where it is left out."""
+"""Keys of design files and other files: meaning, allowed values and defaults."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class PriorSampling(Section):
 
 
 def _with_facts_read(given: object) -> object:
-    """The tables of facts, each read with its name before what is wrong with it."""
+    """Read the tables of facts; a message begins with the name of its fact."""
     if not isinstance(given, list) or not given:
         raise InputError(f"need at least one table [[fact]], got {as_written(given)}")
     facts = []

@@ -25,7 +25,7 @@ from forficula.goals.optimise.trials import (
     relaxations,
 )
 
-# Of a batch: the share that parabolas propose, and the share drawn around what they start from.
+# Shares of a batch that parabolas propose, and that are drawn around the best trials.
 _PROPOSED, _AROUND = 0.25, 0.25
 # Of the rest, as long as nothing is feasible: the share that fills the space further.
 _FILLING = 0.5
