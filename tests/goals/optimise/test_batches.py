@@ -153,14 +153,16 @@ def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
             x[0] + 1,
         ]
 
-    trials = searched(discs, [Axis()] * 2, 240)
-    assert not any(trial.feasible for trial in trials)
-    first, second, third = relaxations(trials)
-    assert first.alone == pytest.approx(-0.2, abs=4e-3)
-    assert second.alone == pytest.approx(-0.2, abs=4e-3)
+    # last bits of one search decide whether it is 1e-3 or 3e-3 away, so the middle one of three counts
+    searches = [searched(discs, [Axis()] * 2, 240, seed=seed) for seed in range(3)]
+    assert not any(trial.feasible for trials in searches for trial in trials)
+    costs = [relaxations(trials) for trials in searches]
+    for limit in (0, 1):
+        assert np.median([cost[limit].alone for cost in costs]) == pytest.approx(-0.2, abs=1e-3)
+    first, _, third = costs[0]
     assert math.isnan(third.alone)  # it always holds, but never do both others
     assert first.best > 0
-    assert nearest_trial(trials).violation == pytest.approx(0.2, abs=2e-3)
+    assert nearest_trial(searches[0]).violation == pytest.approx(0.2, abs=2e-3)
 
 
 def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
