@@ -4,6 +4,10 @@ BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 INSTALLED_DOCS := $(VENV)/.installed-docs
 
+# compiled modules are kept between processes, also where the environment forbids it: compiling all of them takes each
+# process 2 s
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: install benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
 
 install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
