@@ -50,8 +50,8 @@ def closed_states(hinge):
     """Ends of the ranges in which a hinge stays, rad, from the overbend to the fold limit.
 
     The energy falls from the top to both sides for half a turn, because the law pulls and the tendon is longest there.
-    So a state is at a stop, or is the range up to it over which the tendon is slack. Beyond half a turn the energy rises
-    again, as it fell.
+    So a state is at a stop, or is the range up to it over which the tendon is slack. Beyond half a turn the energy
+    rises again, as it fell.
     """
     if not hinge.pulls:
         return [(hinge.overbend, -hinge.fold_limit)]
