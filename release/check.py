@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[1]
 DIST = ROOT / "dist"
 PYTHONS = ("3.11", "3.12", "3.13")
 # what only the repository needs
-NOT_IN_SOURCE = (".ci/", ".github/", ".gitignore", ".pre-commit-config.yaml")
+NOT_IN_SOURCE = (".ci/", ".github/", ".pre-commit-config.yaml")
 
 
 class ReleaseError(Exception):
