@@ -41,7 +41,7 @@ def commands() -> None:
     forficula("study", "torques.toml", "--out", "study")
     needed("study/report.html")
     forficula("make", "binder2025-joint", "--out", "parts")
-    needed("parts/report.html")
+    needed("parts/parts.html", "parts/parts.3mf", "parts/sheet.dxf")
     forficula("pattern", "miura-sheet", "--out", "sheet.fold")
     needed("sheet.fold")
     assert json.loads(forficula("designs", "--json"))
