@@ -57,7 +57,8 @@ class Citation:
         year = f" ({work.year})" if work.year else ""
         place = ", ".join(part for part in (f"{work.published} {work.volume}".rstrip(), work.pages) if part)
         doi = f" https://doi.org/{work.doi}" if work.doi else ""
-        return f"{work.authors.replace(' and ', '; ')}{year}: {work.title}. {place}.{doi}"
+        authors = work.authors.strip("{}").replace(" and ", "; ")
+        return f"{authors}{year}: {work.title}. {place}.{doi}"
 
     @property
     def bibtex(self) -> str:
