@@ -3,8 +3,10 @@
 docs/contributing.md lists these branches.
 """
 
+import asyncio
 import importlib
 import os
+import signal
 import subprocess
 import sys
 import types
@@ -117,6 +119,22 @@ def test_files_of_parts_have_names_that_differ_without_regard_to_case_and_name_n
     names = file_names(["Bar", "bar", "aux", "Flügel"])
     assert len({name.lower() for name in names}) == 4
     assert names == ["Bar", "bar-2", "aux-2", "Fl_gel"]
+
+
+def test_the_workbench_works_where_signals_cannot_be_handled(monkeypatch):
+    """Event loops of Windows handle none; Ctrl-C still ends the workbench."""
+    from forficula.workbench.server import _told_to_end
+
+    monkeypatch.delattr(signal, "SIGHUP", raising=False)
+
+    async def end():
+        def refuse(*_):
+            raise NotImplementedError
+
+        monkeypatch.setattr(asyncio.get_running_loop(), "add_signal_handler", refuse, raising=False)
+        return _told_to_end()
+
+    assert not asyncio.run(end()).is_set()
 
 
 def test_importing_commands_starts_no_process_and_needs_no_module_of_one_system(tmp_path):
