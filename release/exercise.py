@@ -53,7 +53,7 @@ def calls() -> None:
     design = ff.load_design("letter-fold")
     outcome = ff.measure(ff.run(design))
     assert outcome.verdict.value not in ("untrusted", "diverged"), outcome
-    assert ff.landscape(design).design == "letter-fold"
+    assert ff.landscape(design).design.name == "letter-fold"
 
 
 if __name__ == "__main__":
