@@ -230,7 +230,10 @@ def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:
 
 
 def ring_ratio(fan: EarwigFan) -> float:
-    """Ratio m of the tangents of half the ring's and half the veins' fold angle (theory.md, section 2)."""
+    """Ratio m of the tangents of half the ring's and half the veins' fold angle.
+
+    See docs/model/theory.md, section "Fan pattern".
+    """
     return math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
 
 
