@@ -23,11 +23,12 @@ browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be
 	FORFICULA_EVERY_BROWSER=1 FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest \
 		tests/show/page/test_pages_in_firefox.py tests/show/page/test_live_wing.py
 
-check: $(INSTALLED)  ## lint, types, layers
+check: $(INSTALLED)  ## lint, types, layers, words
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python docs/check_language.py
 
 format: $(INSTALLED)
 	$(BIN)/ruff check --fix

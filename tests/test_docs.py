@@ -40,6 +40,7 @@ cells = loaded("extensions/cells")
 measurements = loaded("extensions/measurements")
 check_pages = loaded("check_pages")
 check_links = loaded("check_links")
+check_language = loaded("check_language")
 sys.modules["cells"] = cells  # as the walk calls it
 walk = loaded("walk")
 
@@ -206,3 +207,31 @@ def test_a_page_is_walked_line_by_line_and_stops_where_it_ends_otherwise_than_it
     done = subprocess.run(["bash", script], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (tmp_path / "b.toml").read_text() == "x = 1\n"
     assert (done.returncode, done.stderr) == (1, "page.md:9: ended with 1, not 0\n")
+
+
+def test_words_that_readers_stumble_over_are_refused_in_text_and_names():
+    source = """# what it tells
+
+# it hangs
+# on the size
+def test_both_behave_alike():
+    \"\"\"See theory.md and docs/model/no-such-page.md.\"\"\"
+    told = "as of today"
+"""
+    assert sorted((line, word) for line, word, _ in check_language.faults("tests/a.py", source)) == [
+        (1, "tells"),
+        (3, "hangs\n# on"),
+        (5, "alike"),
+        (6, "docs/model/no-such-page.md"),
+        (6, "theory.md"),
+        (7, "told"),
+    ]
+    assert "as of" in [word for _, word, _ in check_language.faults("src/a.py", source)]
+
+
+def test_code_in_a_page_and_released_versions_may_have_any_word():
+    page = "It tells `told`, [x](told.md).\n\n```{command}\ntold\n```\n\n    told\n\nSo\nmany.\n"
+    faults = [(line, word) for line, word, _ in check_language.faults("docs/a.md", page)]
+    assert faults == [(1, "tells"), (9, "So\nmany")]
+    changes = "# Changelog\n\n## Unreleased\n\n- new\n\n## 0.1.0\n\n- told\n"
+    assert list(check_language.faults("CHANGELOG.md", changes)) == []
