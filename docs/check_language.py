@@ -48,6 +48,7 @@ NOUN = "a noun as the name"
 _WORDS = re.compile("|".join(rf"\b({word})\b".replace(" ", _SPACE) for word in WORDS), re.I)
 _OUTSIDE = re.compile(r"\.\./shared|\bshared/(?=[\w./]*\.(md|txt))|/work/")
 _MARKDOWN_FILE = re.compile(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+\.md\b")
+_INLINE_CODE = re.compile(r"``?[^`\n]+``?")
 _CODE = re.compile(r"^( *)(```+|~~~+)[^\n]*\n.*?^ *\2$|^    [^\n]*$|`[^`\n]+`|\]\([^)]*\)|https?://\S+", re.M | re.S)
 
 
@@ -62,7 +63,7 @@ def texts_of_python(source: str, *, strings: bool, test_names: bool) -> Iterator
     docstrings = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and (strings or id(node) in docstrings):
-            yield node.lineno, node.value
+            yield node.lineno, _INLINE_CODE.sub("", node.value)
         elif test_names and isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
             yield node.lineno, node.name.replace("_", " ")
     last, block = 0, ""
@@ -85,7 +86,7 @@ def names_of_python(source: str) -> Iterator[tuple[int, str]]:
             name = node.arg
         elif isinstance(node, ast.FunctionDef | ast.ClassDef):
             name = node.name
-        if name.strip("_").lower() in NAMES:
+        if name.strip("_") in NAMES:
             yield node.lineno, name
 
 
