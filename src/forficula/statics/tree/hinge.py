@@ -27,8 +27,8 @@ class TendonHinge:
     """A tendon across a hinge.
 
     Its ends turn about the hinge axis on two circles, `axial_offset` apart. With arms a and b, the offset c and the
-    angle delta of the arms as built, length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle + delta) (law of cosines:
-    docs/model/theory.md, section "Tendon off the hinge axis"); see `forficula.structure.Crossing`.
+    angle delta of the arms as built, length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle + delta) (law of cosines; with c and
+    delta 0 theory.md, section 3); see `forficula.structure.Crossing`.
 
     The numbers may be arrays, for many hinges at once; see `stacked_hinges`.
 
@@ -105,8 +105,8 @@ class TendonHinge:
     def slack_distance(self) -> float | None:
         """How far from the top, either way, the tendon has its resting length, rad; None where it has it nowhere.
 
-        With equal arms and no offset 2 acos(rest length / length at straight) (docs/model/theory.md, section
-        "Tendon across a hinge"), here through half angles, which keep all digits at 0 and at 180 deg.
+        With equal arms and no offset 2 acos(rest length / length at straight) (theory.md, section 3), here through
+        half angles, which keep all digits at 0 and at 180 deg.
         """
         offset, longest, rest = (
             float(self.length_from_top(math.pi)),
@@ -131,8 +131,7 @@ class TendonHinge:
     def lever(self, angle: ArrayLike) -> Array:
         """Lever of the tendon about the hinge axis, -d length / d angle, m, in the shape of `angle` (rad).
 
-        a b sin(angle + delta) / length (docs/model/theory.md, section "Tendon off the hinge axis"); 0 where the
-        tendon's ends meet.
+        a b sin(angle + delta) / length (theory.md, section 3); 0 where the tendon's ends meet.
         """
         apart = np.asarray(angle, dtype=np.float64) + self.offset_angle
         half_sine, half_cosine = _half_angle(apart)
@@ -146,8 +145,7 @@ class TendonHinge:
     def moment(self, angle: ArrayLike) -> Array:
         """Moment of the tendon about the hinge, -d energy / d angle, N m, in the shape of `angle` (rad).
 
-        Positive towards the overbend; force times lever (docs/model/theory.md, section "Tendon across a hinge").
-        The stops are not in it.
+        Positive towards the overbend; force times lever (theory.md, section 3). The stops are not in it.
         """
         return np.asarray(self.law.force(self.length(angle)) * self.lever(angle))
 
@@ -174,9 +172,7 @@ class TendonHinge:
 
 
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
-    """Every tendon's hinge with both bars square to its axis, of those that have such bars.
-
-    See docs/model/theory.md, section "Tendon across a hinge".
+    """Every tendon's hinge with both bars square to its axis (theory.md, section 3), of those that have such bars.
 
     Of the tendons' laws they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
     """

@@ -285,7 +285,7 @@ def _growth_rate(path: _Path, top: PathState) -> float | None:
     """Rate at which a hinge leaves its top, 1/s: sqrt(-stiffness of tendon and spring / inertia).
 
     For a linear law without a spring that is sqrt(1 - lambda) / t*, lambda being the resting length by the length at
-    the top (docs/model/theory.md, section "Snap of a hinge").
+    the top (theory.md, section 3).
     """
     stiffness = path.curvature(top.coordinate)
     return math.sqrt(-stiffness / path.hinge.inertia) if stiffness < 0 else None

@@ -21,7 +21,7 @@ _ACCURACY = 1e-10  # of the quadrature, relative
 
 
 def time_scale(hinge: TendonHinge) -> float | None:
-    """Time scale t* = sqrt(I / (k a b)), s (docs/model/theory.md, section "Snap of a hinge").
+    """Time scale t* = sqrt(I / (k a b)), s (theory.md, section 3).
 
     With the linear stiffness k of the law and arms a, b square to the hinge axis. None where the law has no linear
     term.
@@ -36,8 +36,8 @@ def fold_time(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
     The integral of d angle / sqrt(2 (released energy) / I) (conservation of energy). With an angle of start cosh(y)
     from the top the integrand is finite at the start, where the speed is zero, and near the top it is constant. Once
     the tendon is slack the hinge coasts. For equal arms, no offset, no resting length, a linear law and a fold limit of
-    180 deg it is t* K(m), m = cos^2(start / 2), K the complete elliptic integral of the first kind
-    (docs/model/theory.md, section "Snap of a hinge").
+    180 deg it is t* K(m), m = cos^2(start / 2), K the complete elliptic integral of the first kind (theory.md,
+    section 3).
 
     Args:
         hinge: the hinge.
@@ -68,8 +68,7 @@ def final_speed(hinge: TendonHinge, start: float = FOLD_START) -> float | None:
     """Angular speed at the fold limit after a fold from rest past the top, rad/s.
 
     sqrt(2 (released energy) / I); times t* it is 2 cos(start / 2) - rest length / a for equal arms a, no offset, a
-    linear law and a fold limit at which the tendon is slack (docs/model/theory.md, section
-    "Snap of a hinge").
+    linear law and a fold limit at which the tendon is slack (theory.md, section 3).
 
     Args:
         hinge: the hinge.

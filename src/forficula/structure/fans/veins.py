@@ -230,10 +230,7 @@ def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:
 
 
 def ring_ratio(fan: EarwigFan) -> float:
-    """Ratio m of the tangents of half the ring's and half the veins' fold angle.
-
-    See docs/model/theory.md, section "Fan pattern".
-    """
+    """Ratio m of the tangents of half the ring's and half the veins' fold angle (theory.md, section 2)."""
     return math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
 
 
