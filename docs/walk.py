@@ -24,9 +24,9 @@ from cells import Cell, cells_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = ("README.md", "docs/tutorial.md")
-# a fenced block with its options, an indented one, or a picture or file that a cell is to have written
+# a fenced block with its options or with printed text, an indented one, or a picture or file that a cell wrote
 _BLOCK = re.compile(
-    r"^```(?P<kind>\{\w+\}|python)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
+    r"^```(?P<kind>\{\w+\}|python|text)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
     re.M | re.S,
 )
 _WRITTEN = re.compile(r"^```\{(?:picture|show|live)\} *(\S+)")
@@ -51,6 +51,8 @@ def steps_of(page: str) -> list[Step]:
         if block["kind"] is None:
             lines = text.replace("\\\n", " ").splitlines()
             found += [Step(line=line + at, shell=each.strip()) for at, each in enumerate(lines) if each.strip()]
+        elif block["kind"] == "text":
+            continue
         elif block["kind"] == "python":
             found.append(Step(line=line, shell=_python(text.partition("\n")[2].removesuffix("```"))))
         elif written := _WRITTEN.match(text):
