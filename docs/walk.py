@@ -25,9 +25,9 @@ from cells import Cell, cells_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = ("README.md", "docs/tutorial.md")
-# a fenced block with its options, an indented block, or a picture or file that a cell must have written
+# a fenced block with its options or with printed text, an indented block, or a picture or file that a cell wrote
 _BLOCK = re.compile(
-    r"^```(?P<kind>\{\w+\}|python)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
+    r"^```(?P<kind>\{\w+\}|python|text)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
     re.M | re.S,
 )
 _WRITTEN = re.compile(r"^```\{(?:picture|show|live)\} *(\S+)")
@@ -52,6 +52,8 @@ def steps_of(page: str) -> list[Step]:
         if block["kind"] is None:
             lines = text.replace("\\\n", " ").splitlines()
             steps += [Step(line=line + at, shell=text.strip()) for at, text in enumerate(lines) if text.strip()]
+        elif block["kind"] == "text":
+            continue
         elif block["kind"] == "python":
             steps.append(Step(line=line, shell=_python(text.partition("\n")[2].removesuffix("```"))))
         elif written := _WRITTEN.match(text):
