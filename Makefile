@@ -10,28 +10,29 @@ unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: install release-check benchmarks demo test test-step browsers check format page docs docs-all docs-links validation walk clean
 
-install: $(INSTALLED_DOCS)  ## all that the targets below need, at once
+install: $(INSTALLED_DOCS)  ## install all that the targets below need
 
 demo: $(INSTALLED)  ## fold and open the reference wing; results in out/binder2025/
 	$(BIN)/forficula run binder2025 --out out/binder2025
 
-test: $(INSTALLED)  ## run all tests; the next make docs tells of those of validation
+test: $(INSTALLED)  ## run all tests; the next make docs shows those of validation
 	mkdir -p docs/_build
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --junitxml=docs/_build/validation.xml  # a thread a worker
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --junitxml=docs/_build/validation.xml  # one thread for each worker
 
-test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and hold all solids to it
+test-step: $(INSTALLED)  ## before a release: install Open Cascade, 380 MB, and compare all solids with it
 	$(BIN)/python -m pip install --quiet --editable ".[step]"
 	FORFICULA_STEP=demanded $(BIN)/python -m pytest -n 0 tests/make/test_step.py
 
-browsers: $(INSTALLED)  ## every kind of page in a second browser, which must be there: Firefox; before a release
+browsers: $(INSTALLED)  ## open every kind of page in Firefox, which must be installed; before a release
 	FORFICULA_EVERY_BROWSER=1 FORFICULA_NEED_FIREFOX=1 $(BIN)/python -m pytest \
 		tests/show/page/test_pages_in_firefox.py tests/show/page/test_live_wing.py
 
-check: $(INSTALLED)  ## lint, types, layers
+check: $(INSTALLED)  ## lint, types, layers, words
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python docs/check_language.py
 
 format: $(INSTALLED)
 	$(BIN)/ruff check --fix
@@ -40,7 +41,7 @@ format: $(INSTALLED)
 page:  ## build the script of the HTML pages, which is kept in the package; needs Node.js
 	cd web && npm ci && npm run build
 
-benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, which shows that all of them work
+benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, as a check
 	$(BIN)/python benchmarks/advice.py --designs 1 --family joint
 	$(BIN)/python benchmarks/confirmation.py --of binder2025-joint --designs 1
 	$(BIN)/python benchmarks/contact.py --units 1 --strips 1
@@ -54,14 +55,14 @@ benchmarks: $(INSTALLED)  ## run every benchmark in its smallest size, which sho
 	$(BIN)/python benchmarks/slow_ramps.py --fans 1
 	$(BIN)/python benchmarks/timestep.py --designs 1
 
-docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; it runs all that it shows
+docs: $(INSTALLED_DOCS)  ## build the documentation into docs/_build/html; this runs everything that it shows
 	$(BIN)/python -m sphinx -W --keep-going -q -j 2 -d docs/_build/doctrees docs docs/_build/html
 	$(BIN)/python docs/check_pages.py docs/_build/html
 
-docs-all:  ## the same with what takes minutes: the study beside the paper
+docs-all:  ## the same with the study beside the paper, which takes minutes
 	FORFICULA_DOCS=all $(MAKE) docs
 
-docs-links: $(INSTALLED_DOCS)  ## ask the network whether what the documentation links to is there
+docs-links: $(INSTALLED_DOCS)  ## check the links of the documentation to other hosts
 	mkdir -p docs/_build
 	-$(BIN)/python -m sphinx -q -b linkcheck -d docs/_build/doctrees docs docs/_build/links >docs/_build/links.log 2>&1
 	$(BIN)/python docs/check_links.py docs/_build/links/output.json
@@ -69,17 +70,17 @@ docs-links: $(INSTALLED_DOCS)  ## ask the network whether what the documentation
 release-check: $(INSTALLED)  ## before a release: build the packages into dist/, install and use them with three Pythons
 	$(BIN)/python release/check.py
 
-walk:  ## do what README and tutorial say, word for word, in a clean clone with an empty environment
+walk:  ## run the commands of README and tutorial, word for word, in a clean clone with an empty environment
 	$(PYTHON) docs/walk.py
 
-validation: $(INSTALLED)  ## run the validation tests; the next make docs tells of them
+validation: $(INSTALLED)  ## run the validation tests; the next make docs shows them
 	mkdir -p docs/_build
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto tests/validation --junitxml=docs/_build/validation.xml
 
 clean:
 	rm -rf $(VENV) out docs/_build docs/gallery
 
-# uv installs in 10 s what takes pip 50 s; where uv is missing or finds no packages, pip does
+# uv needs 10 s, pip 50 s; pip is used if uv is missing or finds no packages
 define install_groups
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
@@ -92,7 +93,7 @@ $(INSTALLED): pyproject.toml
 	$(call install_groups,--group dev)
 	touch $@
 
-# one call: what fits together is looked for once, and installed once
+# one call resolves and installs both groups together
 $(INSTALLED_DOCS): pyproject.toml
 	$(call install_groups,--group dev --group docs)
 	touch $(INSTALLED) $@

@@ -55,18 +55,21 @@ def main() -> None:
     trials: list[Trial] = []
     for family in arguments.family or FAMILIES:
         start = time.perf_counter()
-        found = try_advice(draw(family, arguments.designs, arguments.seed))
-        trials += found
-        print(f"{family}: {len(found)} of {arguments.designs} fail, {time.perf_counter() - start:.0f} s", flush=True)
+        tried = try_advice(draw(family, arguments.designs, arguments.seed))
+        trials += tried
+        print(
+            f"{family}: {len(tried)} of {arguments.designs} fail, {time.perf_counter() - start:.0f} s",
+            flush=True,
+        )
     print(table(trials))
     if arguments.json is not None:
         arguments.json.write_text(json.dumps([vars(trial) for trial in trials], indent=1, default=str) + "\n")
 
 
 def try_advice(designs: Sequence[Design], threads: int = 1) -> list[Trial]:
-    """Run designs, and those that fail once more with what their runs advise."""
+    """Run designs, and those that fail once more with the values that their runs advise."""
     first = _run(designs, threads)
-    failed = [(design, *found) for design, found in zip(designs, first, strict=True) if found and not _good(found[0])]
+    failed = [(design, *run) for design, run in zip(designs, first, strict=True) if run and not _good(run[0])]
     advised = [(design, outcome.advised, _margin) for design, outcome, _margin in failed if outcome.advised.values]
     again = iter(_run([with_values(design, advice.values) for design, advice, _ in advised], threads))
     trials = []
@@ -76,9 +79,9 @@ def try_advice(designs: Sequence[Design], threads: int = 1) -> list[Trial]:
             kind = f"none: {outcome.verdict.value}"
             trials.append(Trial(kind=kind, text=advice.text, values={}, before=before, after=None, helped=None))
             continue
-        found = next(again)
-        helped = found is not None and _helped(outcome, margin, *found)
-        after = ("not built", -1.0) if found is None else (found[0].verdict.value, found[1])
+        repeated = next(again)
+        helped = repeated is not None and _helped(outcome, margin, *repeated)
+        after = ("not built", -1.0) if repeated is None else (repeated[0].verdict.value, repeated[1])
         trials.append(
             Trial(
                 kind=advice.kind,
@@ -104,12 +107,12 @@ def _good(outcome: Outcome) -> bool:
 
 def _run(designs: Sequence[Design], threads: int) -> list[tuple[Outcome, float] | None]:
     """The outcome and the margin of each design; None of one that cannot be built."""
-    found: list[tuple[Outcome, float] | None] = [None] * len(designs)
+    results: list[tuple[Outcome, float] | None] = [None] * len(designs)
     for number, record in run_each(designs, threads, sparse=True):
         if not isinstance(record, InputError):
             outcome = measure(record)
-            found[number] = outcome, chained(list(transition_margins(record, outcome).values()))
-    return found
+            results[number] = outcome, chained(list(transition_margins(record, outcome).values()))
+    return results
 
 
 def table(trials: Sequence[Trial]) -> str:
@@ -148,7 +151,10 @@ def _log(rng: np.random.Generator, least: float, most: float) -> float:
 
 
 def _wing(rng: np.random.Generator) -> Values:
-    """Ranges of the paper and around the reference, with less time for some; 0.1 to 0.4 ms, of which some diverge."""
+    """Return wings within the ranges of the paper and around the reference, some with less time.
+
+    Timesteps are 0.1 to 0.4 ms, and some wings diverge.
+    """
     return {
         "tendon.stiffness": f"{_log(rng, 3, 60)} N/cm",
         "tendon.rest_length": f"{rng.uniform(3, 12)} cm",

@@ -27,33 +27,33 @@ from forficula.study.running.runs import check_of, half_step, run, run_each
 def builds(name: str, count: int, seed: int) -> list[Design]:
     """Return designs whose values are off those of a named one by up to 10 % each."""
     base, rng = ff.load_design(name), np.random.default_rng(seed)
-    deviations, found = default_deviations(base), []
-    while len(found) < count:
+    deviations, designs = default_deviations(base), []
+    while len(designs) < count:
         try:
-            found.append(base.with_values(off_values(base, deviations, 2 * rng.random(len(deviations)) - 1)))
+            designs.append(base.with_values(off_values(base, deviations, 2 * rng.random(len(deviations)) - 1)))
         except InputError:  # what does not fit together
             continue
-    return found
+    return designs
 
 
 def calibrate(name: str, count: int, seed: int) -> None:
     """Print the flips of a full check, and those that the rule finds."""
     designs = builds(name, count, seed)
     rows = dict(run_each(designs, sparse=True))
-    told = {}
+    reliable = {}
     for number, record in rows.items():
         if not isinstance(record, InputError) and (outcome := measure(record)).verdict.tells:
             margins = transition_margins(record, outcome)
-            told[number] = (outcome, needs_confirmation(record, outcome, margins))
-    kinds = {"half the timestep": [half_step(designs[number]) for number in told]}
-    kinds["another start"] = [each for number in told if (each := designs[number].with_other_start()) is not None]
-    repeated = sum(chosen for _, chosen in told.values())
-    print(f"{name}: {len(told)} of {count} builds tell; the rule repeats {repeated} of them")
+            reliable[number] = (outcome, needs_confirmation(record, outcome, margins))
+    kinds = {"half the timestep": [half_step(designs[number]) for number in reliable]}
+    kinds["another start"] = [start for number in reliable if (start := designs[number].with_other_start()) is not None]
+    repeated = sum(chosen for _, chosen in reliable.values())
+    print(f"{name}: {len(reliable)} of {count} builds have a reliable result; the rule repeats {repeated} of them")
     for kind, others in kinds.items():
         flips, caught, words = 0, 0, []
-        numbers = list(told)
+        numbers = list(reliable)
         for place, record in run_each(others, sparse=True):
-            outcome, chosen = told[numbers[place]]
+            outcome, chosen = reliable[numbers[place]]
             if isinstance(record, InputError):
                 continue
             other = check_of("", 0.0, measure(record))
@@ -62,7 +62,7 @@ def calibrate(name: str, count: int, seed: int) -> None:
                 words.append(f"{outcome.verdict.value} > {other.verdict}")
         low, high = share_interval(caught, flips) if flips else (0.0, 1.0)
         share = f"{caught} of {flips} flips found (95 % interval {100 * low:.0f} to {100 * high:.0f} %)"
-        print(f"  {kind}: {share}: {', '.join(f'{words.count(each)} {each}' for each in sorted(set(words)))}")
+        print(f"  {kind}: {share}: {', '.join(f'{words.count(change)} {change}' for change in sorted(set(words)))}")
 
 
 def cost(name: str, times: int) -> None:
@@ -87,12 +87,12 @@ def main() -> None:
     parser.add_argument("--designs", type=int, default=200)
     parser.add_argument("--seed", type=int, default=11)
     parser.add_argument("--cost", type=int, default=0, help="measure the time of so many pairs of runs instead")
-    given = parser.parse_args()
-    for name in given.of:
-        if given.cost:
-            cost(name, given.cost)
+    arguments = parser.parse_args()
+    for name in arguments.of:
+        if arguments.cost:
+            cost(name, arguments.cost)
         else:
-            calibrate(name, given.designs, given.seed)
+            calibrate(name, arguments.designs, arguments.seed)
 
 
 if __name__ == "__main__":

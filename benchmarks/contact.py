@@ -54,8 +54,8 @@ def row(units: int, strips: int, **values: object) -> dict[str, Any]:
     veins._STRIPS = strips
     free, touching = (wing(units, contact=contact, **values) for contact in (False, True))
     rounds = [(timed(free)[1], *timed(touching)) for _ in range(2)]
-    record, without, with_contact = rounds[0][1], min(each[0] for each in rounds), min(each[2] for each in rounds)
-    found, outcome, package = panel_crossing(record), measure(record), packages(record).get("folded")
+    record, without, with_contact = rounds[0][1], min(times[0] for times in rounds), min(times[2] for times in rounds)
+    crossing, outcome, package = panel_crossing(record), measure(record), packages(record).get("folded")
     fold = outcome.transitions["fold"]
     return {
         "units": units,
@@ -67,7 +67,7 @@ def row(units: int, strips: int, **values: object) -> dict[str, Any]:
         "fold_time_s": None if fold is None else fold.time,
         "height_m": None if package is None else package[1].height,
         "area_ratio": None if package is None else package[1].area_ratio,
-        "crossing_m": None if found is None else found.depth,
+        "crossing_m": None if crossing is None else crossing.depth,
         "residual": outcome.energy_balance.residual,
     }
 

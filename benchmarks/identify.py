@@ -79,7 +79,7 @@ def jump(values: Mapping[str, float]) -> Numbers:
 
 
 def four(values: Mapping[str, float]) -> Numbers:
-    """Four values in two numbers, of which facts take the energy twice, once with another stiffness."""
+    """Four values in two numbers; facts use the energy twice, once with another stiffness."""
     stiffness, damping = values[_STIFFNESS] / 50, values[_DAMPING] / 0.04
     length, density = (values[_LENGTH] - 0.05) / 0.005, values[_DENSITY] / 800
     return (
@@ -109,13 +109,13 @@ CASES: dict[str, tuple[Form | None, dict[str, Any], list[dict[str, Any]]]] = {
 
 
 def values_of(form: Form, facts: Sequence[dict[str, Any]], values: Mapping[str, float]) -> list[float]:
-    """What the facts' quantities are of a stand-in, SI."""
+    """Return the quantities of the facts for a stand-in, SI."""
     seen = []
     for fact in facts:
-        own = {**values, **fact.get("at", {})}
-        time_, stored = form(own)
+        all_values = {**values, **fact.get("at", {})}
+        time_, stored = form(all_values)
         if fact["quantity"] == "closed":
-            seen.append(float(sum(form({**own, _LENGTH: length})[0] is not None for length in LENGTHS)))
+            seen.append(float(sum(form({**all_values, _LENGTH: length})[0] is not None for length in LENGTHS)))
         elif fact["quantity"] == "close_time":
             seen.append(_ABSENT if time_ is None else time_)
         else:
@@ -123,21 +123,20 @@ def values_of(form: Form, facts: Sequence[dict[str, Any]], values: Mapping[str, 
     return seen
 
 
-def stand_in_samples(form: Form, facts: Sequence[dict[str, Any]], asked: Observations) -> list[Sample]:
-    """Samples of a stand-in, all of them drawn."""
+def stand_in_samples(form: Form, facts: Sequence[dict[str, Any]], observations: Observations) -> list[Sample]:
+    """Return samples of a stand-in, all of them drawn."""
     samples = []
-    for number, shares in enumerate(prior_shares(asked.priors, asked.samples, asked.seed)):
-        values = {prior.key: float(_si(prior, share)) for prior, share in zip(asked.priors, shares, strict=True)}
+    for number, shares in enumerate(prior_shares(observations.priors, observations.samples, observations.seed)):
+        values = {prior.key: float(_si(prior, share)) for prior, share in zip(observations.priors, shares, strict=True)}
         seen = values_of(form, facts, {**OWN, **values})
         findings = []
-        for fact, value in zip(asked.facts, seen, strict=True):
+        for fact, value in zip(observations.facts, seen, strict=True):
             assert isinstance(fact.bound, float)
             miss = value - fact.bound
             met = abs(miss) <= fact.tolerance
             findings.append(Finding(value=value, miss=miss, distance=abs(miss), met=met, tells=True, untold=0))
-        samples.append(
-            Sample(number=number, shares=shares, values=values_at(asked.priors, shares), findings=tuple(findings))
-        )
+        point = values_at(observations.priors, shares)
+        samples.append(Sample(number=number, shares=shares, values=point, findings=tuple(findings)))
     return samples
 
 
@@ -149,13 +148,13 @@ def _si(prior: Factor, share: float) -> float:
 def observed(
     unknown: dict[str, Any], facts: list[dict[str, Any]], bounds: Sequence[tuple[float, float]], seed: int, samples: int
 ) -> Observations:
-    """The facts with what they are to be, and their tolerances, SI."""
+    """Return the facts with their bounds and tolerances, SI."""
     tables = []
     for number, (fact, (bound, tolerance)) in enumerate(zip(facts, bounds, strict=True)):
         unit = {"close_time": " s", "flat_energy": " J"}.get(fact["quantity"])
-        asked = {"equals": f"{bound!r}{unit}", "tolerance": f"{tolerance!r}{unit}"} if unit else None
+        bound_keys = {"equals": f"{bound!r}{unit}", "tolerance": f"{tolerance!r}{unit}"} if unit else None
         plain = {key: value for key, value in fact.items() if key != "at"}
-        tables.append({"name": f"fact {number}", **plain, **(asked or {"equals": bound, "tolerance": tolerance})})
+        tables.append({"name": f"fact {number}", **plain, **(bound_keys or {"equals": bound, "tolerance": tolerance})})
     sampling = {"samples": samples, "directed": PLACED, "seed": seed}
     return observations_of(
         {"name": "planted", "design": "letter-fold", "unknown": unknown, "sampling": sampling, "fact": tables}
@@ -163,7 +162,7 @@ def observed(
 
 
 def planting(name: str, number: int, folder: Path) -> dict[str, Any]:
-    """Plant values, look for them, and say whether the ranges hold them."""
+    """Plant values, identify them, and return whether the ranges contain them."""
     form, unknown, facts = CASES[name]
     generator = np.random.default_rng([number, 2026])
     blank = observed(unknown, facts, [(1.0, 0.0)] * len(facts), 0, 1)
@@ -186,19 +185,19 @@ def planting(name: str, number: int, folder: Path) -> dict[str, Any]:
         # the drawn samples are run once for six plantings
         result = identify(observed(unknown, facts, bounds, number // 6, SAMPLES), folder, threads=1)
     else:
-        asked = observed(unknown, facts, bounds, number, SAMPLES + PLACED)
-        result = build_result(asked, stand_in_samples(form, facts, asked), 0)
-    return {**told(result, hidden), "seconds": time.process_time() - start}
+        observations = observed(unknown, facts, bounds, number, SAMPLES + PLACED)
+        result = build_result(observations, stand_in_samples(form, facts, observations), 0)
+    return {**summary(result, hidden), "seconds": time.process_time() - start}
 
 
-def told(result: xarray.Dataset, hidden: Mapping[str, float]) -> dict[str, Any]:
-    """Whether every range holds what was hidden, how wide it is, and what is said of all facts together."""
+def summary(result: xarray.Dataset, hidden: Mapping[str, float]) -> dict[str, Any]:
+    """Return whether every range contains the hidden value, its width, and the conclusion on all facts together."""
     holds, widths, before = [], [], []
-    for each in marginals(result):
-        low, high = (float(end) for end in each.agrees)  # type: ignore[arg-type]
-        truth = hidden[each.key]
+    for marginal in marginals(result):
+        low, high = (float(end) for end in marginal.agrees)  # type: ignore[arg-type]
+        truth = hidden[marginal.key]
         holds.append(bool(low <= truth * (1 + 1e-6) and truth * (1 - 1e-6) <= high))
-        shares, values = result[f"{each.name}_share"].values, result[each.name].values
+        shares, values = result[f"{marginal.name}_share"].values, result[marginal.name].values
         widths.append(float(np.ptp(np.interp([low, high], np.sort(values), np.sort(shares)))))
         # what was printed before: 5th to 95th percentile of the drawn samples that agree
         agreeing = np.sort(values[result["agrees"].values])
@@ -215,38 +214,38 @@ def told(result: xarray.Dataset, hidden: Mapping[str, float]) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Plant, and print how often the ranges hold what was planted."""
+    """Plant values and print how often the ranges contain them."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plantings", type=int, help="100 of stand-ins, 24 of the simulation")
     parser.add_argument("--only", nargs="*", choices=list(CASES), default=list(CASES))
     parser.add_argument("--folder", type=Path, help="of the letter fold's rows")
     parser.add_argument("--verbose", action="store_true", help="print every planting")
     parser.add_argument("--json", type=Path)
-    given = parser.parse_args()
+    arguments = parser.parse_args()
     records = {}
     with tempfile.TemporaryDirectory() as scratch:
-        for name in given.only:
-            count = given.plantings or (24 if CASES[name][0] is None else 100)
-            found = []
+        for name in arguments.only:
+            count = arguments.plantings or (24 if CASES[name][0] is None else 100)
+            plantings = []
             for number in range(count):
-                found.append(planting(name, number, given.folder or Path(scratch)))
-                if given.verbose:
-                    print(name, number, json.dumps(found[-1]), flush=True)
-            held, before = (np.array([each[key] for each in found]) for key in ("holds", "before"))
-            unmet = [each for each in found if not each["met"]]
+                plantings.append(planting(name, number, arguments.folder or Path(scratch)))
+                if arguments.verbose:
+                    print(name, number, json.dumps(plantings[-1]), flush=True)
+            held, before = (np.array([one[key] for one in plantings]) for key in ("holds", "before"))
+            unmet = [one for one in plantings if not one["met"]]
             records[name] = {
                 "plantings": count,
                 "values held": [int(held.sum()), held.size],
                 "all values held": int(held.all(axis=1).sum()),
                 "values held before": [int(before.sum()), before.size],
-                "width, share of what is believed": float(np.median([each["widths"] for each in found])),
+                "width, share of what is believed": float(np.median([one["widths"] for one in plantings])),
                 "no sample met all facts": len(unmet),
-                "said to be excluded": sum(each["excluded"] for each in unmet),
-                "CPU of a planting, s": float(np.median([each["seconds"] for each in found])),
+                "said to be excluded": sum(one["excluded"] for one in unmet),
+                "CPU of a planting, s": float(np.median([one["seconds"] for one in plantings])),
             }
             print(name, json.dumps(records[name]), flush=True)
-    if given.json:
-        given.json.write_text(json.dumps(records, indent=2) + "\n", "utf-8")
+    if arguments.json:
+        arguments.json.write_text(json.dumps(records, indent=2) + "\n", "utf-8")
 
 
 if __name__ == "__main__":

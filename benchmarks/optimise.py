@@ -64,7 +64,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "limits": {"slow_open": [">= 5.5 N", "<= 7.2 N"]},
         "objectives": {"closed_tendon_energy": "least"},
     },
-    # the lightest joint on two limits, both of which are active; statics alone
+    # the lightest joint within two limits, both active; statics alone
     "joint": {
         "name": "joint",
         "design": "binder2025-joint",
@@ -159,7 +159,7 @@ class CallbackOptimiser:
         self._told.put(trials)
 
     def close(self) -> None:
-        """End the thread: COBYQA holds a lock as long as it runs."""
+        """End the thread, because COBYQA holds a lock as long as it runs."""
         self._told.put(None)
 
 
@@ -168,7 +168,7 @@ def evolution(axes: Sequence[Axis], batch: int, seed: int) -> Optimiser:
 
     def run(evaluate: Callable[[np.ndarray], list[Trial]]) -> None:
         optimize.differential_evolution(
-            lambda points: np.array([cost(each) for each in evaluate(points.T)]),
+            lambda points: np.array([cost(trial) for trial in evaluate(points.T)]),
             [(0.0, 1.0)] * len(axes),
             popsize=max(1, batch // len(axes)),
             maxiter=10_000,
@@ -329,15 +329,15 @@ def _trials(goal: Goal, assess: Assessor, points: Sequence[Point]) -> list[Trial
     """What becomes of points of the unit cube."""
     values = [goal.values(point) for point in points]
     designs = []
-    for each in values:
+    for point_values in values:
         try:
-            designs.append(goal.base.with_values(dict(each)))
+            designs.append(goal.base.with_values(dict(point_values)))
         except InputError as error:
             designs.append(str(error))
-    found = screened(goal, assess, designs)
+    assessed = screened(goal, assess, designs)
     return [
-        trial_of(goal, Candidate(point=point, values=value, found=each))
-        for point, value, each in zip(points, values, found, strict=True)
+        trial_of(goal, Candidate(point=point, values=value, found=result))
+        for point, value, result in zip(points, values, assessed, strict=True)
     ]
 
 
@@ -371,31 +371,31 @@ def show_methods(goal: Goal, courses: Mapping[str, list[list[float]]]) -> None:
 
 def measure_robust(folder: Path, runs: int, batch: int) -> dict[str, dict[str, Any]]:
     """The best wing by the plain goal and by the one that wants 95 of 100 neighbours to work, on fresh neighbours."""
-    found = {}
+    results = {}
     search = {"batch": batch, "runs": runs}
     for name, limits in (("plain", _WING["limits"]), ("robust", {**_WING["limits"], **_WANTED})):
         goal = goal_of({**_WING, "limits": limits, "tolerances": _TOLERANCES, "search": search})
         optimum = optimise_goal(goal, folder / name)
         chosen = (*optimum.best, *optimum.discarded)[:1]
-        asked = [each.neighbours.share for each in optimum.candidates if each.neighbours is not None]
-        found[name] = {
+        shares = [candidate.neighbours.share for candidate in optimum.candidates if candidate.neighbours is not None]
+        results[name] = {
             "holds": bool(optimum.best),
-            "designs": [dict(each.candidate.values) for each in chosen],
-            "holding_torque": [each.candidate.value(goal.objectives[0].quantity) for each in chosen],
-            "fresh_share": [each.fresh.share for each in chosen if each.fresh is not None],
-            "largest_share_asked": max(asked, default=None),
+            "designs": [dict(design.candidate.values) for design in chosen],
+            "holding_torque": [design.candidate.value(goal.objectives[0].quantity) for design in chosen],
+            "fresh_share": [design.fresh.share for design in chosen if design.fresh is not None],
+            "largest_share_asked": max(shares, default=None),
             "neighbour_runs": optimum.effort.neighbour_runs,
             "runs": optimum.effort.runs,
         }
-    return found
+    return results
 
 
 def show_robust(robust: dict[str, dict[str, Any]]) -> None:
     """Print what either goal leads to."""
-    for name, each in robust.items():
-        torque = ", ".join(f"{100 * value:.2f} N cm" for value in each["holding_torque"]) or "nothing"
-        shares = ", ".join(f"{100 * value:.0f} %" for value in each["fresh_share"])
-        print(f"{name:8} holds with {torque}; of its fresh neighbours {shares} work; {each['neighbour_runs']} asked")
+    for name, result in robust.items():
+        torque = ", ".join(f"{100 * value:.2f} N cm" for value in result["holding_torque"]) or "nothing"
+        shares = ", ".join(f"{100 * value:.0f} %" for value in result["fresh_share"])
+        print(f"{name:8} holds with {torque}; of its fresh neighbours {shares} work; {result['neighbour_runs']} asked")
 
 
 if __name__ == "__main__":

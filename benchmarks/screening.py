@@ -67,9 +67,9 @@ def measure(function: Callable[[Values], Values], strongest: list[int], repetiti
         values = function(points)
         mixed = np.array([function(exchanged(one, other, [factor])) for factor in range(FACTORS)])
         effects = total_effects(function(one), mixed, (other - one).T) / np.var(values)
-        found = screening(points, values, effects, PLAN.kept, seed)
-        chosen[list(found.kept)] += 1
-        resolved += found.resolved
+        screened = screening(points, values, effects, PLAN.kept, seed)
+        chosen[list(screened.kept)] += 1
+        resolved += screened.resolved
         before[np.argsort(-effects, kind="stable")[: PLAN.kept]] += 1
     return {
         name: counts[strongest].tolist()
@@ -82,12 +82,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repetitions", type=int, default=100)
     parser.add_argument("--json", type=Path)
-    given = parser.parse_args()
-    records = {each.__name__: measure(each, strongest, given.repetitions) for each, strongest in STRONGEST.items()}
+    arguments = parser.parse_args()
+    records = {
+        function.__name__: measure(function, factors, arguments.repetitions) for function, factors in STRONGEST.items()
+    }
     for name, counts in records.items():
         print(name, json.dumps(counts))
-    if given.json:
-        given.json.write_text(json.dumps(records, indent=2) + "\n", "utf-8")
+    if arguments.json:
+        arguments.json.write_text(json.dumps(records, indent=2) + "\n", "utf-8")
 
 
 if __name__ == "__main__":

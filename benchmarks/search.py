@@ -223,7 +223,7 @@ def _driven_wings(study: Study, count: int) -> list[Model]:
     wings = []
     for index in range(count):
         design = with_values(study.base, dict(study.points[index % len(study.points)]))
-        # torques that differ by less than matters, or alike wings would be run once
+        # torques differ by less than matters, because equal wings would run once only
         values = search.first.values
         torque = values[index % len(values)] * (1 + 1e-6 * index) + 1e-6 * index
         protocol = design.protocol.model_copy(update={"fold_torque": torque, "stages": (stage,)})
@@ -257,7 +257,7 @@ def _since(start: tuple[float, float]) -> tuple[float, float]:
 
 
 def _busy() -> float:
-    """Time that all cores have worked for anyone, s; 0 where the machine does not tell."""
+    """Return the time that all cores have worked for any process, s; 0 if the machine does not report it."""
     try:
         user, nice, system, _, _, *others = map(int, Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:9])
     except OSError:

@@ -31,7 +31,7 @@ _DESIGNS, _TOGETHER = 40, 500
 
 
 def sheet(size: int, kind: str = "bars", steps: int = 1, **values: object) -> Design:
-    """The design miura-sheet of other size and facets, driven for so many of the longest steps that are stable."""
+    """Return the design miura-sheet with another size and other facets, driven for some of the longest stable steps."""
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0}
     drive = {"name": "fold", "kind": "torque", "of": "role:zigzag", "value": 1e-5}
     changes = {
@@ -99,7 +99,7 @@ def side_by_side() -> dict[str, Any]:
     stiffness = np.geomspace(0.01, 0.04, _DESIGNS).tolist()
     timestep = float(sheet(4, **{"crease.stiffness": max(stiffness)}).protocol.timestep)
     limits = _duration(timestep, _TOGETHER)
-    models = [compile_model(with_values(sheet(4, **{"crease.stiffness": each}), limits)) for each in stiffness]
+    models = [compile_model(with_values(sheet(4, **{"crease.stiffness": value}), limits)) for value in stiffness]
     simulate(models[:1])
     together = _timed(lambda: simulate(models))
     apart = _timed(lambda: [simulate([model]) for model in models])
@@ -149,8 +149,8 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--most", type=int, default=max(_SIZES), help="largest sheet, facets along a side")
     parser.add_argument("--json", type=Path)
-    given = parser.parse_args()
-    sizes = [size for size in _SIZES if size <= given.most]
+    arguments = parser.parse_args()
+    sizes = [size for size in _SIZES if size <= arguments.most]
     numbers: dict[str, Any] = {
         "machine": {"cores": os.cpu_count(), "python": platform.python_version(), **versions()},
         "load_before": os.getloadavg()[0],
@@ -160,8 +160,8 @@ def main() -> None:
         "load_after": os.getloadavg()[0],
     }
     _show(numbers)
-    if given.json:
-        given.json.write_text(json.dumps(numbers, indent=1))
+    if arguments.json:
+        arguments.json.write_text(json.dumps(numbers, indent=1))
 
 
 if __name__ == "__main__":

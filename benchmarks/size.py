@@ -37,7 +37,7 @@ def counts(root: Path) -> dict[str, Any]:
     trees = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in modules.items()}
     code = {name: _code_lines(path, trees[name]) for name, path in modules.items()}
     imports = {name: code[name] & _import_lines(tree) for name, tree in trees.items()}
-    code_total, import_total = (sum(map(len, each.values())) for each in (code, imports))
+    code_total, import_total = (sum(map(len, lines.values())) for lines in (code, imports))
     length = {name: _lines(path) for name, path in modules.items()}
     importers = _importers(source, modules, trees)
     single = {name: sorted(by)[0] for name, by in importers.items() if len(by) == 1 and length[name] < SHORT}
@@ -86,7 +86,7 @@ def _code_lines(path: Path, tree: ast.Module) -> set[int]:
     """Return the numbers of the lines of code."""
     text = path.read_text(encoding="utf-8")
     tokens = tokenize.generate_tokens(io.StringIO(text).readline)
-    lines = {line for each in tokens if each.type not in NO_CODE for line in range(each.start[0], each.end[0] + 1)}
+    lines = {line for token in tokens if token.type not in NO_CODE for line in range(token.start[0], token.end[0] + 1)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
             first = node.body[0] if node.body else None
@@ -100,8 +100,8 @@ def _code_lines(path: Path, tree: ast.Module) -> set[int]:
 
 
 def _import_lines(tree: ast.Module) -> set[int]:
-    found = (node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom))
-    return {line for node in found for line in range(node.lineno, (node.end_lineno or node.lineno) + 1)}
+    nodes = (node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom))
+    return {line for node in nodes for line in range(node.lineno, (node.end_lineno or node.lineno) + 1)}
 
 
 def _importers(source: Path, modules: dict[str, Path], trees: dict[str, ast.Module]) -> dict[str, set[str]]:
@@ -130,25 +130,25 @@ def _imported(tree: ast.Module, module: str, *, is_package: bool) -> Iterator[tu
     """Yield the imports: the module, the name in the module or nothing, and the local name."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            yield from ((each.name, "", each.asname or each.name) for each in node.names)
+            yield from ((alias.name, "", alias.asname or alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             above = module.split(".")[: len(module.split(".")) - node.level + is_package] if node.level else []
             origin = ".".join([*above, *([node.module] if node.module else [])])
-            yield from ((origin, each.name, each.asname or each.name) for each in node.names)
+            yield from ((origin, alias.name, alias.asname or alias.name) for alias in node.names)
 
 
-def table(found: dict[str, Any]) -> str:
+def table(totals: dict[str, Any]) -> str:
     """Return the counts as text."""
     single, twice, full = (
-        found[key] for key in ("short_modules_with_one_importer", "classes_defined_twice", "folders_with_many_modules")
+        totals[key] for key in ("short_modules_with_one_importer", "classes_defined_twice", "folders_with_many_modules")
     )
     return "\n".join(
         [
-            *(f"{area:<11}{each['lines']:>8} lines in {each['files']} files" for area, each in found["areas"].items()),
-            f"{'all':<11}{sum(each['lines'] for each in found['areas'].values()):>8} lines",
+            *(f"{area:<11}{size['lines']:>8} lines in {size['files']} files" for area, size in totals["areas"].items()),
+            f"{'all':<11}{sum(size['lines'] for size in totals['areas'].values()):>8} lines",
             "",
-            f"package: {found['modules']} modules, {found['lines_of_code']} lines of code, of which"
-            f" {100 * found['import_share']:.1f} % ({found['import_lines']}) are imports",
+            f"package: {totals['modules']} modules, {totals['lines_of_code']} lines of code;"
+            f" {100 * totals['import_share']:.1f} % of them ({totals['import_lines']}) are imports",
             "",
             f"modules below {SHORT} lines with a single importer: {len(single)}",
             *(f"  {name} <- {importer}" for name, importer in single.items()),
@@ -170,13 +170,13 @@ def main() -> None:
     parser.add_argument("--json", type=Path, help="file to write the counts to")
     parser.add_argument("--short", action="store_true", help="print counts without the lists below them")
     choices = parser.parse_args()
-    found = counts(choices.folder)
-    lines = table(found).splitlines()
+    totals = counts(choices.folder)
+    lines = table(totals).splitlines()
     print(
         "\n".join(line for line in lines if line and not line.startswith("  ")) if choices.short else "\n".join(lines)
     )
     if choices.json:
-        choices.json.write_text(json.dumps(found, indent=2) + "\n", encoding="utf-8")
+        choices.json.write_text(json.dumps(totals, indent=2) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

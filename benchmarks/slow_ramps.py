@@ -1,10 +1,11 @@
-"""Least slow torques of the statics, beside simulated torques that grow slowly, of random fans."""
+"""Compare least slow torques of the statics with simulated torques that grow slowly, for random fans."""
 
 from __future__ import annotations
 
 import argparse
 import json
 import math
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -54,8 +55,8 @@ def main() -> None:
         for row in compare(random_fan(number)):
             rows.append({"fan": number, **row})
             print(table_row(rows[-1]), flush=True)
-    counts = {each: sum(row["found"] == each for row in rows) for each in dict.fromkeys(row["found"] for row in rows)}
-    print(f"\n{counts}")
+    counts = Counter(row["found"] for row in rows)
+    print(f"\n{dict(counts)}")
     if arguments.json is not None:
         arguments.json.write_text(json.dumps(rows, indent=2) + "\n")
 
@@ -70,8 +71,8 @@ def random_fan(number: int) -> Design:
 
 def compare(design: Design) -> list[dict[str, Any]]:
     """What statics and a ramp find for folding, and for opening where the ramp folds the fan."""
-    courses = {each.name: each for each in ff.energy_landscape(design, points=21).courses}
-    spans = {name: each.span or (math.inf, math.inf) for name, each in courses.items()}
+    courses = {course.name: course for course in ff.energy_landscape(design, points=21).courses}
+    spans = {name: course.span or (math.inf, math.inf) for name, course in courses.items()}
     largest = {name: _BEYOND * spans[name][1] for name in ("fold", "unfold")}
     strengths = {"fold": design.protocol.fold_torque, "unfold": design.protocol.unfold_torque}
     torques = {name: largest[name] if math.isfinite(largest[name]) else strengths[name] for name in largest}
@@ -82,15 +83,15 @@ def compare(design: Design) -> list[dict[str, Any]]:
             continue
         least, helped = courses[name].least, courses[name].inertial_help
         low, high = spans[name]
-        found = let_go(record, name, torques[name])
+        simulated = let_go(record, name, torques[name])
         rows.append(
             {
                 "transition": name,
                 "statics": least,
                 "range": [low, high],
                 "inertia": None if helped is None else helped.torque,
-                "ramp": found,
-                "found": judged(least, low if helped is None else min(low, helped.torque), high, found),
+                "ramp": simulated,
+                "found": judged(least, low if helped is None else min(low, helped.torque), high, simulated),
             }
         )
     return rows
@@ -119,7 +120,7 @@ def let_go(record: Record, name: str, torque: float) -> float | None:
 
     A wing that folds is slack beyond some angle and creeps to its goal against the dampers, so the snap counts.
     """
-    end = next(each for each in record.stages if each.stage.drive == name)
+    end = next(stage for stage in record.stages if stage.stage.drive == name)
     if end.goal_time is None:
         return None
     rise = record.design.protocol.rise
@@ -132,13 +133,13 @@ def let_go(record: Record, name: str, torque: float) -> float | None:
     return torque * min((last - end.start) / rise, 1.0)
 
 
-def judged(least: float | None, low: float, high: float, found: float | None) -> str:
+def judged(least: float | None, low: float, high: float, simulated: float | None) -> str:
     """How a ramp compares with the statics."""
-    if least is None or found is None:
-        return "neither" if least is None and found is None else "one only"
-    if abs(found - least) <= _ALLOWED * least:
+    if least is None or simulated is None:
+        return "neither" if least is None and simulated is None else "one only"
+    if abs(simulated - least) <= _ALLOWED * least:
         return "within 3 %"
-    return "in the range" if (1 - _ALLOWED) * low <= found <= (1 + _ALLOWED) * high else "apart"
+    return "in the range" if (1 - _ALLOWED) * low <= simulated <= (1 + _ALLOWED) * high else "apart"
 
 
 def table_row(row: dict[str, Any]) -> str:

@@ -40,7 +40,7 @@ def random_designs(seed: int, count: int, *, wide: bool = False, **values: objec
 
 
 def _drawn(rng: np.random.Generator, width: float) -> dict[str, object]:
-    """Values of one design by dotted key, SI; those of a wing of 12 cm go with the powers of its size."""
+    """Return values of one design by dotted key, SI; those of a wing of 12 cm are scaled by powers of its size."""
 
     def even(low: float, high: float) -> float:
         return float(rng.uniform(low, high))
@@ -99,40 +99,40 @@ def judge(design: Design) -> dict[str, Any]:
     runs = {"auto": record}
     for name, timestep in (("quarter", step / 4), ("guess", guess)):
         ((_, runs[name]),) = run_each([with_values(design, {"protocol.timestep": timestep})], threads=1, sparse=True)
-    found: dict[str, Any] = {"name": design.name, "units": design.pattern.units}
-    for name, each in runs.items():
-        outcome, timestep = measure(each), float(each.design.protocol.timestep)
-        found[name] = {
+    results: dict[str, Any] = {"name": design.name, "units": design.pattern.units}
+    for name, record in runs.items():
+        outcome, timestep = measure(record), float(record.design.protocol.timestep)
+        results[name] = {
             "timestep_s": timestep,
             "status": outcome.status,
             "verdict": outcome.verdict.value,
             "goal": outcome.ending.goal,
             "residual": outcome.energy_balance.residual,
             "fold_time_s": outcome.transitions["fold"].time if outcome.transitions["fold"] else None,
-            "steps": round(float(each.time[-1]) / timestep),
+            "steps": round(float(record.time[-1]) / timestep),
         }
     # what the search for the step took: every halving between the first guess and the last step
-    found["tries"] = round(math.log2(guess / step))
-    return found
+    results["tries"] = round(math.log2(guess / step))
+    return results
 
 
 def report(rows: list[dict[str, Any]]) -> None:
     """Print shares of designs, by rule."""
-    told = [row for row in rows if "fault" not in row]
-    print(f"{len(told)} designs, {len(rows) - len(told)} that cannot be built")
+    valid = [row for row in rows if "fault" not in row]
+    print(f"{len(valid)} designs, {len(rows) - len(valid)} that cannot be built")
     for rule in ("auto", "guess"):
-        fine = [row[rule]["residual"] <= 0.005 for row in told]
-        folded = [row for row in told if row["quarter"]["fold_time_s"] and row[rule]["fold_time_s"]]
+        fine = [row[rule]["residual"] <= 0.005 for row in valid]
+        folded = [row for row in valid if row["quarter"]["fold_time_s"] and row[rule]["fold_time_s"]]
         near = [abs(row[rule]["fold_time_s"] / row["quarter"]["fold_time_s"] - 1) <= 0.03 for row in folded]
         same = [
             (row[rule]["verdict"], row[rule]["goal"]) == (row["quarter"]["verdict"], row["quarter"]["goal"])
-            for row in told
+            for row in valid
         ]
         print(
             f"{rule}: residual <= 0.5 % in {sum(fine)} of {len(fine)}, fold time within 3 % in {sum(near)} of"
             f" {len(near)}, the same outcome in {sum(same)} of {len(same)}"
         )
-    ratio = [row["auto"]["steps"] / max(row["guess"]["steps"], 1) for row in told]
+    ratio = [row["auto"]["steps"] / max(row["guess"]["steps"], 1) for row in valid]
     print(
         f"steps by those of the guess: median {np.median(ratio):.3g}, mean {np.mean(ratio):.3g}, most {max(ratio):.3g}"
     )
@@ -146,15 +146,15 @@ def main() -> None:
     parser.add_argument("--wide", action="store_true")
     parser.add_argument("--json", type=Path)
     parser.add_argument("--least-hold", type=float)
-    given = parser.parse_args()
-    values = {} if given.least_hold is None else {"protocol.least_hold": given.least_hold}
+    arguments = parser.parse_args()
+    values = {} if arguments.least_hold is None else {"protocol.least_hold": arguments.least_hold}
     rows = []
     with ProcessPoolExecutor(os.cpu_count()) as workers:
-        for row in workers.map(judge, random_designs(given.seed, given.designs, wide=given.wide, **values)):
+        for row in workers.map(judge, random_designs(arguments.seed, arguments.designs, wide=arguments.wide, **values)):
             rows.append(row)
             print(json.dumps(row), flush=True)
-            if given.json:
-                given.json.write_text(json.dumps(rows))
+            if arguments.json:
+                arguments.json.write_text(json.dumps(rows))
     report(rows)
 
 

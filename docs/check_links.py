@@ -1,4 +1,4 @@
-"""Read what Sphinx found of outside links: which are gone, and which hosts could not be asked at all."""
+"""Read the results of Sphinx's link check: which links to other hosts are gone, and which hosts did not answer."""
 
 from __future__ import annotations
 
@@ -9,56 +9,54 @@ from collections import defaultdict
 from pathlib import Path
 from urllib.parse import urlsplit
 
-# what is said where no host answered: a link that was not looked at is neither there nor gone
+# messages of a host that did not answer, so that its links were not checked
 _NO_ANSWER = re.compile(
     r"Max retries|Failed to establish|NameResolution|Name or service|timed? ?out|Tunnel connection|ProxyError"
     r"|Connection (refused|reset|aborted)|Network is unreachable|CERTIFICATE_VERIFY_FAILED",
     re.I,
 )
-# refuses programs, not people: publishers behind a doi
+# status of hosts that refuse programs and not people, such as publishers behind a DOI
 _REFUSED = re.compile(r"\b(401|403|405|406|429|503)\b")
-GONE, NOT_ASKED = 1, 2
+GONE, NOT_CHECKED = 1, 2
 
 
 def sorted_links(lines: list[str]) -> tuple[int, list[str], dict[str, set[str]], dict[str, set[str]]]:
-    """How many links are there, sentences on those that are gone, and by host those refused and those not asked."""
-    there, gone = 0, []
+    """Return the number of existing links, sentences on those gone, and by host those refused and those unchecked."""
+    exist, gone = 0, []
     refused: dict[str, set[str]] = defaultdict(set)
-    unasked: dict[str, set[str]] = defaultdict(set)
-    for found in map(json.loads, lines):
-        link, told = found["uri"], found.get("info", "")
+    unchecked: dict[str, set[str]] = defaultdict(set)
+    for result in map(json.loads, lines):
+        link, message = result["uri"], result.get("info", "")
         if urlsplit(link).scheme not in ("http", "https"):
-            continue  # within the pages, which check_pages.py looks at when they are built
+            continue  # within the pages, which check_pages.py checks
         host = urlsplit(link).hostname or ""
-        if found["status"] in ("working", "redirected"):
-            there += 1
-        elif found["status"] in ("timeout", "rate-limited") or _NO_ANSWER.search(told):
-            unasked[host].add(link)
-        elif found["status"] == "broken" and _REFUSED.search(told):
+        if result["status"] in ("working", "redirected"):
+            exist += 1
+        elif result["status"] in ("timeout", "rate-limited") or _NO_ANSWER.search(message):
+            unchecked[host].add(link)
+        elif result["status"] == "broken" and _REFUSED.search(message):
             refused[host].add(link)
-        elif found["status"] == "broken":
-            gone.append(f"{found['filename']}:{found['lineno']}: {link}: {told}")
-    return there, gone, refused, unasked
+        elif result["status"] == "broken":
+            gone.append(f"{result['filename']}:{result['lineno']}: {link}: {message}")
+    return exist, gone, refused, unchecked
 
 
 def main() -> None:
-    """Say what was found; end with 1 where a link is gone, with 2 where a host could not be asked."""
+    """Print the results, and exit with 1 if a link is gone, with 2 if a host did not answer."""
     path = Path(sys.argv[1])
     if not path.is_file():
         sys.exit(f"{path}: no such file: see links.log beside its folder")
-    there, gone, refused, unasked = sorted_links(path.read_text("utf-8").splitlines())
-    print(f"{there} links are there, {len(gone)} are gone")
+    exist, gone, refused, unchecked = sorted_links(path.read_text("utf-8").splitlines())
+    print(f"{exist} links exist, {len(gone)} are gone")
     print(*gone, sep="\n", end="\n" if gone else "")
-    for words, hosts in (("refused a program; open it yourself", refused), ("could not be asked", unasked)):
+    for words, hosts in (("refused this program; open in a browser", refused), ("did not answer", unchecked)):
         for host, links in sorted(hosts.items()):
             print(f"{host}: {words}: {', '.join(sorted(links))}")
     if gone:
         sys.exit(GONE)
-    if unasked:
-        print(
-            f"{sum(map(len, unasked.values()))} links were not looked at, for their hosts could not be asked from here"
-        )
-        sys.exit(NOT_ASKED)
+    if unchecked:
+        print(f"{sum(map(len, unchecked.values()))} links were not checked, because their hosts did not answer")
+        sys.exit(NOT_CHECKED)
 
 
 if __name__ == "__main__":

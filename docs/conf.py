@@ -1,4 +1,4 @@
-"""Of the documentation: see contributing.md for how its pages are made."""
+"""Configuration of the documentation; docs/contributing.md explains how its pages are written."""
 
 import logging
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent / "extensions"))
 
-# that we call a newton metre Nm is no news
+# pint warns that Nm replaces its own definition
 logging.getLogger("pint.util").setLevel(logging.ERROR)
 
 project = "forficula"
@@ -27,7 +27,7 @@ extensions = [
     "validation",
 ]
 exclude_patterns = ["_build", "examples", "gallery/*.ipynb", "gallery/*.py", "gallery/*.zip"]
-suppress_warnings = ["config.cache"]  # the gallery's settings hold functions
+suppress_warnings = ["config.cache"]  # the settings of the gallery contain functions
 
 myst_enable_extensions = ["attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
@@ -48,7 +48,7 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 default_role = "code"
-smartquotes = False  # an option such as --set keeps its dashes
+smartquotes = False  # options such as --set keep their dashes
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
 napoleon_attr_annotations = False

@@ -1,8 +1,9 @@
-"""Do what README.md and docs/tutorial.md say, word for word, as someone does who reads them for the first time.
+"""Run the commands of README.md and docs/tutorial.md word for word, as a first-time reader does.
 
-The repository is cloned into a temporary folder for each page, and what the page prints is run there in order, in one
-shell with an empty environment: commands of indented blocks and of cells, Python, files. The first that ends otherwise
-than the page says ends the walk. Needs the network, for pip; takes as long as the tests and the named study together.
+For each page the repository is cloned into a temporary folder. The steps of the page run there in order, in one shell
+with an empty environment: commands of indented blocks and of cells, Python, files. The walk stops at the first step
+with another exit status than the page states. It needs the network, for pip, and takes as long as the tests and the
+named study together.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ from cells import Cell, cells_of
 
 ROOT = Path(__file__).parents[1]
 PAGES = ("README.md", "docs/tutorial.md")
-# a fenced block with its options, an indented one, or a picture or file that a cell is to have written
+# a fenced block with its options or with printed text, an indented block, or a picture or file that a cell wrote
 _BLOCK = re.compile(
-    r"^```(?P<kind>\{\w+\}|python)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
+    r"^```(?P<kind>\{\w+\}|python|text)[^\n]*\n.*?^```$|(?:^(?: {4}[^\n]*)?\n)*^ {4}[^\n]*$",
     re.M | re.S,
 )
 _WRITTEN = re.compile(r"^```\{(?:picture|show|live)\} *(\S+)")
@@ -35,7 +36,7 @@ _END = "END_OF_WHAT_THE_PAGE_PRINTS"
 
 @dataclass(frozen=True, kw_only=True)
 class Step:
-    """What a page prints, at a line of it: shell commands that end with a status, 0 if not told."""
+    """Step of a page: its line, its shell commands and their exit status."""
 
     line: int
     shell: str
@@ -43,23 +44,25 @@ class Step:
 
 
 def steps_of(page: str) -> list[Step]:
-    """What a reader does, in order; of an indented block each line is a command."""
-    found, python = [], ""
+    """Return the steps of a page in order; each line of an indented block is a command."""
+    steps, python = [], ""
     for block in _BLOCK.finditer(page):
         line = page.count("\n", 0, block.start()) + 1
         text = block[0]
         if block["kind"] is None:
             lines = text.replace("\\\n", " ").splitlines()
-            found += [Step(line=line + at, shell=each.strip()) for at, each in enumerate(lines) if each.strip()]
+            steps += [Step(line=line + at, shell=text.strip()) for at, text in enumerate(lines) if text.strip()]
+        elif block["kind"] == "text":
+            continue
         elif block["kind"] == "python":
-            found.append(Step(line=line, shell=_python(text.partition("\n")[2].removesuffix("```"))))
+            steps.append(Step(line=line, shell=_python(text.partition("\n")[2].removesuffix("```"))))
         elif written := _WRITTEN.match(text):
-            found.append(Step(line=line, shell=f"test -s {shlex.quote(written[1])}"))
+            steps.append(Step(line=line, shell=f"test -s {shlex.quote(written[1])}"))
         else:
             for cell in cells_of(text):
                 python += cell.text if cell.kind == "python" else ""
-                found += _steps_of_cell(cell, line, python)
-    return found
+                steps += _steps_of_cell(cell, line, python)
+    return steps
 
 
 def _lines(text: str) -> Iterator[str]:
@@ -83,29 +86,29 @@ def _python(text: str) -> str:
 
 
 def script_of(page: str, steps: list[Step]) -> str:
-    """One script of bash for all steps, which says what it does and stops at the first that ends otherwise."""
+    """Return a bash script of all steps, which prints each step and stops at the first with another exit status."""
     lines = []
     for step in steps:
         first = step.shell.splitlines()[0]
         lines += [
             f"printf '%s\\n' {shlex.quote(f'{page}:{step.line}: {first}')}",
             step.shell,
-            f"found=$?; if [ $found -ne {step.status} ]; then",
-            f"  echo '{page}:{step.line}: ended with '$found', not {step.status}' >&2; exit 1; fi",
+            f"status=$?; if [ $status -ne {step.status} ]; then",
+            f"  echo '{page}:{step.line}: ended with '$status', not {step.status}' >&2; exit 1; fi",
         ]
     return "\n".join([*lines, ""])
 
 
 def walk(page: str, without: Sequence[str] = ()) -> bool:
-    """Clone, and do what a page says, but for commands that are left out; whether all of it could be done."""
-    with tempfile.TemporaryDirectory(prefix="walk-") as place:
-        clone = Path(place) / "forficula"
+    """Clone the repository and run the steps of a page, except for some commands; return whether all succeeded."""
+    with tempfile.TemporaryDirectory(prefix="walk-") as folder:
+        clone = Path(folder) / "forficula"
         subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
         text = (clone / page).read_text("utf-8")
         begun = time.monotonic()
-        # a search path and a home are all that a shell starts with
-        empty = {"PATH": os.environ.get("PATH", os.defpath), "HOME": place, "LANG": "C.UTF-8"}
-        script = Path(place) / "walk.sh"
+        # the shell starts with a search path and a home only
+        empty = {"PATH": os.environ.get("PATH", os.defpath), "HOME": folder, "LANG": "C.UTF-8"}
+        script = Path(folder) / "walk.sh"
         steps = [step for step in steps_of(text) if step.shell.partition("#")[0].strip() not in without]
         script.write_text(script_of(page, steps), "utf-8")
         done = subprocess.run(["bash", "--noprofile", "--norc", script], cwd=clone, env=empty, check=False)
@@ -115,17 +118,17 @@ def walk(page: str, without: Sequence[str] = ()) -> bool:
 
 
 def main() -> None:
-    """Walk along all pages, or those that are named."""
+    """Run the steps of all pages, or of those that are named."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("pages", nargs="*", default=PAGES)
-    parser.add_argument("--without", action="append", default=[], help="a command as printed that is left out")
+    parser.add_argument("--without", action="append", default=[], help="command to skip, as the page prints it")
     parser.add_argument("--show", action="store_true", help="print the commands and run nothing")
-    given = parser.parse_args()
-    if given.show:
-        for page in given.pages:
+    options = parser.parse_args()
+    if options.show:
+        for page in options.pages:
             print(script_of(page, steps_of((ROOT / page).read_text("utf-8"))))
         return
-    sys.exit(0 if all(walk(page, given.without) for page in given.pages) else 1)
+    sys.exit(0 if all(walk(page, options.without) for page in options.pages) else 1)
 
 
 if __name__ == "__main__":

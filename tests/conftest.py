@@ -56,9 +56,9 @@ def once(tmp_path_factory):
 
     Results are pickled. Tests whose claim is that a result is reproducible compute the result themselves.
     """
-    own = tmp_path_factory.getbasetemp()
+    worker_folder = tmp_path_factory.getbasetemp()
     # each worker has a folder in that of the session; without workers the folder above is that of all sessions
-    folder = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    folder = worker_folder.parent if "PYTEST_XDIST_WORKER" in os.environ else worker_folder
 
     def shared(name: str, compute: Callable[[], T]) -> T:
         path = folder / f"once-{name}.pickle"
@@ -195,7 +195,7 @@ def one_hinge(reference):
             },
         )
         design = with_values(design, values or {})
-        wing = compiled(design, lambda own, _: structure_of_veins(own, (straight_vein(own),)))
+        wing = compiled(design, lambda changed, _: structure_of_veins(changed, (straight_vein(changed),)))
         vein, length = design.vein, design.pattern.distal_length
         radius = vein.diameter / 2
         mass = vein.density * math.pi * radius**2 * length
@@ -265,7 +265,7 @@ def no_column_figures(monkeypatch):
 
 
 def leave_figures_empty(monkeypatch, tell):
-    """Leave the files of figures of folders of results empty; the text of each is what `tell` says of its drawing."""
+    """Leave the files of figures in folders of results empty, with the text that a function returns for a drawing."""
     from forficula.files import write_bytes
     from forficula.show.style import COPY_ENDINGS, figure_files
 

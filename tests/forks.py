@@ -25,14 +25,14 @@ KillOnce = Callable[..., bool]
 
 
 def _of_group(group: int) -> int:
-    """How many processes of a group there are, from Linux's /proc/PID/stat: the fifth field is the group."""
-    found = 0
+    """Return the number of processes of a group, from Linux's /proc/PID/stat: the fifth field is the group."""
+    count = 0
     for path in Path("/proc").glob("[0-9]*/stat"):
         try:
-            found += int(path.read_text().rpartition(")")[2].split()[2]) == group
+            count += int(path.read_text().rpartition(")")[2].split()[2]) == group
         except OSError:
             continue
-    return found
+    return count
 
 
 @contextmanager

@@ -11,7 +11,7 @@ SETTINGS = {
     "without overbend": {"hinge.overbend": "0 deg", "protocol.initial_overbend": "0 deg"},
     "slack": {"tendon.rest_length": "12 cm"},
     "without stiffness": {"tendon.stiffness": "0 N/cm"},
-    # theory: make.md's table of anchors that stand off the bars
+    # attachments above the bars: docs/model/theory.md, section "Tendon off the hinge axis"
     "off the bars": {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"},
     "beyond the stop": {"tendon.proximal_offset": "-2 mm", "tendon.distal_offset": "-2 mm"},
     "folds by itself": {"tendon.proximal_offset": "-6 cm", "tendon.distal_offset": "-6 cm"},

@@ -90,9 +90,9 @@ fold = "{fold}"
 def vertex(sectors, letters="", fold=None, length="2 cm"):
     """One vertex."""
     written = ", ".join(f'"{sector:.15g} deg"' for sector in sectors)
-    given = f'kind = "vertex"\nsectors = [{written}]\nlengths = ["{length}"]\n'
-    given += f'assignment = "{letters}"\n' if letters else ""
-    return given + (f'fold = "{fold}"\n' if fold else "")
+    text = f'kind = "vertex"\nsectors = [{written}]\nlengths = ["{length}"]\n'
+    text += f'assignment = "{letters}"\n' if letters else ""
+    return text + (f'fold = "{fold}"\n' if fold else "")
 
 
 def pleats(panels, letters, width="6 cm", length="10 cm"):

@@ -153,7 +153,8 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
     assert everything_in(folder) == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
     content = json.loads((folder / "landscape.json").read_text())
     assert content["simulation"]["status"] == "settled"
-    # three independent hinges of 10 N/cm and no resting length (theory.md, section 1: about 6 J each)
+    # three independent hinges of 10 N/cm and no resting length: about 6 J each
+    # (docs/model/theory.md, section "Values from the paper")
     assert content["levels_J"] == pytest.approx([18, 12, 6, 0], abs=0.2)
 
 

@@ -14,14 +14,14 @@ def test_json_keeps_its_keys_and_values(case, tmp_path):
 def test_a_missing_key_another_unit_and_another_number_are_differences():
     before = {"torque_N_m": 1.0, "states": [{"name": "folded"}], "verdict": "reached"}
 
-    def found(today):
+    def compared(today):
         return list(differences(before, today, relative=1e-6, absolute=1e-9))
 
-    assert found(before | {"another": 1}) == []
-    assert found(before | {"torque_N_m": 1 + 1e-9}) == []
-    assert found({"torque_N_cm": 100.0, "states": [{}], "verdict": "stuck"}) == [
+    assert compared(before | {"another": 1}) == []
+    assert compared(before | {"torque_N_m": 1 + 1e-9}) == []
+    assert compared({"torque_N_cm": 100.0, "states": [{}], "verdict": "stuck"}) == [
         ".torque_N_m is missing",
         ".states.0.name is missing",
         ".verdict: 'stuck' instead of 'reached'",
     ]
-    assert found(before | {"torque_N_m": 1.1}) == [".torque_N_m: 1.1 instead of 1.0"]
+    assert compared(before | {"torque_N_m": 1.1}) == [".torque_N_m: 1.1 instead of 1.0"]

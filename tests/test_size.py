@@ -23,11 +23,11 @@ def test_the_size_of_a_checkout_is_counted_through_what_packages_export(tmp_path
     for name, text in FILES.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
-    found = size.counts(tmp_path)
-    assert found["areas"]["web"] == {"files": 1, "lines": 1}
-    assert (found["modules"], found["lines_of_code"], found["import_lines"]) == (5, 7, 4)
+    totals = size.counts(tmp_path)
+    assert totals["areas"]["web"] == {"files": 1, "lines": 1}
+    assert (totals["modules"], totals["lines_of_code"], totals["import_lines"]) == (5, 7, 4)
     # b imports One through the package, and is the only one that imports two
-    assert found["short_modules_with_one_importer"] == {"forficula.a.two": "forficula.b"}
-    assert found["classes_defined_twice"] == {"One": ["src/forficula/a/one.py:4", "src/forficula/a/two.py:4"]}
-    assert found["folders_with_many_modules"] == {}
-    assert "class names that are defined more than once: 1" in size.table(found)
+    assert totals["short_modules_with_one_importer"] == {"forficula.a.two": "forficula.b"}
+    assert totals["classes_defined_twice"] == {"One": ["src/forficula/a/one.py:4", "src/forficula/a/two.py:4"]}
+    assert totals["folders_with_many_modules"] == {}
+    assert "class names that are defined more than once: 1" in size.table(totals)

@@ -1,12 +1,13 @@
 """
-Any crease pattern: a letter that holds itself shut
-===================================================
+A letter that holds itself shut
+===============================
 
-Three rigid panels, two creases, two tendons: a sheet of A4 that stays open until it is folded, and then stays folded.
+A sheet of A4 with three rigid panels, two creases and two tendons is bistable: it stays open until it is folded, and
+then stays folded. The same calls work for any crease pattern.
 """
 
 # %%
-# What is it? The pattern says how free it is.
+# The facts about the pattern include its degrees of freedom.
 
 import forficula as ff
 
@@ -15,7 +16,7 @@ facts = ff.pattern_facts(design)
 print(facts.title)
 
 # %%
-# Does it fold, and open again?
+# Run the design: it folds and opens again.
 
 record = ff.run(design)
 outcome = ff.measure(record)
@@ -24,12 +25,12 @@ for name, move in outcome.transitions.items():
     print(f"{name}: {move.time:.2f} s, {1e3 * move.work:.0f} mJ")
 
 # %%
-# How it looks on its way.
+# Draw the shapes during folding.
 
 ff.figure(record, "folding", width="page")
 
 # %%
-# Stiffer tendons want a stronger hand. Values are replaced by their keys, in any unit.
+# Stiffer tendons need a stronger drive. Values are replaced by their keys, in any unit of the kind.
 
 for stiffness in ("0.4 N/cm", "0.8 N/cm", "1.6 N/cm"):
     values = {f"tendon.{side}.stiffness": stiffness for side in ("left", "right")}

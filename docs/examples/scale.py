@@ -1,13 +1,13 @@
 """
-An earwig's size
-================
+A wing of the size of an earwig's
+=================================
 
-The reference wing is 22 cm long, an earwig's 1 cm. Scaled in every dimensionless group it moves alike; of the same
-materials under the same gravity it cannot keep all of them.
+The reference wing is 22 cm long, that of an earwig 1 cm. A scaled wing with equal dimensionless groups has the same
+motion. A wing of the same materials under the same gravity cannot keep all of these groups.
 """
 
 # %%
-# All groups kept: torques go with the cube of the length, times with the length.
+# Keep all groups: torques are proportional to the cube of the length, times to the length.
 
 import forficula as ff
 
@@ -19,7 +19,7 @@ for name, fold in folds.items():
     print(f"{name}: folds in {1e3 * fold.time:.3g} ms, with {fold.work:.3g} J")
 
 # %%
-# By its own time, each does the same.
+# Relative to the fold time, both motions are the same.
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -28,13 +28,13 @@ figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")
 for (name, record), line in zip(records.items(), ("-", "--"), strict=True):
     time = (record.time - record.stages[1].start) / folds[name].time
     axes.plot(time, np.degrees(record.angles("ring")[:, 1]), line, label=name)
-axes.set(xlim=(0, 1.5), xlabel="time by that of the fold", ylabel="hinge (deg)")
+axes.set(xlim=(0, 1.5), xlabel="time / fold time", ylabel="hinge (deg)")
 axes.spines[["top", "right"]].set_visible(False)
 axes.legend(frameon=False)
 plt.show()
 
 # %%
-# With `natural=True` gravity and what belongs to the materials stay as they are.
+# With `natural=True` gravity and the properties of the materials stay unchanged.
 
 natural = ff.scale_design(large, 1 / 22, natural=True)
 for name, design in {"22 cm": large, "all groups": small, "same material": natural}.items():

@@ -1,12 +1,12 @@
 """
-A map of what folds, in Python
+A map of the tendons that fold
 ==============================
 
-A study without a file: which of twelve tendons let the wing fold with 20 N cm?
+A study in Python, without a file: with which of twelve tendons does the wing fold with 20 N cm?
 """
 
 # %%
-# Factors are keys of the design, with a range or a list each.
+# Factors are keys of the design. Each has a range or a list of values.
 
 import matplotlib.pyplot as plt
 
@@ -23,7 +23,7 @@ study = ff.new_study(
 )
 
 # %%
-# The table is an xarray Dataset. It lies in the folder, too, and a study that was stopped goes on there.
+# The table is an xarray Dataset. The folder contains it, too, and a study that was stopped continues in this folder.
 
 import tempfile
 
@@ -31,12 +31,12 @@ table = ff.run_study(study, out=tempfile.mkdtemp())
 print(table["status"].to_pandas().to_string())
 
 # %%
-# Every figure that the command would draw is one call; this one is the map of what each run came to.
+# Each figure that the command draws is one call. This figure maps the outcome of each run.
 
 ff.figure(table, "status", width=6)
 
 # %%
-# Or draw your own.
+# Draw a figure of your own from the table.
 
 folds = table["fold_time"]
 figure, axes = plt.subplots(figsize=(6, 3), layout="constrained")

@@ -1,15 +1,16 @@
-"""Cells of a page: commands and Python that the build runs, with what they print, draw and write.
+"""Cells of a page: commands and Python that the build runs.
 
     ```{command}
     forficula run letter-fold --out out/letter
     ```
 
-runs in a folder of the page's own, and what it prints stands below it. A cell of `{python}` shares its names with those
-before it, and a figure that it ends with is drawn; `{file} sheet.fold` is written there. What cells wrote is shown by
-`{picture} out/letter/energy.png`, `{live} out/letter/report.html` and `{show} out/letter/design.toml`.
+runs in the folder of the page. The page shows its output below it. A `{python}` cell shares its names with the cells
+before it, and shows the figure of its last expression. `{file} sheet.fold` writes a file into the folder. The
+directives `{picture} out/letter/energy.png`, `{live} out/letter/report.html` and `{show} out/letter/design.toml` show
+files that cells wrote.
 
-A command that ends with another status than `:status:`, or Python that raises, stops the build.
-Cells run again where they, those before them on the page, or forficula's sources have changed.
+A command with an exit status other than `:status:`, or Python that raises, stops the build. The cells of a page run
+again if any of them or the sources of forficula have changed.
 """
 
 from __future__ import annotations
@@ -38,23 +39,23 @@ _CELL = re.compile(
     re.M | re.S,
 )
 _OPTION = re.compile(r"^:([a-z]+):[ ]*(.*)$", re.M)
-# what tells that something goes on, and how long it took
+# lines about progress and elapsed time
 _WAITING = re.compile(r"simulated$|^took |runs/s|^keeping |^\d+ of \d+ ")
 _WIDE = 94
-# in the folder of a page some of whose cells were too costly to run
+# name of a file in the folder of a page with cells that were too costly to run
 NOT_RUN = "not-run"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Cell:
-    """What a page has run.
+    """Cell of a page.
 
     Attributes:
         kind: "command", "python" or "file".
-        name: of a file.
-        text: as it is shown.
-        options: status, that a command ends with; shared, for one that several pages have and that is run once; costly,
-            for one that is run where FORFICULA_DOCS is "all" only.
+        name: name of the file; empty for other kinds.
+        text: source that the page shows.
+        options: options by name. status: expected exit status of a command. shared: several pages contain the command,
+            which runs once. costly: the cell runs only if FORFICULA_DOCS is "all".
     """
 
     kind: str
@@ -64,36 +65,36 @@ class Cell:
 
     @property
     def commands(self) -> list[list[str]]:
-        """Arguments of every command of it, without comments."""
+        """Words of each command in the cell, without comments."""
         lines = self.text.replace("\\\n", " ").splitlines()
         return [words for words in (shlex.split(line, comments=True) for line in lines) if words]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Shown:
-    """What came of a cell: what it printed, and the picture that it ended with, by its path in the page's folder."""
+    """Result of a cell: its output, and the path of its picture in the folder of the page."""
 
     text: str = ""
     picture: str = ""
 
 
 def cells_of(page: str) -> list[Cell]:
-    """The cells of a page's source, in order."""
+    """Return the cells in the source of a page, in order."""
     return [
         Cell(
-            kind=found["kind"], name=found["name"], text=found["text"], options=dict(_OPTION.findall(found["options"]))
+            kind=match["kind"], name=match["name"], text=match["text"], options=dict(_OPTION.findall(match["options"]))
         )
-        for found in _CELL.finditer(page)
+        for match in _CELL.finditer(page)
     ]
 
 
 def folder_of(page: str) -> Path:
-    """Where the cells of a page run, by its name."""
+    """Return the folder in which the cells of a page run."""
     return WORK / page.replace("/", "-")
 
 
 def sources_digest() -> str:
-    """Of everything in the package, and of what runs cells: where it changes, so may any result."""
+    """Return a hash of the package and of this module. If it changes, any result of a cell may change."""
     digest = hashlib.sha256(Path(__file__).read_bytes())
     for path in sorted((DOCS.parent / "src").rglob("*")):
         if path.suffix in {".py", ".pyi", ".toml", ".js", ".css"}:
@@ -102,17 +103,17 @@ def sources_digest() -> str:
 
 
 def run_page(page: str, cells: Sequence[Cell], sources: str) -> list[Shown]:
-    """What comes of a page's cells; what an earlier build found is kept where nothing has changed."""
+    """Return the results of the cells of a page, from an earlier build if nothing has changed."""
     folder = folder_of(page)
     costly = any("costly" in cell.options for cell in cells)
-    every = json.dumps([sources, costly and _all_wanted(), [asdict(cell) for cell in cells]])
-    key = hashlib.sha256(every.encode()).hexdigest()
+    inputs = json.dumps([sources, costly and _all_wanted(), [asdict(cell) for cell in cells]])
+    key = hashlib.sha256(inputs.encode()).hexdigest()
     kept = folder.with_suffix(".json")
-    if kept.exists() and (found := json.loads(kept.read_text("utf-8")))["key"] == key:
-        return [Shown(**each) for each in found["shown"]]
+    if kept.exists() and (earlier := json.loads(kept.read_text("utf-8")))["key"] == key:
+        return [Shown(**shown) for shown in earlier["shown"]]
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    # in a process of its own: it has a working folder and names of its own
+    # a separate process has its own working folder and names
     orders = json.dumps([sources, [asdict(cell) for cell in cells]])
     done = subprocess.run(
         [sys.executable, __file__], input=orders, cwd=folder, capture_output=True, encoding="utf-8", check=False
@@ -120,16 +121,16 @@ def run_page(page: str, cells: Sequence[Cell], sources: str) -> list[Shown]:
     if done.returncode:
         raise RuntimeError(f"{page}: {done.stderr.strip()}")
     kept.write_text(json.dumps({"key": key, "shown": json.loads(done.stdout)}), "utf-8")
-    return [Shown(**each) for each in json.loads(done.stdout)]
+    return [Shown(**shown) for shown in json.loads(done.stdout)]
 
 
-def _run_here(cells: Sequence[Cell], sources: str) -> Iterator[Shown]:
-    """Run cells in the working folder."""
+def _run_cells(cells: Sequence[Cell], sources: str) -> Iterator[Shown]:
+    """Run cells in the working folder and yield their results."""
     names: dict[str, Any] = {"__name__": "__main__"}
     for number, cell in enumerate(cells):
         if "costly" in cell.options and not _all_wanted():
             Path(NOT_RUN).touch()
-            yield Shown(text="This build did not run it: make docs-all does.")
+            yield Shown(text="This build did not run this command. make docs-all runs it.")
         elif cell.kind == "file":
             Path(cell.name).write_text(cell.text, "utf-8")
             yield Shown()
@@ -146,20 +147,21 @@ def _all_wanted() -> bool:
 
 
 def _shared(cell: Cell, sources: str) -> Shown:
-    """What a command that needs nothing but its words leaves: run once, and copied here."""
-    there = WORK / "shared" / hashlib.sha256(f"{sources} {cell.text}".encode()).hexdigest()[:16]
-    if not there.exists():
-        there.parent.mkdir(exist_ok=True)
-        # whole or not there: pages are read side by side
-        with tempfile.TemporaryDirectory(dir=there.parent) as made:
-            (Path(made) / "new" / "files").mkdir(parents=True)
-            with contextlib.chdir(Path(made) / "new" / "files"):
+    """Return the result of a command that several pages contain: run it once and copy its files."""
+    folder = WORK / "shared" / hashlib.sha256(f"{sources} {cell.text}".encode()).hexdigest()[:16]
+    if not folder.exists():
+        folder.parent.mkdir(exist_ok=True)
+        # several processes read pages: the folder appears only when it is complete
+        with tempfile.TemporaryDirectory(dir=folder.parent) as temporary:
+            new = Path(temporary) / "new"
+            (new / "files").mkdir(parents=True)
+            with contextlib.chdir(new / "files"):
                 text = _command(cell)
-            (Path(made) / "new" / "printed.txt").write_text(text, "utf-8")
+            (new / "printed.txt").write_text(text, "utf-8")
             with contextlib.suppress(OSError):
-                (Path(made) / "new").rename(there)
-    shutil.copytree(there / "files", Path.cwd(), dirs_exist_ok=True)
-    return Shown(text=(there / "printed.txt").read_text("utf-8"))
+                new.rename(folder)
+    shutil.copytree(folder / "files", Path.cwd(), dirs_exist_ok=True)
+    return Shown(text=(folder / "printed.txt").read_text("utf-8"))
 
 
 def _command(cell: Cell) -> str:
@@ -168,7 +170,7 @@ def _command(cell: Cell) -> str:
     printed = []
     for program, *arguments in cell.commands:
         if program != "forficula":
-            raise RuntimeError(f"{program}: only forficula is run")
+            raise RuntimeError(f"{program}: cells run only forficula")
         done = subprocess.run(
             [sys.executable, "-m", "forficula", *arguments],
             capture_output=True,
@@ -176,15 +178,15 @@ def _command(cell: Cell) -> str:
             env=environment,
             check=False,
         )
-        told = [
+        messages = [
             textwrap.fill(line, _WIDE, subsequent_indent="    ")
             for line in done.stderr.splitlines()
             if not _WAITING.search(line)
         ]
         if done.returncode != expected:
             raise RuntimeError(f"{shlex.join(arguments)}: ended with {done.returncode}: {done.stderr}")
-        printed += [*told, done.stdout.rstrip()]
-    return "\n".join(line.rstrip() for each in printed for line in each.splitlines()).strip("\n")
+        printed += [*messages, done.stdout.rstrip()]
+    return "\n".join(line.rstrip() for text in printed for line in text.splitlines()).strip("\n")
 
 
 def _python(text: str, names: dict[str, Any], picture: str) -> Shown:
@@ -205,12 +207,12 @@ def _python(text: str, names: dict[str, Any], picture: str) -> Shown:
 
 
 def _main() -> None:
-    sources, given = json.load(sys.stdin)
+    sources, cells = json.load(sys.stdin)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    # what libraries print is none of the results
+    # standard output contains only the results, not what libraries print
     results = sys.stdout
     sys.stdout = sys.stderr
-    shown = [asdict(each) for each in _run_here([Cell(**cell) for cell in given], sources)]
+    shown = [asdict(result) for result in _run_cells([Cell(**cell) for cell in cells], sources)]
     json.dump(shown, results)
 
 

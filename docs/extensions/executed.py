@@ -1,4 +1,4 @@
-"""Directives of pages whose cells are run: command, python, picture and live."""
+"""Directives command, python, file, picture, live and show: cells of a page, and files that cells wrote."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _TITLE = re.compile(r"<title>(.*?)</title>", re.S)
 
 
 def run_cells(app: Sphinx, page: str, source: list[str]) -> None:
-    """Run all cells of a page before it is read."""
+    """Run all cells of a page before Sphinx reads it."""
     cells = cells_of(source[0])
     if cells:
         _LOG.info("running the %d cells of %s", len(cells), page)
@@ -33,14 +33,14 @@ def run_cells(app: Sphinx, page: str, source: list[str]) -> None:
 
 
 def outdated(_: Sphinx, env: Any, __: set[str], ___: set[str], ____: set[str]) -> list[str]:
-    """All pages where the package has changed since they were read, or where more is to be run."""
+    """Return all pages if the package has changed since they were read, or if other cells are to run; else none."""
     now = f"{sources_digest()} {os.environ.get('FORFICULA_DOCS', '')}"
     before, env.made_of = getattr(env, "made_of", now), now
     return [] if before == now else sorted(env.found_docs)
 
 
 class CellDirective(SphinxDirective):
-    """A command or some Python, and what came of it."""
+    """Show a command, Python or a file, and its result."""
 
     has_content = True
     optional_arguments = 1
@@ -61,19 +61,19 @@ class CellDirective(SphinxDirective):
         language = _LANGUAGES.get(self.name) or Path(self.arguments[0]).suffix.lstrip(".").replace("fold", "json")
         if "hidden" in self.options:
             return []
-        given: nodes.Node = nodes.literal_block(text, text, language=language)
+        source: nodes.Node = nodes.literal_block(text, text, language=language)
         if self.name == "file":
             caption = nodes.caption("", "", nodes.literal("", self.arguments[0]))
-            given = nodes.container("", caption, given, literal_block=True, classes=["literal-block-wrapper"])
-        found = [given]
+            source = nodes.container("", caption, source, literal_block=True, classes=["literal-block-wrapper"])
+        blocks = [source]
         if shown.text and "quiet" not in self.options:
-            found.append(nodes.container("", self._printed(shown.text), classes=["printed"]))
+            blocks.append(nodes.container("", self._printed(shown.text), classes=["printed"]))
         if shown.picture:
             if "alt" not in self.options:
-                raise self.error("a cell that ends with a figure needs :alt:, what it shows")
+                raise self.error("a cell that ends with a figure needs :alt:, a description of the figure")
             uri = _uri(self.env.docname, shown.picture)
-            found.append(nodes.image(uri=uri, alt=self.options["alt"], classes=["drawn"]))
-        return found
+            blocks.append(nodes.image(uri=uri, alt=self.options["alt"], classes=["drawn"]))
+        return blocks
 
     def _printed(self, text: str) -> nodes.literal_block:
         lines = text.splitlines()
@@ -84,27 +84,30 @@ class CellDirective(SphinxDirective):
 
 
 def written(directive: Directive, page: str, path: str) -> bool:
-    """Whether a cell of a page wrote a file; none need where one was too costly to run, else it is an error."""
+    """Return whether a cell of a page wrote a file.
+
+    A missing file is an error, unless a cell of the page was too costly to run.
+    """
     if not (folder_of(page) / path).exists() and not (folder_of(page) / NOT_RUN).exists():
         raise directive.error(f"{path}: no cell of this page wrote it")
     return (folder_of(page) / path).exists()
 
 
 class PictureDirective(Figure):
-    """A picture that a cell of this page wrote."""
+    """Show a picture that a cell of this page wrote."""
 
     def run(self) -> list[nodes.Node]:
         page = self.state.document.settings.env.docname
         if not written(self, page, self.arguments[0]):
             return []
         if "alt" not in self.options:
-            raise self.error("needs :alt:, what it shows")
+            raise self.error("needs :alt:, a description of the picture")
         self.arguments[0] = _uri(page, self.arguments[0])
         return super().run()
 
 
 class LiveDirective(Directive):
-    """A page that a cell of this page wrote, to be played in place."""
+    """Embed an HTML page that a cell of this page wrote."""
 
     required_arguments = 1
     final_argument_whitespace = True
@@ -127,13 +130,13 @@ class LiveDirective(Directive):
         html = (
             f'<p class="live"><iframe src="{up}_live/{name}" height="{height}" loading="lazy" '
             f'title="{title[1] if title else name}"></iframe>'
-            f'<a href="{up}_live/{name}">Open it as a page of its own</a></p>'
+            f'<a href="{up}_live/{name}">Open this page in the full window</a></p>'
         )
         return [nodes.raw("", html, format="html")]
 
 
 class ShowDirective(SphinxDirective):
-    """A file that a cell of this page wrote: its text, or what its Markdown says below its heading."""
+    """Show a file that a cell of this page wrote: its text, or its rendered Markdown without the heading."""
 
     required_arguments = 1
     option_spec: ClassVar[OptionSpec] = {
@@ -148,10 +151,10 @@ class ShowDirective(SphinxDirective):
             return []
         lines = path.read_text("utf-8").splitlines()
         if "read" in self.options:
-            inside = nodes.Element()
-            read = StringList([line for line in lines if not line.startswith("# ")], str(path))
-            self.state.nested_parse(read, 0, inside)
-            return list(inside.children)
+            parsed = nodes.Element()
+            markdown = StringList([line for line in lines if not line.startswith("# ")], str(path))
+            self.state.nested_parse(markdown, 0, parsed)
+            return list(parsed.children)
         if "from" in self.options:
             lines = lines[next(number for number, line in enumerate(lines) if line.startswith(self.options["from"])) :]
         text = "\n".join(lines[: self.options.get("lines", len(lines))])
@@ -159,7 +162,7 @@ class ShowDirective(SphinxDirective):
 
 
 class NumberRole(SphinxRole):
-    """A number out of a file that a cell of this page wrote: its path, its dotted key, a factor and a format."""
+    """Show a number from a file that a cell of this page wrote, by path, dotted key, factor and format."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         path, key, factor, form = self.text.split()
@@ -170,23 +173,23 @@ class NumberRole(SphinxRole):
 
 
 def _uri(page: str, path: str) -> str:
-    """Of a file in a page's folder, from the documentation's root."""
+    """Return the address of a file in the folder of a page, from the root of the documentation."""
     return "/" + (folder_of(page) / path).relative_to(DOCS).as_posix()
 
 
 def copy_live_pages(app: Sphinx, error: Exception | None) -> None:
-    """Put the pages that are played in place beside the others."""
+    """Copy the embedded pages into the output folder."""
     if error or app.builder.format != "html":
         return
     for name, (_, path) in getattr(app.env, "live_pages", {}).items():
-        there = Path(app.outdir) / "_live" / name
-        there.parent.mkdir(exist_ok=True)
-        shutil.copyfile(path, there)
+        target = Path(app.outdir) / "_live" / name
+        target.parent.mkdir(exist_ok=True)
+        shutil.copyfile(path, target)
 
 
 def forget_page(_: Sphinx, env: Any, page: str) -> None:
     lives = getattr(env, "live_pages", {})
-    env.live_pages = {name: where for name, where in lives.items() if where[0] != page}
+    env.live_pages = {name: (source, path) for name, (source, path) in lives.items() if source != page}
 
 
 def merge_pages(_: Sphinx, env: Any, __: set[str], other: Any) -> None:

@@ -1,4 +1,4 @@
-"""Formulas as MathML, which every browser draws by itself: no script, no fonts, nothing to load."""
+"""Formulas as MathML, which every browser draws without a script, fonts or anything else to load."""
 
 from __future__ import annotations
 

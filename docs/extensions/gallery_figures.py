@@ -1,4 +1,4 @@
-"""Figures of the gallery that are no pyplot's: the one that a block of an example ends with."""
+"""Figures of the gallery that pyplot does not manage: the figure that is the last expression of a block."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _SHOWN: WeakSet[Figure] = WeakSet()
 
 
 def save_figure(_: object, block_vars: Mapping[str, Any], gallery_conf: Mapping[str, Any]) -> str:
-    """Save the value of a block's last expression where that is a figure, and return how to show it."""
+    """Save the value of the last expression of a block if it is a figure, and return the reST that shows it."""
     shown = block_vars["example_globals"].get("___")
-    # the value stays there until a later block ends with an expression
+    # the value remains until a later block ends with an expression
     if not isinstance(shown, Figure) or shown in _SHOWN or getattr(shown, "number", None) in _drawn():
         return ""
     _SHOWN.add(shown)
@@ -25,7 +25,7 @@ def save_figure(_: object, block_vars: Mapping[str, Any], gallery_conf: Mapping[
 
 
 def _drawn() -> list[int]:
-    """Numbers of the figures that pyplot has, which are shown already."""
+    """Return the numbers of the figures that pyplot manages, which the gallery shows already."""
     import matplotlib.pyplot as plt
 
     return plt.get_fignums()

@@ -1,4 +1,4 @@
-"""Numbers that the build does not compute: what found them, with which version, and whether that is this one.
+"""Directive measured: numbers that the build does not compute, with the command and the version that computed them.
 
     :::{measured} forficula study binder2025-choices
     :version: 0.1.0
@@ -7,9 +7,9 @@
     | ... |
     :::
 
-shows what it holds, and below it the command, the version and the time. Where the documentation is of another version
-it says that the numbers were not measured again. A test refuses a table of findings that is in no such block, and one
-of another version: a release measures them again.
+shows its content, and below it the command, the version and the time. If the documentation has another version, the
+text adds that the numbers were not measured again. A test refuses tables of findings outside such a block or of another
+version, so a release measures them again.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from sphinx.util.typing import OptionSpec
 
 
 class MeasuredDirective(SphinxDirective):
-    """What was measured, with the command that did."""
+    """Show measured numbers and the command that measured them."""
 
     has_content = True
     required_arguments = 1
@@ -37,16 +37,16 @@ class MeasuredDirective(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         if "version" not in self.options:
-            raise self.error("measured: needs :version:, with which these numbers were found")
+            raise self.error("measured: needs :version:, the version that measured these numbers")
         block = nodes.container("", classes=["measured"])
         self.state.nested_parse(self.content, self.content_offset, block)
-        told = nodes.paragraph("", "", nodes.Text("Measured by "), nodes.literal("", self.arguments[0]))
-        told += nodes.Text("".join(f", {self.options[name]}" for name in ("with", "took") if name in self.options))
+        origin = nodes.paragraph("", "", nodes.Text("Measured by "), nodes.literal("", self.arguments[0]))
+        origin += nodes.Text("".join(f", {self.options[name]}" for name in ("with", "took") if name in self.options))
         version = self.options["version"]
         again = "" if version == self.config.release else f"; not measured again with {self.config.release}"
-        told += nodes.Text(f", with forficula {version}{again}.")
-        told["classes"] = ["by"]
-        block += told
+        origin += nodes.Text(f", with forficula {version}{again}.")
+        origin["classes"] = ["by"]
+        block += origin
         return [block]
 
 

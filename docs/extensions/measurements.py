@@ -1,4 +1,4 @@
-"""What pages tell as measured (see measured.py), for tests, which have no Sphinx."""
+"""Measured blocks in the source of pages (see measured.py), for tests, which run without Sphinx."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _OPTION = re.compile(r"^:([a-z]+):[ ]*(.*)$", re.M)
 
 @dataclass(frozen=True, kw_only=True)
 class Measured:
-    """What a page tells as measured: its text, what command found it, with which version, and in what time."""
+    """Measured block of a page: its text, and the command, the version and the time that produced it."""
 
     text: str
     command: str
@@ -22,19 +22,19 @@ class Measured:
 
 
 def measured_in(page: str) -> list[Measured]:
-    """All that a page's source tells as measured."""
+    """Return the measured blocks in the source of a page."""
     return [
         Measured(
-            text=found["text"],
-            command=found["command"],
+            text=match["text"],
+            command=match["command"],
             version=options.get("version", ""),
             took=options.get("took", ""),
         )
-        for found in _BLOCK.finditer(page)
-        for options in [dict(_OPTION.findall(found["options"]))]
+        for match in _BLOCK.finditer(page)
+        for options in [dict(_OPTION.findall(match["options"]))]
     ]
 
 
 def not_measured(page: str) -> str:
-    """A page's source without what it tells as measured."""
+    """Return the source of a page without its measured blocks."""
     return _BLOCK.sub("", page)

@@ -1,8 +1,8 @@
-"""What the package says of itself: keys of design and study files, and commands.
+"""Directives keys, commands and results, and the role key: reference pages that are generated from the package.
 
-`{keys} earwig-fan` lists the keys of a kind of design, `{keys} study` those of a study file; `:section:` one section of
-them, `:without:` all others. The role {key} links to a key's row, and an unknown key stops the build. `{commands}`
-lists all commands with their options, `{results}` the keys of the JSON of all results.
+`{keys} earwig-fan` lists the keys of a kind of design, `{keys} study` those of a study file. `:section:` selects one
+section, `:without:` omits sections. The role {key} links to the row of a key, and an unknown key stops the build.
+`{commands}` lists all commands with their options, `{results}` the keys of the JSON of all results.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from forficula.study.files.study_file import StudyFile
 
 _DESIGN_PAGE = "reference/design-file"
 _STUDY_PAGE = "reference/study-file"
-_HEADINGS = ("key", "may be", "if left out", "meaning")
+_HEADINGS = ("key", "allowed values", "if left out", "meaning")
 _WIDTHS = (24, 22, 14, 40)
 _EVERYWHERE = "* `--quiet`"
 _PARAMETERS = "**Parameters**:"
@@ -41,11 +41,12 @@ _TYPES = {"string": "text", "boolean": "yes or no", "integer": "whole number", "
 
 
 def facts_of(kind: str) -> list[KeyFact]:
+    """Return the keys of a kind of design, or of a study, goal or observations file."""
     return key_facts("", {**KINDS, **_FILES}[kind])
 
 
 def known_key(key: str) -> str | None:
-    """The page on which a key of any design or of a study stands; None for none."""
+    """Return the page that lists a key of any design or of a study; None for an unknown key."""
     for page, kinds in ((_DESIGN_PAGE, list(KINDS)), (_STUDY_PAGE, ["study"])):
         for kind in kinds:
             if any(fact.key == key or fact.key.startswith(f"{key}.") for fact in facts_of(kind)):
@@ -54,7 +55,7 @@ def known_key(key: str) -> str | None:
 
 
 class KeysDirective(SphinxDirective):
-    """Keys, a table for each section."""
+    """Show keys, in one table for each section."""
 
     required_arguments = 1
     option_spec: ClassVar[OptionSpec] = {"section": directives.unchanged, "without": directives.unchanged}
@@ -69,12 +70,12 @@ class KeysDirective(SphinxDirective):
                 sections.setdefault(fact.key.rpartition(".")[0], []).append(fact)
         if not sections:
             raise self.error(f"{kind}: no keys in {within}")
-        found: list[nodes.Node] = []
+        tables: list[nodes.Node] = []
         for section, facts in sections.items():
             if section:
-                found.append(nodes.rubric("", "", nodes.literal("", _header(section, kind))))
-            found.append(self._table(kind, facts))
-        return found
+                tables.append(nodes.rubric("", "", nodes.literal("", _header(section, kind))))
+            tables.append(self._table(kind, facts))
+        return tables
 
     def _table(self, kind: str, facts: Sequence[KeyFact]) -> nodes.table:
         group = nodes.tgroup("", *(nodes.colspec(colwidth=width) for width in _WIDTHS), cols=len(_WIDTHS))
@@ -110,13 +111,14 @@ def _anchor(key: str) -> str:
 
 
 class KeyRole(SphinxRole):
-    """A key by its name, which there must be; links to its row."""
+    """Link to the row of a key; an unknown key is an error."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         page = known_key(self.text)
         if page is None:
             raise InputError(f"{self.text}: unknown key, {self.get_location()}")
-        kind = next((each for each in (*KINDS, "study") if any(fact.key == self.text for fact in facts_of(each))), None)
+        kinds = (kind for kind in (*KINDS, "study") if any(fact.key == self.text for fact in facts_of(kind)))
+        kind = next(kinds, None)
         up = "../" * self.env.docname.count("/")
         anchor = "" if kind is None else f"#{kind}-{_anchor(self.text)}"
         link = nodes.reference("", "", nodes.literal("", self.text), refuri=f"{up}{page}.html{anchor}", internal=True)
@@ -124,22 +126,22 @@ class KeyRole(SphinxRole):
 
 
 class CommandsDirective(SphinxDirective):
-    """All commands, a section each."""
+    """Show all commands, each in a section."""
 
     def run(self) -> list[nodes.Node]:
-        told = cli.generate_docs(output_format="markdown").replace("<", r"\<")
-        # the program that builds these pages
-        told = re.sub(r" -m \S+", "", told)
-        # a sub-command of a command is a section, too
-        sections = [text for text in re.split(r"^###? ", told, flags=re.M) if text.startswith("forficula ")]
+        help_text = cli.generate_docs(output_format="markdown").replace("<", r"\<")
+        # the name of the program that builds these pages
+        help_text = re.sub(r" -m \S+", "", help_text)
+        # sub-commands get sections, too
+        sections = [text for text in re.split(r"^###? ", help_text, flags=re.M) if text.startswith("forficula ")]
         if len(sections) < 2:
-            raise self.error("the command line tells no commands")
-        found: list[nodes.Node] = []
+            raise self.error("the command line has no commands")
+        shown: list[nodes.Node] = []
         for text in sections:
             title, _, body = text.partition("\n")
             if title.startswith("forficula --"):
                 continue
-            # that of every command stands above
+            # the page describes options of every command at its top
             lines = [line for line in body.splitlines() if not line.startswith(_EVERYWHERE)]
             if "".join(lines).endswith(_PARAMETERS):
                 lines = lines[: lines.index(_PARAMETERS)]
@@ -147,15 +149,15 @@ class CommandsDirective(SphinxDirective):
             section += nodes.title("", "", nodes.literal("", title))
             self.state.document.note_explicit_target(section)
             self.state.nested_parse(StringList(lines, "commands"), self.content_offset, section)
-            found.append(section)
-        return found
+            shown.append(section)
+        return shown
 
 
 class ResultsDirective(SphinxDirective):
-    """The keys of the JSON of every kind of results, a section each."""
+    """Show the keys of the JSON of every kind of results, each in a section."""
 
     def run(self) -> list[nodes.Node]:
-        found: list[nodes.Node] = []
+        shown: list[nodes.Node] = []
         for kind in (kind for kind in RESULTS if kind.shape):
             schema = json_schema(kind.json)
             title = f"{kind.name[0].upper()}{kind.name[1:]}"
@@ -168,34 +170,36 @@ class ResultsDirective(SphinxDirective):
                     lines += [f"`{name}`: {part['description']}", "", *_table_of(part)]
             self.state.document.note_explicit_target(section)
             self.state.nested_parse(StringList(lines, "results"), self.content_offset, section)
-            found.append(section)
-        return found
+            shown.append(section)
+        return shown
 
 
 def _table_of(part: dict[str, Any]) -> list[str]:
-    """The keys of a table of JSON as a table in Markdown."""
-    rows = [(f"`{key}`", _told(each), each.get("description", "")) for key, each in part["properties"].items()]
+    """Return the keys of a JSON object as a table in Markdown."""
+    rows = [
+        (f"`{key}`", _in_words(schema), schema.get("description", "")) for key, schema in part["properties"].items()
+    ]
     if part.get("additionalProperties"):
-        rows.append(("others", _told(part["additionalProperties"]), "by name"))
+        rows.append(("others", _in_words(part["additionalProperties"]), "by name"))
     cells = [" | ".join(text.replace("|", "\\|") for text in row) for row in (("key", "value", "meaning"), *rows)]
-    return [f"| {cells[0]} |", "|---|---|---|", *(f"| {each} |" for each in cells[1:]), ""]
+    return [f"| {cells[0]} |", "|---|---|---|", *(f"| {row} |" for row in cells[1:]), ""]
 
 
-def _told(schema: dict[str, Any]) -> str:
-    """What a value may be, in words."""
+def _in_words(schema: dict[str, Any]) -> str:
+    """Return the allowed values of a schema, in words."""
     if "$ref" in schema:
         return f"`{schema['$ref'].rpartition('/')[2]}`"
     if "anyOf" in schema:
-        return " or ".join(dict.fromkeys(_told(each) for each in schema["anyOf"]))
+        return " or ".join(dict.fromkeys(_in_words(option) for option in schema["anyOf"]))
     if "enum" in schema:
-        return ", ".join(f'"{each}"' for each in schema["enum"])
+        return ", ".join(f'"{value}"' for value in schema["enum"])
     kind = schema.get("type", "anything")
     if isinstance(kind, list):
-        return " or ".join(_TYPES.get(each, each) for each in kind if each != "null")
+        return " or ".join(_TYPES.get(name, name) for name in kind if name != "null")
     if kind == "array":
-        return f"list of {_told(schema['items'])}"
+        return f"list of {_in_words(schema['items'])}"
     if kind == "object":
-        return f"{_told(schema.get('additionalProperties', {}))} by name"
+        return f"{_in_words(schema.get('additionalProperties', {}))} by name"
     return _TYPES.get(kind, kind)
 
 

@@ -1,7 +1,7 @@
-"""The table of the validation tests: what each claims, whether it holds, and what it compared.
+"""Directive validation: the claims of the validation tests, whether they hold, and the numbers that they compared.
 
-The tests leave their results in `_build/validation.xml`, in JUnit's form: `make test` and `make validation` write it.
-Where that file is missing or older than what it tells of, the build runs the validation tests itself.
+`make test` and `make validation` write the results of the tests to `_build/validation.xml`, in the format of JUnit. If
+this file is missing or older than the sources, the build runs the validation tests.
 """
 
 from __future__ import annotations
@@ -32,20 +32,21 @@ RESULTS = DOCS / "_build" / "validation.xml"
 FAILED = RESULTS.with_suffix(".failed")
 _PATIENCE = 1200  # s
 _LOG = logging.getLogger(__name__)
-_COLUMNS = ("what", "forficula", "beside it", "apart", "allowed")
-# cases of a test differ in these, and tell of the same
+_COLUMNS = ("quantity", "forficula", "reference", "difference", "allowed")
+_SUMMARY = ("topic", "claims", "tested", "hold", "comparisons")
+# comparisons of a test with equal values of these are one row
 _ONE = ("what", "by", "unit", "above", "below")
 _CURVE = ("over", "ours_all", "theirs_all")
 
 
 @dataclass
 class Claim:
-    """A test: its name as a sentence, and what came of its cases.
+    """Claim of a test, and the results of its cases.
 
     Attributes:
-        sentence: in words.
-        held: of every case that ran.
-        agreements: what it compared, as `agree` told.
+        sentence: name of the test in words.
+        held: whether each case that ran passed.
+        agreements: comparisons that the fixtures `agree` and `holds` recorded.
     """
 
     sentence: str
@@ -54,26 +55,30 @@ class Claim:
 
 
 def claims() -> dict[str, tuple[str, dict[str, Claim]]]:
-    """By module the text at its head, and its claims by the name of the test, none of which has been run."""
-    found = {}
+    """Return by module its docstring and its claims by the name of the test, without results."""
+    modules = {}
     for path in sorted(TESTS.glob("test_*.py")):
         tree = ast.parse(path.read_text("utf-8"))
-        named = [each.name for each in tree.body if isinstance(each, ast.FunctionDef) and each.name.startswith("test_")]
-        found[path.stem] = (
+        functions = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
+        modules[path.stem] = (
             ast.get_docstring(tree) or "",
-            {name: Claim(sentence=name.removeprefix("test_").replace("_", " ")) for name in named},
+            {
+                name: Claim(sentence=name.removeprefix("test_").replace("_", " "))
+                for name in functions
+                if name.startswith("test_")
+            },
         )
-    return found
+    return modules
 
 
 def fresh() -> bool:
-    """Whether there are results, and none of what they tell of is younger."""
+    """Return whether there are results, and no source is younger."""
     sources = [*(ROOT / "src").rglob("*.py"), *(ROOT / "src").rglob("*.toml"), *(ROOT / "tests").rglob("*.py")]
     return RESULTS.exists() and RESULTS.stat().st_mtime > max(path.stat().st_mtime for path in sources)
 
 
 def begin_tests(_: Sphinx) -> None:
-    """Let the tests run while other pages are read."""
+    """Start the tests, which run while Sphinx reads other pages."""
     if not fresh():
         _LOG.info("running the validation tests")
         RESULTS.parent.mkdir(exist_ok=True)
@@ -83,12 +88,12 @@ def begin_tests(_: Sphinx) -> None:
 
 
 def run_tests() -> None:
-    """Run the tests; only when all is done is there a file of results, or of why not."""
-    making = RESULTS.with_suffix(".part")
+    """Run the tests, and write the file of results, or the file of reasons, once all of them have ended."""
+    partial = RESULTS.with_suffix(".part")
     command = [sys.executable, "-m", "pytest", str(TESTS), "-q", "-p", "no:cacheprovider", "-n", "auto"]
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "FORFICULA_REPEATABLE": "1"}
     done = subprocess.run(
-        [*command, f"--junitxml={making}"],
+        [*command, f"--junitxml={partial}"],
         cwd=ROOT,
         env=environment,
         capture_output=True,
@@ -98,11 +103,11 @@ def run_tests() -> None:
     if done.returncode:
         FAILED.write_text(done.stdout[-4000:] + done.stderr[-4000:], "utf-8")
     else:
-        making.replace(RESULTS)
+        partial.replace(RESULTS)
 
 
 def wait_for_tests() -> None:
-    """Until there are results; those of before were removed as the tests began."""
+    """Wait until there are results; `begin_tests` has removed earlier ones."""
     end = time.monotonic() + _PATIENCE
     while not RESULTS.exists():
         if FAILED.exists():
@@ -113,77 +118,77 @@ def wait_for_tests() -> None:
 
 
 def results() -> dict[str, tuple[str, dict[str, Claim]]]:
-    """All claims, with what the tests have left."""
-    found = claims()
+    """Return all claims with the results of the tests."""
+    modules = claims()
     for case in ET.parse(RESULTS).getroot().iter("testcase"):
         module = case.get("classname", "").rpartition(".")[2]
         name = re.sub(r"\[.*", "", case.get("name", ""), flags=re.S)
-        if module not in found or name not in found[module][1] or case.find("skipped") is not None:
+        if module not in modules or name not in modules[module][1] or case.find("skipped") is not None:
             continue
-        claim = found[module][1][name]
+        claim = modules[module][1][name]
         claim.held.append(case.find("failure") is None and case.find("error") is None)
         claim.agreements += [
-            json.loads(each.get("value", "")) for each in case.iter("property") if each.get("name") == "agreement"
+            json.loads(item.get("value", "")) for item in case.iter("property") if item.get("name") == "agreement"
         ]
-    for _, named in found.values():
+    for _, named in modules.values():
         for claim in named.values():
             claim.agreements = worst_of_each(claim.agreements)
-    return found
+    return modules
 
 
 def worst_of_each(agreements: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
-    """What cases of a test compared under the same words, once: the one nearest to its bound, with any's curve."""
-    found: dict[tuple[Any, ...], dict[str, Any]] = {}
-    for each in agreements:
-        key = tuple(each.get(name) for name in _ONE)
-        before = found.setdefault(key, each)
-        if before is each:
+    """Return one comparison for each description: the one nearest to its bound, with the curve of any of them."""
+    rows: dict[tuple[Any, ...], dict[str, Any]] = {}
+    for agreement in agreements:
+        key = tuple(agreement.get(name) for name in _ONE)
+        before = rows.setdefault(key, agreement)
+        if before is agreement:
             continue
-        curve = {
-            name: one[name] for one in (each, before) for name in ("over", "ours_all", "theirs_all") if name in one
-        }
-        worst = each if each["strain"] > before["strain"] else before
-        found[key] = worst | curve | {"count": before["count"] + each["count"]}
-    return list(found.values())
+        curve = {name: one[name] for one in (agreement, before) for name in _CURVE if name in one}
+        worst = agreement if agreement["strain"] > before["strain"] else before
+        rows[key] = worst | curve | {"count": before["count"] + agreement["count"]}
+    return list(rows.values())
 
 
 class ValidationDirective(SphinxDirective):
-    """All claims, a section for each module of tests."""
+    """Show all claims: a summary, and a section for each module of tests."""
 
     def run(self) -> list[nodes.Node]:
         self.env.note_reread()
         wait_for_tests()
-        found = results()
-        every = [claim for _, named in found.values() for claim in named.values()]
+        # modules with numbers first
+        modules = dict(sorted(results().items(), key=lambda item: not _agreements(item[1][1])))
+        every = [claim for _, named in modules.values() for claim in named.values()]
         ran = [claim for claim in every if claim.held]
-        missed = [claim for claim in ran if not all(claim.held)]
-        told = (
-            f"{len(every)} claims; {len(ran)} were tested for this page, in {sum(len(each.held) for each in ran)} "
-            f"cases, and {len(ran) - len(missed)} of them hold."
+        held = sum(all(claim.held) for claim in ran)
+        rows = sum(len(claim.agreements) for claim in ran)
+        numbers = sum(agreement["count"] for claim in ran for agreement in claim.agreements)
+        conclusion = (
+            f"**{held} of {len(ran)} tested claims hold.** Their tests have {sum(len(claim.held) for claim in ran)}"
+            f" cases, which compared {numbers:,} numbers. The tables below show {rows} comparisons, each with the"
+            " number that is nearest to its bound."
         )
-        numbers = sum(each["count"] for claim in ran for each in claim.agreements)
-        told += f" The tables show {sum(len(claim.agreements) for claim in ran)} comparisons of {numbers:,} numbers,"
-        told += " of each the worst."
         if len(ran) < len(every):
-            told += " Those with a dot were left out, for what they need is not on this machine."
-        # those with numbers first
-        found = dict(sorted(found.items(), key=lambda each: not any(claim.agreements for claim in each[1][1].values())))
-        return [*self._text(told), *(self._section(module, *each) for module, each in found.items())]
+            conclusion += (
+                f" {len(every) - len(ran)} more claims, marked with a dot, were not tested, because this machine lacks"
+                " what they need."
+            )
+        sections = [self._section(module, *parts) for module, parts in modules.items()]
+        return [*self._text(conclusion), _summary(modules), *sections]
 
     def _section(self, module: str, about: str, named: dict[str, Claim]) -> nodes.section:
-        title = module.removeprefix("test_").replace("_", " ").capitalize()
         section = nodes.section(ids=[nodes.make_id(module)], names=[module])
-        section += nodes.title("", title)
+        section += nodes.title("", _title(module))
         self.state.document.note_explicit_target(section)
         section += self._text(about)
         compared = [claim for claim in named.values() if claim.agreements]
         if compared:
             section += _table(compared)
-        for number, each in enumerate(each for claim in compared for each in claim.agreements):
-            if "over" in each:
-                section += self._curve(each, f"{module}-{number}")
+        for number, agreement in enumerate(_agreements(named)):
+            if "over" in agreement:
+                section += self._curve(agreement, f"{module}-{number}")
         items = nodes.bullet_list(classes=["claims"])
-        for claim in sorted(named.values(), key=lambda each: not each.held):
+        for claim in sorted(named.values(), key=lambda claim: not claim.held):
             if not claim.agreements:
                 words = nodes.paragraph("", "", _mark(claim), nodes.Text(claim.sentence))
                 items += nodes.list_item("", words, classes=[] if claim.held else ["waits"])
@@ -192,9 +197,9 @@ class ValidationDirective(SphinxDirective):
         return section
 
     def _text(self, markdown: str) -> list[nodes.Node]:
-        inside = nodes.Element()
-        self.state.nested_parse(StringList(markdown.splitlines(), "validation"), 0, inside)
-        return list(inside.children)
+        parsed = nodes.Element()
+        self.state.nested_parse(StringList(markdown.splitlines(), "validation"), 0, parsed)
+        return list(parsed.children)
 
     def _curve(self, agreement: dict[str, Any], name: str) -> nodes.figure:
         from matplotlib.figure import Figure
@@ -211,9 +216,33 @@ class ValidationDirective(SphinxDirective):
         axes.spines[["top", "right"]].set_visible(False)
         axes.legend(frameon=False, fontsize="small")
         drawn.savefig(path)
-        alt = f"{agreement['what']} over {agreement['over'][0]}: forficula's curve on that of {agreement['by']}"
+        alt = f"{agreement['what']} over {agreement['over'][0]}: the curve of forficula and that of {agreement['by']}"
         image = nodes.image(uri=f"/_build/curves/{path.name}", alt=alt, classes=["drawn"])
         return nodes.figure("", image)
+
+
+def _title(module: str) -> str:
+    return module.removeprefix("test_").replace("_", " ").capitalize()
+
+
+def _agreements(named: dict[str, Claim]) -> list[dict[str, Any]]:
+    """Return the comparisons of all claims of a module."""
+    return [agreement for claim in named.values() for agreement in claim.agreements]
+
+
+def _summary(modules: dict[str, tuple[str, dict[str, Claim]]]) -> nodes.table:
+    """Return a table of all modules: numbers of claims, of claims tested and held, and of comparisons."""
+    group = nodes.tgroup("", *(nodes.colspec(colwidth=20) for _ in _SUMMARY), cols=len(_SUMMARY))
+    group += nodes.thead("", nodes.row("", *(_cell(text) for text in _SUMMARY)))
+    body = nodes.tbody()
+    for module, (_, named) in modules.items():
+        ran = [claim for claim in named.values() if claim.held]
+        counts = (len(named), len(ran), sum(all(claim.held) for claim in ran), len(_agreements(named)))
+        link = nodes.reference("", _title(module), refid=nodes.make_id(module), internal=True)
+        topic = nodes.entry("", nodes.paragraph("", "", link))
+        body += nodes.row("", topic, *(_cell(str(count)) for count in counts))
+    group += body
+    return nodes.table("", group)
 
 
 def _mark(claim: Claim) -> nodes.Node:
@@ -231,23 +260,31 @@ def _table(claims: Sequence[Claim]) -> nodes.table:
     for claim in claims:
         words = nodes.paragraph("", "", _mark(claim), nodes.Text(claim.sentence))
         body += nodes.row("", nodes.entry("", words, morecols=len(_COLUMNS) - 1), classes=["claim"])
-        for each in claim.agreements:
-            body += nodes.row("", *(_cell(text) for text in _told(each)))
+        for agreement in claim.agreements:
+            body += nodes.row("", *(_cell(text) for text in _cells(agreement)))
     group += body
     return nodes.table("", group, classes=["agreements"])
 
 
-def _told(each: dict[str, Any]) -> tuple[str, ...]:
-    """The cells of a comparison, or of a bound that is held."""
-    unit = f" {each['unit']}" if each["unit"] else ""
-    what = each["what"] + (f", worst of {each['count']}" if each["count"] > 1 else "")
-    by = f" ({each['by']})" if each["by"] else ""
-    if "theirs" in each:
-        apart = f"{abs(each['ours'] - each['theirs']):.1e}{unit}" if each["ours"] != each["theirs"] else "0"
-        allowed = f"{each['allowed']:.1e}{unit}" if each["allowed"] else "0"
-        return what, f"{each['ours']:.6g}{unit}", f"{each['theirs']:.6g}{unit}{by}", apart, allowed
-    bounds = [f"{sign} {each[side]:.4g}" for side, sign in (("above", ">"), ("below", "<")) if each[side] is not None]
-    return what, f"{each['ours']:.4g}{unit}", each["by"], "", " and ".join(bounds) + unit
+def _cells(agreement: dict[str, Any]) -> tuple[str, ...]:
+    """Return the cells of a comparison, or of a bound."""
+    unit = f" {agreement['unit']}" if agreement["unit"] else ""
+    what = agreement["what"] + (f", worst of {agreement['count']}" if agreement["count"] > 1 else "")
+    by = f" ({agreement['by']})" if agreement["by"] else ""
+    if "theirs" in agreement:
+        difference = (
+            f"{abs(agreement['ours'] - agreement['theirs']):.1e}{unit}"
+            if agreement["ours"] != agreement["theirs"]
+            else "0"
+        )
+        allowed = f"{agreement['allowed']:.1e}{unit}" if agreement["allowed"] else "0"
+        return what, f"{agreement['ours']:.6g}{unit}", f"{agreement['theirs']:.6g}{unit}{by}", difference, allowed
+    bounds = [
+        f"{sign} {agreement[side]:.4g}"
+        for side, sign in (("above", ">"), ("below", "<"))
+        if agreement[side] is not None
+    ]
+    return what, f"{agreement['ours']:.4g}{unit}", agreement["by"], "", " and ".join(bounds) + unit
 
 
 def _cell(text: str) -> nodes.entry:

@@ -65,7 +65,7 @@ def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
     structure = structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"}))
     ideal = crossed_hinges(structure, 2)[0].ideal
     scale = math.sqrt(ideal.hinge.inertia / (1000 * 0.055**2))
-    # theory.md, section 3: t* K(m), m = cos^2(start / 2)
+    # t* K(m), m = cos^2(start / 2) (docs/model/theory.md, section "Snap of a hinge")
     assert ideal.fold_time == pytest.approx(scale * ellipk(math.cos(math.radians(0.5)) ** 2), rel=1e-9)
     assert 0 < ideal.time_to(reference.protocol.folded_angle) < ideal.fold_time
 

@@ -155,8 +155,8 @@ def answer(case: str, folder: Path) -> Any:
 
 def _lasting(value: Any) -> Any:
     if isinstance(value, dict):
-        return {key: _lasting(each) for key, each in value.items() if key not in _PASSING}
-    return [_lasting(each) for each in value] if isinstance(value, list) else value
+        return {key: _lasting(item) for key, item in value.items() if key not in _PASSING}
+    return [_lasting(item) for item in value] if isinstance(value, list) else value
 
 
 def kept(case: str) -> Any:
@@ -195,13 +195,13 @@ def _command() -> int:
     parser.add_argument("cases", nargs="*", metavar="CASE")
     parser.add_argument("--write", action="store_true", help="keep the JSON of today")
     parser.add_argument("--exact", action="store_true", help="compare every bit of the numbers")
-    asked = parser.parse_args()
-    relative, absolute = (0.0, 0.0) if asked.exact else (1e-6, 1e-9)
+    arguments = parser.parse_args()
+    relative, absolute = (0.0, 0.0) if arguments.exact else (1e-6, 1e-9)
     failed = 0
-    for case in asked.cases or CASES:
+    for case in arguments.cases or CASES:
         with tempfile.TemporaryDirectory() as folder:
             today = answer(case, Path(folder))
-        if asked.write:
+        if arguments.write:
             text = json.dumps(today, indent=1, ensure_ascii=False)
             (KEPT / f"{case}.json").write_text(text + "\n", "utf-8")
             continue

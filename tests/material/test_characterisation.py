@@ -37,7 +37,7 @@ def test_a_planted_modulus_comes_out_within_its_interval_with_its_source(three_e
 
 
 def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size(three_elastic):
-    # theory.md, section 5: k = E A / L
+    # k = E A / L (docs/model/theory.md, section "Tendon material")
     low, high = three_elastic.simulated_moduli
     assert [low * AREA / LENGTH, high * AREA / LENGTH] == pytest.approx([1000, 6000])
 
@@ -45,7 +45,7 @@ def test_the_band_is_that_of_10_to_60_newtons_a_centimetre_at_the_specimens_size
 def test_a_law_keeps_the_length_of_its_specimens_through_its_file(three_elastic, tmp_path):
     save_law(three_elastic.law, tmp_path / "law.toml")
     assert known_length(load_law(tmp_path / "law.toml")) == pytest.approx(LENGTH)
-    assert known_length(load_law("tpu-82a")) == 0.06  # theory.md, section 1
+    assert known_length(load_law("tpu-82a")) == 0.06  # docs/model/theory.md, section "Values from the paper"
     assert known_length(load_law("resilin")) is None
 
 

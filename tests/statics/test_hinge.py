@@ -192,7 +192,7 @@ def test_without_hub_the_crease_is_slanted_by_half_a_sector():
 
 @given(st.floats(1e-6, 1.5), st.floats(0.01, 1))
 def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_squared_sine(overbend, arm):
-    """theory.md, section 3: U(0) sin^2(overbend / 2)."""
+    """docs/model/theory.md, section "Tendon across a hinge": U(0) sin^2(overbend / 2)."""
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
     # rounding of the energies, of which a small overbend leaves a small difference
@@ -264,7 +264,10 @@ def test_the_peak_is_at_the_fold_limit_where_the_moment_grows_up_to_it():
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e3))
 def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
-    """theory.md, section 4: k goes with the size, U and torque with its cube, I with its fifth power."""
+    """U and torque grow with the cube of the size, I with its fifth power.
+
+    See docs/model/theory.md, section "Similarity".
+    """
     scaled = scale_design(REFERENCE, factor)
     pairs = [
         (ideal_hinges(structure_of(REFERENCE))[0], ideal_hinges(structure_of(scaled))[0]),

@@ -91,7 +91,7 @@ def approx_or_none(expected, **tolerance):
 def test_a_tendon_of_the_reference_is_held_open_and_free_when_folded():
     opened, folded = hinge_landscape(ideal_hinges(structure_of(REFERENCE))[0]).states
     assert (opened.kind, opened.angle) == ("stop", math.radians(3))
-    # k a sin(3 deg / 2) (2 cos(3 deg / 2) - 2 lambda) a, theory.md, section 3
+    # k a sin(3 deg / 2) (2 cos(3 deg / 2) - 2 lambda) a: docs/model/theory.md, section "Tendon across a hinge"
     torque = 1000 * 0.055**2 * 2 * math.sin(math.radians(1.5)) * (math.cos(math.radians(1.5)) - 9 / 11)
     assert opened.holding_torque == pytest.approx(torque, rel=1e-12)
     assert (folded.kind, folded.energy, folded.holding_torque) == ("neutral", 0, 0)

@@ -1,7 +1,7 @@
 """Tendons whose ends stand off the bars: the barrier is not at straight, and everything else goes with it.
 
 The table is a joint's of 10 N/cm and 9 cm between arms of 5.5 cm, with a stop at 3 deg and both ends at a height above
-the hinge's axis, measured on vectors (reference/make.md).
+the hinge's axis, measured on vectors (docs/model/theory.md, section "Tendon off the hinge axis").
 """
 
 import math

@@ -34,7 +34,9 @@ def rotated_length(structure, tendon, angle):
 
 
 def closed_form(structure, tendon, angle, tall, beside):
-    """The same from the attachments' distances, heights and ways beside the bars, m (reference/make.md).
+    """The same from the attachments' distances, heights and distances beside the bars, m.
+
+    The formula is in docs/model/theory.md, section "Tendon off the hinge axis".
 
     p, d: distances from the hinge; alpha, beta: angles of the bars to its axis.
     """
@@ -77,8 +79,8 @@ def test_a_tendon_off_its_bars_has_the_length_of_the_closed_form(tall, beside, t
 
 
 def test_a_tendon_on_the_overbend_side_is_longest_before_its_hinge_is_straight():
-    # both anchors at h: the barrier lies at -2.1 deg with 1 mm, at 3 deg with -1.44 mm (reference/make.md, of a hinge
-    # square to its bars; an oblique one bends 2 % more)
+    # both anchors at h: the barrier lies at -2.1 deg with 1 mm, at 3 deg with -1.44 mm (docs/model/theory.md,
+    # section "Tendon off the hinge axis", for a hinge square to its bars; an oblique one bends 2 % more)
     angles = np.radians(np.linspace(-10, 10, 4001))
     for height, degrees in ((1.0, -2.1), (2.0, -4.2), (-1.44, 3.0)):
         structure = built(tendon__proximal_offset=f"{height} mm", tendon__distal_offset=f"{height} mm")

@@ -80,7 +80,8 @@ def test_times_without_an_order_say_why(times, reason):
 
 
 def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
-    # a pendulum, theory.md section 3: from rest at phi0 to phi in t* (K(m) - F(asin(cos(phi/2) / cos(phi0/2)), m))
+    # from rest at phi0 to phi in t* (K(m) - F(asin(cos(phi/2) / cos(phi0/2)), m)), as a pendulum
+    # (docs/model/theory.md, section "Snap of a hinge")
     steps, settle = [4e-4, 2e-4, 1e-4, 5e-5], 4e-3
     hinge = one_hinge()
     first, last = hinge.start / 2, math.radians(150) / 2

@@ -63,7 +63,7 @@ def test_gravity_tells_up_from_down(holds, reference):
 
 
 def test_the_other_tangent_is_another_mechanism(holds, reference, reference_outcome):
-    """The veins turn in a sense that the hub's tangents know of; design.md: 34 tendons fold one way, 17 the other."""
+    """The sense in which the veins turn matters (docs/model/theory.md, section "Fan pattern")."""
     left = ff.measure(ff.run(with_values(reference, {"pattern.tangent": "left"}), confirm=False))
     assert reference_outcome.holds["folded"]
     angles = [each.states["folded"].readings["distal_angle"].mean for each in (left, reference_outcome)]

@@ -137,4 +137,4 @@ def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbe
         for hinge in ff.landscape(design).tendons
     ]
     text = " ".join((Path(__file__).parents[2] / "README.md").read_text("utf-8").split())
-    assert f"a barrier of {told[0]}, beside {told[1].replace('a holding torque of ', '')}" in text
+    assert f"a barrier of {told[0]}, instead of {told[1].replace('a holding torque of ', '')}" in text

@@ -28,7 +28,7 @@ def test_a_landscape_leaves_its_files_and_the_design_gives_the_same_again(survey
     assert load_design(tmp_path / "there" / "design.toml").hash == reference.hash
     content = read(tmp_path / "there")
     assert content["design_hash"] == reference.hash
-    # theory.md, section 3: t* = sqrt(I / (k a b)), k = 10 N/cm, a = b = 5.5 cm
+    # t* = sqrt(I / (k a b)), k = 10 N/cm, a = b = 5.5 cm (docs/model/theory.md, section "Snap of a hinge")
     hinge = content["hinge"]
     assert hinge["time_scale_s"] == pytest.approx(math.sqrt(hinge["inertia_kg_m2"] / (1000 * 0.055**2)))
     assert content["simulation"]["status"] == "folded and opened"
@@ -76,7 +76,7 @@ def test_a_vein_without_a_tendon_has_no_landscape(surveyed, tmp_path):
 def test_a_barrier_beside_straight_has_its_angle(surveyed, tmp_path):
     write_landscape(surveyed("off the bars"), tmp_path)
     hinge = read(tmp_path)["hinge"]
-    # make.md: 4.30 mJ at -4.2 deg
+    # docs/model/theory.md, section "Tendon off the hinge axis": 4.30 mJ at -4.2 deg
     assert (1e3 * hinge["barrier_J"], hinge["barrier_angle_deg"]) == pytest.approx((4.30, -4.2), abs=0.05)
 
 

@@ -116,7 +116,8 @@ def test_the_ring_axis_stands_where_the_ring_creases_have_that_angle(surveyed):
     for place, text in zip(above.get_xticks(), above.get_xticklabels(), strict=True):
         ring = math.radians(float(text.get_text().replace("−", "-")))
         if ring < math.radians(179):
-            # tan(ring / 2) = m tan(pleat / 2) (theory.md, section 2); the axis is interpolated between its places
+            # tan(ring / 2) = m tan(pleat / 2) (docs/model/theory.md, section "Fan pattern"); the axis is interpolated
+            # between its ticks
             assert math.tan(ring / 2) == pytest.approx(ratio * math.tan(math.radians(place) / 2), rel=0.02, abs=1e-9)
 
 

@@ -80,7 +80,8 @@ def test_a_simulation_that_diverged_or_stuck_is_told_with_what_to_try(surveyed):
 
 def test_a_barrier_beside_straight_is_told_with_its_angle(surveyed):
     text = printed(surveyed("off the bars"))
-    # make.md: 10 N/cm, 9 cm, a stop at 3 deg, both anchors 2 mm off: 4.30 mJ at -4.2 deg, 6.8 N cm
+    # 10 N/cm, 9 cm, a stop at 3 deg, both attachments 2 mm off: 4.30 mJ at -4.2 deg, 6.8 N cm
+    # (docs/model/theory.md, section "Tendon off the hinge axis")
     assert line(text, "ideal hinge, overbend to −4.2°").split()[-2:] == ["4.295", "mJ"]
     assert line(text, "ideal hinge               on its stop").split()[-3:] == ["6.829", "N", "cm"]
     assert "growth rate at its top" in text
