@@ -77,7 +77,7 @@ def table():
     return papers_table()
 
 
-@pytest.mark.parametrize("outcome", ["diverged", "not to be trusted"])
+@pytest.mark.parametrize("outcome", ["diverged", "unreliable"])
 def test_what_is_not_to_be_trusted_counts_neither_as_folding_nor_as_sticking(table, outcome):
     place = STICKS
     table["least_fold_torque"][place] = table["least_unfold_torque"][place] = np.nan

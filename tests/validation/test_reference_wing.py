@@ -75,7 +75,7 @@ def test_a_stiff_and_short_tendon_does_not_fold(holds, outcome_of):
     angles = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
     holds("angle of the veins under the torque", angles, above=0, unit="deg", by="the paper does not fold it")
     assert outcome.status == "did not fold"
-    assert outcome.advice.startswith("Growing slowly, no torque up to 500 N cm makes it fold.")
+    assert outcome.advice.startswith("No slowly growing torque up to 500 N cm makes it fold.")
 
 
 def test_a_wing_that_went_round_says_so(reference_outcome):
@@ -91,7 +91,7 @@ def test_a_wing_that_is_not_driven_far_enough_to_open_says_so(outcome_of):
     outcome = outcome_of({"protocol.unfold_torque": "1 N cm"})
     assert (outcome.holds["folded"], outcome.holds["opened"], outcome.status) == (True, False, "did not open")
     # statics need 25.7 N cm, beyond ten times what the protocol sets
-    assert outcome.advice == "Growing slowly, no torque up to 10 N cm makes it open."
+    assert outcome.advice == "No slowly growing torque up to 10 N cm makes it open."
 
 
 def test_a_diverged_run_is_data(outcome_of):
