@@ -151,7 +151,7 @@ def test_a_tall_truss_leaves_sideways_first(agree):
             event.point.shape,
             point_forces(net, APEX, DOWN),
             factor=event.point.factor,
-            way=sense * event.mode,
+            direction=sense * event.mode,
             increments=20,
         )
         for point in aside.points[1:]:

@@ -143,7 +143,7 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
 
 
 def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
-    """Return pairs of pieces, (2, case), and rows, (case,), with overlapping boxes; corners, (piece, row, corner, 3)."""
+    """Return pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
     low, high = corners.min(axis=2), corners.max(axis=2)
     # first compare the boxes over all rows
     least, most = low.min(axis=1), high.max(axis=1)
