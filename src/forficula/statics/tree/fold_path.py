@@ -119,7 +119,9 @@ def rigid_fold(structure: Structure) -> RigidFold:
         InputError: there is no single folding path.
     """
     if structure.rigid_fold is None:
-        raise InputError(f"{structure.name}: has no one way in which rigid panels fold, so no energy along it")
+        raise InputError(
+            f"{structure.name}: has no single folding path of rigid panels, so there is no energy along it"
+        )
     return structure.rigid_fold
 
 
