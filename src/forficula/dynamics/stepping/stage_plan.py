@@ -181,7 +181,7 @@ def _in_steps(times: ArrayLike, timestep: Array) -> Numbers:
 
 
 def rest_speeds(model: Model) -> Array:
-    """Return the speeds below which a structure rests, per unit of time, (dof,); for slides they scale with its size."""
+    """Return speeds below which a structure rests, per unit of time, (dof,); for slides they scale with its size."""
     speed = model.design.protocol.rest_speed / (1 / model.units.time)
     engine, kinds = model.engine, mujoco.mjtJoint
     joint = np.array(engine.dof_jntid)
