@@ -290,8 +290,10 @@ def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(c
 
 @pytest.mark.parametrize("torque", ["20 N cm", "50 N cm"])
 def test_inertia_carries_the_long_slack_tendon_on_as_the_reason_says(torque):
-    """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg (docs/model/theory.md, section Tendon across a hinge): where damping takes the speed,
-    the hinge stays near there."""
+    """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg; with more damping, the hinge stays near this angle.
+
+    See docs/model/theory.md, section Tendon across a hinge.
+    """
     values = {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "9 cm", "protocol.fold_torque": torque}
     assert ff.measure(ff.run(ff.load_design("binder2025", values), confirm=False)).holds["folded"]
     damped = ff.measure(
