@@ -81,7 +81,7 @@ def test_a_wing_that_moves_away_from_its_goal_is_not_told_to_take_more_time():
     assert measure(away).advised.values == {}
     assert (
         measure(away).advice
-        == 'In the last 100 ms of the stage "fold" it came no nearer to its goal than what rests does.'
+        == 'In the last 100 ms of the stage "fold" it approached its goal no faster than a structure at rest.'
     )
     assert list(measure(towards).advised.values) == ["protocol.stages.fold.time_limit"]
 
@@ -93,7 +93,8 @@ def test_more_torque_is_advised_only_where_statics_find_that_it_is_enough():
     assert (enough.verdict, none.verdict) == (Verdict.STUCK, Verdict.STUCK)
     assert enough.advised.values["protocol.fold_torque"] == pytest.approx(1.2 * enough.advised.least_torque, rel=0.1)
     assert re.fullmatch(
-        r"Raise protocol.fold_torque from 4 N cm to \d+ N cm: growing slowly, [\d.]+ N cm makes it fold.", enough.advice
+        r"Raise protocol.fold_torque from 4 N cm to \d+ N cm: a slowly growing torque of [\d.]+ N cm makes it fold.",
+        enough.advice,
     )
-    assert none.advice.startswith("Growing slowly, no torque up to 40 N cm makes it fold.")
+    assert none.advice.startswith("No slowly growing torque up to 40 N cm makes it fold.")
     assert "protocol.fold_torque" not in none.advised.values

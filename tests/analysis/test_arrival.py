@@ -35,6 +35,8 @@ def test_a_vertex_that_lacks_an_angle_says_which_creases_did_not_arrive():
     missed = missed_targets(record)
     assert missed
     assert abs(missed[0].angle - missed[0].target) == max(abs(each.angle - each.target) for each in missed)
-    (told,) = [text for text in run_warnings(record) if "did not arrive within" in text]
-    assert told.startswith(f"{len(missed)} of 4 creases did not arrive within 5 deg: {missed[0].label} at ")
+    (told,) = [text for text in run_warnings(record) if "did not reach their targets within" in text]
+    assert told.startswith(
+        f"{len(missed)} of 4 creases did not reach their targets within 5 deg: {missed[0].label} at "
+    )
     assert missed[0].target == pytest.approx(math.pi)

@@ -36,7 +36,7 @@ def test_a_drive_to_the_assignment_folds_every_crease_as_assigned():
 def test_a_sheet_that_nothing_drives_out_of_its_flat_state_says_that_rounding_decides():
     branch = branch_taken(ff.run(flat(), confirm=False))
     assert (branch.flat, branch.decided_by) == (4, ("rounding alone",))
-    assert "rounding alone: give imperfection.size and seed" in branch_text(branch)
+    assert "rounding alone: set imperfection.size and imperfection.seed" in branch_text(branch)
 
 
 def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():

@@ -221,13 +221,15 @@ def test_a_wing_of_the_same_material_in_the_same_air_under_the_same_gravity_keep
 
 def test_what_comes_first_is_told_by_the_values_alone():
     assert dominance(groups(REFERENCE)) == (
-        "Of what resists, the armature comes first (1.2), before the inertia of what turns (1), the hinge's damping"
-        " (0.2) and the tendon's damping (0.06); the strongest drive has 0.33 of the tendon's moment; stretch of the"
-        " membrane is softer than the tendon (0.076)."
+        "The largest resistance is the armature (1.2), followed by the inertia of the part that turns (1), the hinge's"
+        " damping (0.2) and the tendon's damping (0.06); the strongest drive has 0.33 times the tendon's moment;"
+        " stretch of the membrane is softer than the tendon (0.076)."
     )
     damped = with_values(REFERENCE, {"hinge.damping": 3e-2, "hinge.armature": 0.0, "membrane.youngs_modulus": 1e10})
     told = dominance(groups(damped))
-    assert told.startswith("Of what resists, the hinge's damping comes first (6), before the inertia of what turns (1)")
+    assert told.startswith(
+        "The largest resistance is the hinge's damping (6), followed by the inertia of the part that turns (1)"
+    )
     assert "stretch of the membrane is far stiffer than the tendon (7.6e+02)" in told
 
 
@@ -244,4 +246,4 @@ def test_a_run_tells_its_groups_in_its_summary():
     told = summary(record, ff.measure(record), {})["groups"]
     assert told["armature"] == pytest.approx(1e-5 / INERTIA, rel=ROUNDING)
     assert told["measured_by"]["time_s"] == pytest.approx(TIME, rel=ROUNDING)
-    assert told["in_words"].startswith("Of what resists, the armature comes first")
+    assert told["in_words"].startswith("The largest resistance is the armature")

@@ -45,7 +45,9 @@ def tables(wing):
 def test_tendons_a_hundred_times_faster_than_the_tests_are_warned_of_with_both_numbers(speed):
     # 1.2 m/s by 6 cm is 20 1/s
     (warning,) = run_warnings(moving(speed))
-    assert warning.startswith("taut tendons move at up to 20 1/s, 200 times the 0.1 1/s up to which tpu was measured")
+    assert warning.startswith(
+        "taut tendons reach a strain rate of 20 1/s, 200 times the 0.1 1/s up to which tpu was measured"
+    )
 
 
 @pytest.mark.parametrize(
@@ -75,7 +77,7 @@ def test_tendons_are_named_where_others_are_of_another_material():
     record = moving(1.2)
     mixed = with_values(record.design, {"tendon.2.law": "none", "tendon.2.stiffness": 1000.0})
     (warning,) = run_warnings(replace(record, design=mixed, structure=structure_of(mixed)))
-    assert warning.startswith("tendon0: taut tendons move at up to 20 1/s, 200 times the 0.1 1/s")
+    assert warning.startswith("tendon0: taut tendons reach a strain rate of 20 1/s, 200 times the 0.1 1/s")
     untested = with_values(record.design, {"tendon.0.law": "none", "tendon.0.stiffness": 1000.0})
     assert run_warnings(replace(record, design=untested, structure=structure_of(untested))) == []
 
@@ -84,12 +86,14 @@ def test_a_goal_that_holds_before_its_stage_begins_is_said_to_and_not_that_it_wa
     steps = [start + 2e-4 for start in ENDS[:-1]]
     record = planted(goals=(None, *steps))
     outcome = measure(record)
-    assert outcome.status == 'the goal of stage "fold" holds before it begins'
-    assert outcome.advice == "Take a goal that only its drive brings about."
+    assert outcome.status == 'the goal of stage "fold" is already met before the stage begins'
+    assert outcome.advice == "Choose a goal that is not met before its drive acts."
     held = measure(planted((0.0, *steps, 0.8), (3, -180, -180, 3, 3, 3), goals=(None, *steps)))
     assert (held.ending.verdict, held.holds) == (Verdict.NOT_HELD, {"folded": False, "opened": False})
     # a release has no drive, and may rest at once
-    assert run_warnings(record) == [f'the goal of stage "{name}" holds before it begins' for name in ("fold", "unfold")]
+    assert run_warnings(record) == [
+        f'the goal of stage "{name}" is already met before the stage begins' for name in ("fold", "unfold")
+    ]
     later = planted(goals=(None, *(step + 2e-4 for step in steps)))
     assert (measure(later).status, run_warnings(later)) == ("did not stay folded", [])
 
@@ -124,13 +128,13 @@ def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():
     stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
     wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
     record = run(wing)
-    assert not any("contacts gave" in warning for warning in run_warnings(record))
+    assert not any("contacts supplied" in warning for warning in run_warnings(record))
     given = {name: record.series[name].copy() for name in ("contact_work", "kinetic_energy")}
     for values in given.values():
         values[-1] += 1.0  # J
     gifted = replace(record, series={**record.series, **given})
     assert energy_balance(gifted).missing == pytest.approx(energy_balance(record).missing - 1.0, abs=1e-4)
-    assert any(warning.startswith("contacts gave 1 J, ") for warning in run_warnings(gifted))
+    assert any(warning.startswith("contacts supplied 1 J, ") for warning in run_warnings(gifted))
 
 
 def test_membranes_beyond_linear_elasticity_are_warned_of_with_their_largest_strain(reference_run):

@@ -57,7 +57,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "fold",
             "still moving at -34.0 deg when its time to fold was over",
             "still folding",
-            'In the last 100 ms of the stage "fold" it came no nearer to its goal than what rests does.',
+            'In the last 100 ms of the stage "fold" it approached its goal no faster than a structure at rest.',
         ),
         (
             moving(SHUT),
@@ -65,7 +65,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             "unfold",
             "still moving when its time to open was over",
             "still opening",
-            'In the last 100 ms of the stage "unfold" it came no nearer to its goal than what rests does.',
+            'In the last 100 ms of the stage "unfold" it approached its goal no faster than a structure at rest.',
         ),
         (STUCK, "stuck", "fold", "stuck at -34.0 deg", "stuck on the way", ""),
         (SHUT, "stuck", "unfold", "did not open", "did not open", ""),
@@ -105,24 +105,25 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
             missing(WORKED, 0.05),
             "untrusted",
             "unfold",
-            "not to be trusted: the energy balance misses 2.5 %",
-            "not to be trusted",
-            "Take a timestep of about 40 µs instead of 0.2 ms: 0.5 % are allowed (protocol.residual_limit)",
+            "unreliable: the energy balance misses 2.5 %",
+            "unreliable",
+            "Take a timestep of about 40 µs instead of 0.2 ms: a residual of 0.5 % is allowed"
+            " (protocol.residual_limit)",
         ),
         (
             missing(WORKED, 3.0),
             "untrusted",
             "unfold",
-            "not to be trusted: the energy balance misses more than was exchanged",
-            "not to be trusted",
+            "unreliable: the energy balance misses more than the exchanged energy",
+            "unreliable",
             "Take a shorter timestep",
         ),
         (
             replace(WORKED, doubt="its outcome still changes with the timestep"),
             "untrusted",
             "unfold",
-            "not to be trusted: its outcome still changes with the timestep",
-            "not to be trusted",
+            "unreliable: its outcome still changes with the timestep",
+            "unreliable",
             "The design is at a boundary",
         ),
     ],
@@ -173,7 +174,10 @@ def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
     outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms"), confirm=False))
     assert outcome.verdict is Verdict.MOVING
     assert outcome.status.startswith("still moving at -")
-    assert outcome.advice == "It is on its way to its goal: raise protocol.stages.fold.time_limit from 30 ms to 120 ms."
+    assert (
+        outcome.advice
+        == "It is still approaching its goal: raise protocol.stages.fold.time_limit from 30 ms to 120 ms."
+    )
     assert outcome.advised.values == {"protocol.stages.fold.time_limit": 0.12}
     assert outcome.holds["folded"] is False
     longer = measure(ff.run(short(), confirm=False))
@@ -254,10 +258,10 @@ def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys
     assert '"flat"' not in page.partition('id="data"')[2].partition("</script>")[0].replace('"not flat"', "")
 
 
-def test_a_run_not_to_be_trusted_says_so_wherever_it_is_shown(doubtful, capsys):
+def test_an_unreliable_run_is_marked_wherever_it_is_shown(doubtful, capsys):
     record, outcome = doubtful
     assert outcome.verdict is Verdict.UNTRUSTED
-    said = "ot to be trusted: the energy balance misses"
+    said = "nreliable: the energy balance misses"
     plain = summary(record, outcome, {})
     assert (plain["verdict"], plain["folded"], plain["opened"]) == ("untrusted", None, None)
     assert plain["fold"]["succeeded"] is False

@@ -113,4 +113,4 @@ def test_friction_is_no_less_than_none():
 
 def test_a_landscape_says_that_it_leaves_dry_friction_out():
     remarks = energy_landscape(load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}), points=31).remarks
-    assert any("leaves out the dry friction of up to 0.5 N cm" in remark for remark in remarks)
+    assert any("ignores the dry friction of hinges of up to 0.5 N cm" in remark for remark in remarks)

@@ -200,7 +200,7 @@ def test_nothing_is_stuck_while_its_torque_rises():
     assert outcome.transitions["close"].time > 0.135
     cut = measure(ff.run(with_values(letter, {"protocol.stages.1.time_limit": "0.12 s"}), confirm=False))
     assert cut.ending.verdict is Verdict.MOVING
-    assert cut.status == "at rest under a torque that still rose when its stage was over"
+    assert cut.status == "at rest while its torque was still rising when its stage ended"
     weak = measure(ff.run(with_values(letter, {"drive.close.value": "0.1 N cm"}), confirm=False))
     assert (weak.ending.verdict, weak.status) == (Verdict.STUCK, "did not get closed")
     # flat for 0.3 s, 2 s to rise, a window to be called stuck

@@ -91,10 +91,10 @@ YIELDING = {"tendon.area": "12.5 mm^2", "tendon.law": "tpu-95a", "tendon.law.yie
     [
         ("letter-fold", {}, "MuJoCo 3.9 on"),
         ("binder2025-joint", {}, "MuJoCo 3.9 on"),
-        ("binder2025", {}, "MuJoCo 4.0 on: before, membranes stretch otherwise"),
-        ("binder2025-joint", YIELDING, "MuJoCo 4.0 on: before, no tendon yields"),
-        ("binder2025-built", {}, "layout only: creases or drag are set anew between steps"),
-        ("miura-sheet", {}, "layout only: creases or drag are set anew between steps"),
+        ("binder2025", {}, "MuJoCo 4.0 or later: earlier versions stretch membranes differently"),
+        ("binder2025-joint", YIELDING, "MuJoCo 4.0 or later: in earlier versions no tendon yields"),
+        ("binder2025-built", {}, "layout only: creases or drag are updated outside the engine between steps"),
+        ("miura-sheet", {}, "layout only: creases or drag are updated outside the engine between steps"),
     ],
 )
 def test_the_model_file_says_which_viewers_show_the_same(name, keys, viewers):

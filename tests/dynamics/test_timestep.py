@@ -27,7 +27,9 @@ def changed(**values):
     ],
 )
 def test_where_no_timestep_is_short_enough_the_value_that_is_the_cause_is_named(reference, key, value, shown):
-    with pytest.raises(InputError, match=rf"no timestep is short enough: .*, by {re.escape(f'{key} of {shown}')}$"):
+    with pytest.raises(
+        InputError, match=rf"no timestep is short enough: .*, because of {re.escape(f'{key} = {shown}')}$"
+    ):
         stable_timestep(reference.with_values({key: value}))
 
 

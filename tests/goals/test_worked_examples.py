@@ -7,7 +7,7 @@ from forficula.design import key_value
 from forficula.goals.deviation import off_values
 from forficula.goals.goal_file import load_goal, named_goals
 from forficula.goals.optimise.candidate import neighbour_offsets
-from tests.validation.test_forces_at_which_sheets_snap import cell_forces, clasp_forces, snaps
+from tests.validation.test_snap_forces_of_a_clasp_and_a_miura_cell import cell_forces, clasp_forces, snaps
 
 EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")
 

@@ -77,7 +77,7 @@ def table():
     return papers_table()
 
 
-@pytest.mark.parametrize("outcome", ["diverged", "not to be trusted"])
+@pytest.mark.parametrize("outcome", ["diverged", "unreliable"])
 def test_what_is_not_to_be_trusted_counts_neither_as_folding_nor_as_sticking(table, outcome):
     place = STICKS
     table["least_fold_torque"][place] = table["least_unfold_torque"][place] = np.nan
@@ -86,8 +86,8 @@ def test_what_is_not_to_be_trusted_counts_neither_as_folding_nor_as_sticking(tab
     tendon = "k = 40 N/cm, l0 = 5 cm"
     rows = [row(table, words) for words in ("fold with at most 50 N cm$", "open again", "fold with 500", "but stick")]
     assert [each.ours for each in rows] == [
-        f"31 of 60; not known of {tendon}",
-        f"13 of 60; not known of {tendon}",
+        f"31 of 60; unknown for {tendon}",
+        f"13 of 60; unknown for {tendon}",
         "59 of 59 tried",
         "none",
     ]
@@ -290,9 +290,9 @@ def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(c
 
 @pytest.mark.parametrize("torque", ["20 N cm", "50 N cm"])
 def test_inertia_carries_the_long_slack_tendon_on_as_the_reason_says(torque):
-    """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg, and a damped hinge stays near that angle.
+    """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg; with more damping, the hinge stays near this angle.
 
-    The formula is in docs/model/theory.md, section "Tendon across a hinge".
+    See docs/model/theory.md, section Tendon across a hinge.
     """
     values = {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "9 cm", "protocol.fold_torque": torque}
     assert ff.measure(ff.run(ff.load_design("binder2025", values), confirm=False)).holds["folded"]

@@ -133,11 +133,11 @@ def test_the_tendons_of_a_wing_are_alike():
         (hinge(0.10999), "the tendon is slack beyond 1.545 deg of overbend: nothing holds the hinge at its stop of 3"
          " deg; a shorter resting length or a smaller overbend does"),
         (hinge(), "the tendon is slack from -70.19 deg to -180 deg: nothing moves the folded hinge there"),
-        (hinge(fold_limit=1.0), "the tendon pulls up to the fold limit of 57.3 deg and nowhere goes slack"),
+        (hinge(fold_limit=1.0), "the tendon pulls up to the fold limit of 57.3 deg and never goes slack"),
         (hinge(fold_limit=0.01), "the fold limit of 0.573 deg is not beyond 1 deg past straight, where the fold starts,"
-         " so it has no time and no speed"),
-        (hinge(0.109999), "the tendon is slack 1 deg past straight, where the fold starts, so it has no time and no"
-         " speed; a shorter resting length gives them"),
+         " so there is no fold time and no final speed"),
+        (hinge(0.109999), "the tendon is slack 1 deg past straight, where the fold starts, so there is no fold time"
+         " and no final speed; a shorter resting length gives both"),
         (hinge(linear=0.0, cubic=1e6), "the law has no linear term, so there is no time scale"),
     ],
 )  # fmt: skip

@@ -98,7 +98,10 @@ def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffne
 def test_what_rests_at_a_goal_needs_no_torque_and_says_so():
     landscape = ff.energy_landscape(ff.load_design("letter-fold", {"crease.rest_angle": "90 deg"}), points=61)
     assert landscape.least_torques["close"] == 0
-    assert 'no torque is needed to get closed: the goal of "close" holds where it rests before' in landscape.remarks
+    assert (
+        'no torque is needed to get closed: the goal of "close" is already met in the state before it'
+        in landscape.remarks
+    )
 
 
 def test_both_hinges_fold_alone_and_together(landscape):
@@ -130,9 +133,9 @@ def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
 def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
     assert (landscape.fold_path, landscape.tips, landscape.hinge) == (None, None, None)
     assert landscape.fold_barrier is None
-    with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):
+    with pytest.raises(InputError, match="letter-fold: has no single folding path"):
         stable_states(landscape)
-    with pytest.raises(InputError, match="no one way in which rigid panels fold"):
+    with pytest.raises(InputError, match="has no single folding path"):
         ff.barrier(landscape, "flat", "closed")
     summary = landscape_summary(landscape)
     assert summary["wing"] is None
@@ -151,7 +154,10 @@ def test_two_tendons_across_one_hinge_are_one_of_twice_the_stiffness():
     two = letter(*(LEFT | {"name": name, "stiffness": "0.25 N/cm"} for name in ("upper", "lower")))
     assert two.hinge_barriers == pytest.approx(one.hinge_barriers, rel=1e-4)
     assert [rest.energy for rest in two.rests] == pytest.approx([rest.energy for rest in one.rests])
-    said = "upper, lower lie across one hinge, crease 0: its landscapes have one of them each, all else is of all"
+    said = (
+        "upper, lower lie across one hinge, crease 0: each landscape of this hinge includes one of them; all other"
+        " results include all of them"
+    )
     assert said in two.remarks
     assert not any("lie across" in remark for remark in one.remarks)
 
@@ -160,7 +166,7 @@ def test_tendons_across_several_hinges_are_said_to_be_left_out_of_a_single_one()
     over = {"name": "over", "from": "facet 0 at 0.5, 0.5", "to": "facet 2 at 0.5, 0.5", "stiffness": "0.1 N/cm"}
     tendons = [LEFT | {"name": "left", "stiffness": "0.5 N/cm"}, over | {"rest_length": "5 cm"}]
     remarks = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": tendons}), points=61).remarks
-    assert "the landscapes of single hinges leave out what lies across several: over" in remarks
+    assert "the landscapes of single hinges leave out tendons across several hinges: over" in remarks
 
 
 @pytest.mark.parametrize(
@@ -230,7 +236,7 @@ def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_clos
     assert landscape.least_torques["close"] > 0
     assert landscape.least_torques["open"] is None
     assert landscape.remarks[-1] == (
-        "no slowly growing torque makes it get opened from closed: it does not rest closed"
+        'no slowly growing torque makes it get opened from the state "closed", because it does not rest in this state'
     )
 
 

@@ -156,13 +156,13 @@ def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhe
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 1.0}
     found = energy_landscape(pyramid(**loose, **{"protocol.stages": [stage], "pattern.sectors": [1.2, 1.2, 1.2, 1.3]}))
     assert found.states == ()
-    assert any("something moves without any force" in remark for remark in found.remarks)
+    assert any("a part can move without any force" in remark for remark in found.remarks)
 
 
 def test_progress_is_told(landscape, told):
     assert landscape.states
-    assert told[0] == "where it rests, and what its drives do"
-    assert "what it withstands: down" in told
+    assert told[0] == "resting shape and effects of the drives"
+    assert "loads that it withstands: down" in told
 
 
 def pressed(direction):
@@ -188,5 +188,5 @@ def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(sl
 def test_a_displacement_along_no_axis_is_told_and_the_states_remain():
     landscape = pressed([0, 1, -1])
     assert len(landscape.states) == 2
-    (remark,) = [remark for remark in landscape.remarks if "cannot be told" in remark]
+    (remark,) = [remark for remark in landscape.remarks if "cannot be computed" in remark]
     assert "direction: need x, y or z" in remark

@@ -52,11 +52,11 @@ def test_a_spring_that_is_too_stiff_leaves_one_state_and_says_so(hinge):
     assert (found.barrier, found.peak_opening, found.growth_rate) == (None, None, None)
     (state,) = found.states
     assert (state.kind, state.angle) == ("minimum", pytest.approx(0.0, abs=1e-9))
-    assert "at one place only, 0 deg, so there is no barrier" in found.remarks[0]
+    assert "rests only at 0 deg, so there is no barrier" in found.remarks[0]
 
 
 def test_a_slack_tendon_leaves_the_spring_alone(hinge):
     slack = replace(hinge, law=replace(hinge.law, rest_length=1.0))
     found = hinge_landscape(slack, spring=HingeSpring(stiffness=0.1, rest_angle=-1.0))
     assert [state.angle for state in found.states] == pytest.approx([-1.0])
-    assert "the spring of its hinge is all that moves it" in found.remarks[0]
+    assert "only the spring of the hinge moves it" in found.remarks[0]

@@ -87,7 +87,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
     assert 2 < first < 12
     assert cycling.first_failure == first
     assert cycling.verdict.startswith(
-        f"folds up to cycle {first - 1}; at cycle {first}: at its goal for too short a time"
+        f"folds up to cycle {first - 1}; at cycle {first}: at its goal when its stage ended, but not for long enough"
     )
     assert "cycles beyond 4 are extrapolated: the tests saw cycles 1 to 4" in cycling.remarks
     assert [run.measured for run in cycling.runs] == [n <= 4 for n in range(1, 13)]

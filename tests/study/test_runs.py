@@ -118,4 +118,4 @@ def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be
     assert record.doubt
     assert outcome.verdict is Verdict.UNTRUSTED
     assert outcome.holds["folded"] is None
-    assert outcome.status == f"not to be trusted: {record.doubt}"
+    assert outcome.status == f"unreliable: {record.doubt}"

@@ -51,7 +51,7 @@ ENDINGS = {
     "stuck at -134.6 deg": Ending(verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(-134.6), residual=1e-3),
     "did not stay folded": Ending(verdict=Verdict.NOT_HELD, transition=FOLD, residual=1e-3),
     "diverged at t = 0.2 s": Ending(verdict=Verdict.DIVERGED, transition=FOLD, time=0.2),
-    "not to be trusted: the energy balance misses 12 %": Ending(
+    "unreliable: the energy balance misses 12 %": Ending(
         verdict=Verdict.UNTRUSTED, transition=FOLD, residual=0.12
     ),
 }
@@ -83,7 +83,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
     torque, opening = protocol.fold_torque, protocol.unfold_torque
     if torque != GRID.reference:
         if torque in untrusted:
-            return answer("not to be trusted: the energy balance misses 12 %")
+            return answer("unreliable: the energy balance misses 12 %")
         if not folds(torque):
             return answer(f"stuck at -{10 + 100 * torque:.1f} deg")
         if released != "folded" and protocol.stages[-1].drive == "none":
@@ -92,7 +92,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
     if large != "folded":
         return answer(large)
     if opening in untrusted:
-        return answer("not to be trusted: the energy balance misses 12 %")
+        return answer("unreliable: the energy balance misses 12 %")
     if not opens(opening):
         return answer("did not open")
     return answer("folded and opened", unfold_time_s=0.1 / opening, unfold_work_J=2 * opening, opened_energy_J=2.9)
@@ -160,7 +160,7 @@ NUMBERS = (
     ("released", "word"),
     [
         ("diverged at t = 0.2 s", "diverged"),
-        ("not to be trusted: the energy balance misses 12 %", "not to be trusted"),
+        ("unreliable: the energy balance misses 12 %", "unreliable"),
     ],
 )
 def test_a_release_that_says_nothing_of_the_wing_leaves_the_point_without_numbers(released, word):
@@ -172,8 +172,8 @@ def test_a_release_that_says_nothing_of_the_wing_leaves_the_point_without_number
 def test_a_run_not_to_be_trusted_below_the_least_torque_that_folds_leaves_the_point_without_numbers():
     result, run = found(GRID, lambda torque: torque >= 0.2, any_torque, untrusted=[0.1])
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
-    assert (result["verdict"], result["outcome"]) == ("untrusted", "not to be trusted")
-    assert result["status"] == "not to be trusted: the energy balance misses 12 %"
+    assert (result["verdict"], result["outcome"]) == ("untrusted", "unreliable")
+    assert result["status"] == "unreliable: the energy balance misses 12 %"
     assert (result["residual"], result["reference_outcome"]) == (0.12, "")
     # it is not known with which torque to go on
     assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
@@ -192,8 +192,8 @@ def test_an_opening_not_to_be_trusted_below_the_least_torque_that_opens_leaves_n
     )
     assert (result["least_fold_torque"], result["fold_work"]) == (0.3, 0.3)
     assert [result.get(name) for name in NUMBERS[5:]] == [None] * 4
-    assert (result["verdict"], result["outcome"]) == ("untrusted", "not to be trusted")
-    assert result["status"] == "with 500 N cm: not to be trusted: the energy balance misses 12 %"
+    assert (result["verdict"], result["outcome"]) == ("untrusted", "unreliable")
+    assert result["status"] == "with 500 N cm: unreliable: the energy balance misses 12 %"
 
 
 def test_a_tendon_that_no_torque_folds_says_how_it_failed_with_the_largest_of_the_grid():

@@ -56,7 +56,7 @@ def test_points_that_cannot_be_trusted_say_so_and_hold_no_number(either):
     for name in (*NUMBERS, *(name for name in ("least_fold_torque", "least_unfold_torque") if name in table)):
         assert np.isnan(table[name].values[silent]).all(), name
     assert np.isfinite(table["fold_work"].values[:2]).all()
-    assert set(table["outcome"].values[silent]) <= {"not to be trusted", "diverged"}
+    assert set(table["outcome"].values[silent]) <= {"unreliable", "diverged"}
     residual = table["residual"].values
     assert (residual[table["verdict"].values == "untrusted"] > 0.005).all()
     assert (residual[~silent] <= 0.005).all()
@@ -87,12 +87,12 @@ def test_the_table_as_text_has_verdicts_and_residuals_and_nothing_where_nothing_
         assert float(row["residual"] or "nan") == pytest.approx(residual, rel=0, nan_ok=True)
         if row["verdict"] in SILENT:
             assert {row[name] for name in row if name.endswith(("_J", "_s", "_N_m"))} == {""}
-            assert row["status"].startswith(("not to be trusted: the energy balance misses", "diverged at t = "))
+            assert row["status"].startswith(("unreliable: the energy balance misses", "diverged at t = "))
 
 
 def test_maps_show_them_with_their_hatches_and_their_scales_are_those_of_the_others(either):
     _, table, _ = either
-    silent = {"not to be trusted", "diverged"} & set(table["outcome"].values.ravel())
+    silent = {"unreliable", "diverged"} & set(table["outcome"].values.ravel())
     for drawing in study_drawings(table).values():
         assert silent <= set(legend(drawing(7.0)))
     figure = draw_work_maps(table)
@@ -110,17 +110,17 @@ def test_the_page_has_their_reasons_and_no_numbers(either):
         if quantity["values"] is not None:
             for value, reason in list(zip(quantity["values"], quantity["reasons"], strict=True))[4:]:
                 assert value is None
-                assert words[reason] in ("not to be trusted", "diverged")
+                assert words[reason] in ("unreliable", "diverged")
 
 
 def test_each_torque_of_a_search_says_what_became_of_it(searched):
     _, table, _ = searched
     outcome = table["fold_outcome_by_torque"].values
     assert (np.isfinite(table["fold_time_by_torque"].values) == (outcome == "folded")).all()
-    assert np.isin(outcome[2:], ["not to be trusted", "diverged"]).all()
-    assert {"not to be trusted", "diverged"} & set(legend(draw_first_times(table)))
+    assert np.isin(outcome[2:], ["unreliable", "diverged"]).all()
+    assert {"unreliable", "diverged"} & set(legend(draw_first_times(table)))
     for name in ("least_fold_torque", "least_unfold_torque", "fold_time", "opened_energy"):
-        assert np.isin(missing_reasons(table, name).values[2:], ["not to be trusted", "diverged"]).all()
+        assert np.isin(missing_reasons(table, name).values[2:], ["unreliable", "diverged"]).all()
 
 
 def test_auto_finds_steps_at_which_the_same_wings_are_to_be_trusted(tmp_path, write_study_file):

@@ -47,7 +47,7 @@ def folded(sectors, signs, target):
 
 @settings(deadline=None, max_examples=10)
 @given(st.floats(50, 80), st.floats(95, 130), st.floats(20, 150))
-def test_flat_foldable_vertices_keep_the_tan_half_angle_relations(agree, first, second, target):
+def test_flat_foldable_vertices_satisfy_the_half_angle_tangent_relations(agree, first, second, target):
     alpha, beta = np.deg2rad((first, second))
     angles = folded((alpha, beta, np.pi - alpha, np.pi - beta), (1, 1, 1, -1), np.deg2rad(target))
     agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
@@ -67,7 +67,7 @@ def test_flat_foldable_vertices_keep_the_tan_half_angle_relations(agree, first, 
 
 @settings(deadline=None, max_examples=10)
 @given(st.floats(50, 85), st.floats(90, 110), st.floats(70, 100), st.floats(10, 80))
-def test_any_vertex_closes(agree, first, second, third, target):
+def test_rotations_around_any_vertex_multiply_to_the_identity(agree, first, second, third, target):
     sectors = np.deg2rad((first, second, third, 360 - first - second - third))
     angles = folded(sectors, (1, 1, 1, -1), np.deg2rad(target))
     agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)

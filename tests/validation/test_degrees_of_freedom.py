@@ -21,7 +21,7 @@ def creases_of(pattern):
 
 
 @pytest.mark.parametrize(("size", "flat"), [(4, 6), (8, 14)])
-def test_miura_sheets_have_as_many_mechanisms_as_were_measured(agree, size, flat):
+def test_miura_sheets_have_the_number_of_mechanisms_of_independent_code(agree, size, flat):
     """A trial apart from this code found 6 and 14 in the flat sheet of 4 x 4 and 8 x 8 panels, 1 in a folded one."""
     facts = pattern_facts(sheet(size, size))
     found = (facts.freedoms.rigid.mechanisms, facts.freedoms.folded.mechanisms)
@@ -30,7 +30,7 @@ def test_miura_sheets_have_as_many_mechanisms_as_were_measured(agree, size, flat
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (3, 5), (7, 4)])
-def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(agree, columns, rows):
+def test_each_vertex_of_a_flat_sheet_removes_two_degrees_of_freedom_and_adds_one_self_stress(agree, columns, rows):
     """Fold rates as vectors along creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
     found, inside = rigidity(sheet(columns, rows)), (columns - 1) * (rows - 1)
     known = (creases_of(sheet(columns, rows)) - 2 * inside, inside)
@@ -39,7 +39,7 @@ def test_each_vertex_of_a_flat_sheet_takes_two_freedoms_and_leaves_one_stress(ag
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 3), (5, 4)])
-def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(agree, columns, rows):
+def test_a_folded_sheet_has_the_degrees_of_freedom_of_the_loops_around_its_vertices(agree, columns, rows):
     """Mechanisms are creases less the rank of all walks' slopes, self-stress three a vertex less it, Tachi 2009."""
     pattern = sheet(columns, rows)
     angles = folded_as_assigned(pattern)
@@ -55,7 +55,7 @@ def test_a_folded_sheet_is_as_free_as_the_walks_around_its_vertices(agree, colum
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (4, 4), (5, 3)])
-def test_a_folded_sheet_that_bends_has_three_freedoms_fewer_than_sides_of_its_border(agree, columns, rows):
+def test_a_folded_sheet_with_bending_facets_has_three_degrees_of_freedom_fewer_than_border_edges(agree, columns, rows):
     """A triangulated disc has 3 V - 6 - E = B - 3 by Euler's formula, B sides of its border."""
     found = rigidity(sheet(columns, rows, 0.6), bending=True)
     known = (2 * (columns + rows) - 3, 0)

@@ -60,7 +60,7 @@ def truss_and_states():
     return net, find_stable_states(net, [built_shape(net)], tries=12)
 
 
-def test_it_has_the_two_states_without_stress(truss_and_states, agree):
+def test_the_truss_has_two_stress_free_states(truss_and_states, agree):
     _, found = truss_and_states
     other = np.pi - STEP - TWIST
     low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
@@ -69,7 +69,7 @@ def test_it_has_the_two_states_without_stress(truss_and_states, agree):
     agree("their energies", [state.energy for state in found.states], 0, unit="J", by="no stress", abs=1e-18)
 
 
-def test_its_barrier_is_that_of_the_closed_form(truss_and_states, agree):
+def test_the_barrier_is_that_of_the_closed_form(truss_and_states, agree):
     net, found = truss_and_states
     saddle = find_saddle(net, *found.states)
     assert saddle is not None
@@ -82,7 +82,7 @@ def test_its_barrier_is_that_of_the_closed_form(truss_and_states, agree):
     agree("height there", height, top.x, unit="m", by="the closed form's top", abs=1e-4)
 
 
-def test_a_force_leads_along_the_closed_form_and_peaks_with_it(agree):
+def test_the_load_path_follows_the_closed_form_up_to_its_peak(agree):
     net = kresling()
     push = point_forces(net, np.array([APEX]), np.array([[0.0, 0.0, -1.0]]))
     path = load_path(net, built_shape(net), push, step=0.02, target=0.0)

@@ -44,7 +44,7 @@ def test_the_single_mechanism_is_the_folding_of_the_sheet(agree):
 
 @settings(deadline=None, max_examples=6)
 @given(st.floats(0.3, 1.2), st.floats(0.9, 1.3), st.floats(0.5, 2.0))
-def test_one_driven_crease_folds_the_whole_sheet_as_in_closed_form(agree, fold, acute, ratio):
+def test_one_driven_crease_folds_the_whole_sheet_along_the_closed_form(agree, fold, acute, ratio):
     start, facets = miura(4, 4, fold=0.5, acute=acute, other=ratio)
     end = miura(4, 4, fold=fold, acute=acute, other=ratio)[0]
     net, diagonals = sheet(start, facets, axial=1e6)

@@ -94,7 +94,7 @@ def test_the_recorded_energy_is_that_of_the_recorded_angle(agree, one_hinge, res
 
 @settings(max_examples=50, deadline=None)
 @given(tendons(), st.floats(math.radians(-3), math.pi))
-def test_the_engine_gives_the_tendon_its_moment(agree, one_hinge, tendon, angle):
+def test_the_engine_gives_the_moment_of_the_tendon(agree, one_hinge, tendon, angle):
     hinge = one_hinge(*tendon)
     wing = hinge.wing
     data = mujoco.MjData(wing.engine)
@@ -108,7 +108,7 @@ def test_the_engine_gives_the_tendon_its_moment(agree, one_hinge, tendon, angle)
 
 @settings(max_examples=12, deadline=None)
 @given(tendons())
-def test_it_folds_in_the_time_of_the_quadrature(agree, one_hinge, tendon):
+def test_the_hinge_folds_in_the_time_of_the_quadrature(agree, one_hinge, tendon):
     hinge, angles, record = swing(one_hinge, tendon[0], tendon[1:], steps=1000)
     time = crossing(angles, record.design.protocol.timestep, math.pi)
     # from rest, semi-implicit Euler runs half a step ahead: 1 / 2000
@@ -117,7 +117,7 @@ def test_it_folds_in_the_time_of_the_quadrature(agree, one_hinge, tendon):
 
 
 @pytest.mark.parametrize("start", [0.1, 1, 10])
-def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(one_hinge, agree, start):
+def test_without_resting_length_the_hinge_folds_in_the_time_of_a_pendulum(one_hinge, agree, start):
     phi = math.radians(start)
     time = one_hinge(start=phi).time_scale * ellipk(math.cos(phi / 2) ** 2)
     hinge = one_hinge(timestep=time / 1000, duration=1.01 * time, start=phi)
@@ -128,7 +128,7 @@ def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(one_hinge, ag
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
-def test_the_error_falls_in_proportion_to_the_timestep(agree, holds, one_hinge, rest_length):
+def test_the_error_is_proportional_to_the_timestep(agree, holds, one_hinge, rest_length):
     steps = [125, 250, 500, 1000, 2000]
     errors = []
     for count in steps:
@@ -148,7 +148,7 @@ def test_the_error_falls_in_proportion_to_the_timestep(agree, holds, one_hinge, 
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
-def test_the_final_speed_is_two_less_the_resting_length(one_hinge, agree, rest_length):
+def test_the_final_speed_is_that_of_energy_conservation(one_hinge, agree, rest_length):
     hinge, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
     last = int(np.argmax(angles >= math.pi))  # the step that passes 180 deg knows no stop yet
     speed = (angles[last] - angles[last - 1]) / record.design.protocol.timestep
@@ -159,7 +159,7 @@ def test_the_final_speed_is_two_less_the_resting_length(one_hinge, agree, rest_l
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS[1:])
-def test_the_tendon_goes_slack_at_twice_the_arc_cosine_and_then_the_bar_coasts(holds, one_hinge, rest_length):
+def test_after_the_tendon_goes_slack_the_speed_is_constant(holds, one_hinge, rest_length):
     _, angles, record = swing(one_hinge, rest_length, (0.055, 0.055), steps=1000)
     slack = 2 * math.acos(rest_length / 0.11)
     taut = record.data["tendon_energy"].values[:, 0] > 0
@@ -170,7 +170,7 @@ def test_the_tendon_goes_slack_at_twice_the_arc_cosine_and_then_the_bar_coasts(h
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)
-def test_it_leaves_the_barrier_at_its_growth_rate(one_hinge, agree, rest_length):
+def test_the_hinge_leaves_the_barrier_at_its_growth_rate(one_hinge, agree, rest_length):
     start = math.radians(0.01)
     scale = one_hinge(rest_length).time_scale / math.sqrt(1 - rest_length / 0.11)
     hinge = one_hinge(rest_length, timestep=scale / 1000, duration=5 * scale, start=start)

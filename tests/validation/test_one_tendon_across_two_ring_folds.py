@@ -49,7 +49,7 @@ angles = st.lists(st.floats(-math.pi / 2, math.radians(3)), min_size=6, max_size
 
 @settings(max_examples=10)
 @given(angles, st.sampled_from(["left", "right"]), st.floats(0, 0.03), st.floats(0.01, 0.09), st.floats(0.01, 0.09))
-def test_the_statics_store_what_the_closed_form_says(agree, drawn, tangent, hub, proximal, distal):
+def test_statics_give_the_energy_of_the_closed_form(agree, drawn, tangent, hub, proximal, distal):
     design = with_values(
         THICK,
         {
@@ -68,7 +68,7 @@ def test_the_statics_store_what_the_closed_form_says(agree, drawn, tangent, hub,
     agree("energy of the tendons", found, known, unit="J", by="a chain of three bars", rel=1e-9, abs=1e-12)
 
 
-def test_the_simulation_moves_by_the_closed_form_and_stores_what_it_says(agree):
+def test_the_simulation_gives_the_lengths_and_energies_of_the_closed_form(agree):
     fold = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 1.0}
     flat = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.05}
     run = ff.run(with_values(THICK, {"protocol.stages": [flat, fold], "protocol.timestep": 2e-4}), confirm=False)

@@ -21,7 +21,7 @@ FREE = {"support": [], "protocol.stages": [stage()]}
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
-def test_a_miura_sheet_widens_and_lengthens_at_once_as_schenk_and_guest_say(agree, acute, fold):
+def test_the_in_plane_poissons_ratio_of_a_miura_sheet_is_that_of_schenk_and_guest(agree, acute, fold):
     """Expansion along by that across, in the one way to fold: cos^2(theta) tan^2(gamma).
 
     It follows from S and L of the unit cell, theta being half the fold angle of the zigzag creases and gamma the acute
@@ -68,7 +68,7 @@ def uniform_fields(pattern):
 
 
 @pytest.mark.parametrize(("acute", "fold"), [(60, 30), (70, 90), (45, 60), (80, 150)])
-def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_lengthens(agree, acute, fold):
+def test_the_bending_poissons_ratio_of_a_miura_sheet_is_minus_the_in_plane_ratio(agree, acute, fold):
     """Poisson's ratio of bending is that of stretching with the other sign; with flat facets it does not bend.
 
     Wei, Guo, Dudte, Liang and Mahadevan 2013 (doi 10.1103/PhysRevLett.110.215501); the saddle of Schenk and Guest
@@ -99,7 +99,7 @@ def test_a_miura_sheet_bends_to_a_saddle_by_the_ratio_in_which_it_widens_and_len
     agree("curvature along, of bent facets", along, -ratio * across, by="Wei et al. 2013", abs=1e-7)
 
 
-def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least(agree):
+def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(agree):
     """One stable state with the centre up and one with it down (Hanna, Lund, Lang, Magleby and Howell 2014).
 
     With rigid facets and all diagonals folded alike their angle fixes that of the midlines, on either side of flat
@@ -136,7 +136,7 @@ def test_a_waterbomb_base_rests_up_and_down_where_its_symmetric_energy_is_least(
 
 
 @pytest.mark.parametrize(("sides", "height", "twist"), [(6, 1.5, 30), (8, 2.0, 40), (5, 1.4, 25)])
-def test_a_kresling_tower_has_its_other_state_where_the_closed_form_puts_it(agree, holds, sides, height, twist):
+def test_the_second_state_of_a_kresling_tower_is_that_of_the_closed_form(agree, holds, sides, height, twist):
     """Both twists add up to 180 deg - 360 deg / sides where the creases keep their lengths.
 
     Cai, Deng, Zhou, Feng and Tu 2015 (doi 10.1115/1.4030158); Yasuda, Tachi, Lee and Yang 2017

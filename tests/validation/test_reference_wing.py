@@ -42,7 +42,7 @@ def outcome_of():
     return outcome
 
 
-def test_energies_are_in_the_order_of_the_paper(agree, reference_outcome):
+def test_energies_have_the_order_reported_in_the_paper(agree, reference_outcome):
     states = reference_outcome.states
     flat, opened, folded = (states[name].tendon_energy.sum() for name in ("flat", "opened", "folded"))
     # The paper's stops are soft, so its opened wing rests elsewhere than its flat one. Ours are rigid and both
@@ -52,14 +52,14 @@ def test_energies_are_in_the_order_of_the_paper(agree, reference_outcome):
     assert folded == 0
 
 
-def test_works_are_in_the_order_of_the_paper(holds, reference_outcome):
+def test_works_have_the_order_reported_in_the_paper(holds, reference_outcome):
     fold, unfold = (reference_outcome.transitions[name].work for name in ("fold", "unfold"))
     holds("work of folding by that of opening", fold / unfold, above=0, below=1 / 2, by="W_fold << W_unfold")
     share = unfold / reference_outcome.states["opened"].tendon_energy.sum()
     holds("work of opening by the energy of the opened wing", share, above=1, by="W_unfold > E_opened")
 
 
-def test_20_newton_centimetres_fold_a_soft_and_long_tendon(holds, outcome_of):
+def test_a_torque_of_20_newton_centimetres_folds_a_wing_with_soft_long_tendons(holds, outcome_of):
     outcome = outcome_of(
         {"tendon.stiffness": "10 N/cm", "tendon.rest_length": "7 cm", "protocol.fold_torque": "20 N cm"}
     )
@@ -68,17 +68,17 @@ def test_20_newton_centimetres_fold_a_soft_and_long_tendon(holds, outcome_of):
     holds("angle of the folded veins", angles, below=-150, unit="deg", by="the paper folds it")
 
 
-def test_a_stiff_and_short_tendon_does_not_fold(holds, outcome_of):
+def test_a_wing_with_stiff_short_tendons_does_not_fold(holds, outcome_of):
     outcome = outcome_of({"tendon.stiffness": "60 N/cm", "tendon.rest_length": "0 cm"})
     assert not outcome.holds["folded"]
     # every hinge still in the overbend, under the torque
     angles = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
     holds("angle of the veins under the torque", angles, above=0, unit="deg", by="the paper does not fold it")
     assert outcome.status == "did not fold"
-    assert outcome.advice.startswith("Growing slowly, no torque up to 500 N cm makes it fold.")
+    assert outcome.advice.startswith("No slowly growing torque up to 500 N cm makes it fold.")
 
 
-def test_a_wing_that_went_round_says_so(reference_outcome):
+def test_the_reference_wing_folds_and_opens(reference_outcome):
     assert (reference_outcome.status, reference_outcome.advice) == ("folded and opened", "")
     assert reference_outcome.holds["folded"]
     assert reference_outcome.holds["opened"]
@@ -87,14 +87,14 @@ def test_a_wing_that_went_round_says_so(reference_outcome):
     assert reference_outcome.states["opened"].readings["distal_angle"].mean == pytest.approx(np.radians(3), abs=1e-4)
 
 
-def test_a_wing_that_is_not_driven_far_enough_to_open_says_so(outcome_of):
+def test_a_wing_with_too_little_torque_to_open_is_reported(outcome_of):
     outcome = outcome_of({"protocol.unfold_torque": "1 N cm"})
     assert (outcome.holds["folded"], outcome.holds["opened"], outcome.status) == (True, False, "did not open")
     # statics need 25.7 N cm, beyond ten times what the protocol sets
-    assert outcome.advice == "Growing slowly, no torque up to 10 N cm makes it open."
+    assert outcome.advice == "No slowly growing torque up to 10 N cm makes it open."
 
 
-def test_a_diverged_run_is_data(outcome_of):
+def test_a_diverged_run_returns_an_outcome(outcome_of):
     outcome = outcome_of({"protocol.timestep": "5 ms"})
     assert outcome.status.startswith("diverged at t = ")
     assert "protocol.timestep" in outcome.advice
@@ -102,7 +102,7 @@ def test_a_diverged_run_is_data(outcome_of):
     assert not outcome.holds["opened"]
 
 
-def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path, monkeypatch, capfd):
+def test_a_diverged_run_writes_no_log_file(tmp_path, monkeypatch, capfd):
     monkeypatch.chdir(tmp_path)
     design = ff.load_design("binder2025", {"protocol.timestep": "5 ms"})
     assert ff.run(design, confirm=False).diverged_at > 0
@@ -113,7 +113,7 @@ def test_a_diverged_run_leaves_no_log_in_the_working_folder(tmp_path, monkeypatc
 @pytest.mark.parametrize(
     ("units", "sector_angle", "timestep"), [(2, "20 deg", "0.1 ms"), (2, "20 deg", "0.2 ms"), (3, "15 deg", "0.2 ms")]
 )
-def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_angle, timestep):
+def test_fans_of_more_units_fold_and_open_under_a_held_torque(units, sector_angle, timestep):
     """100 N cm either way, held for 0.3 s; let go at once, hinges swing back by more than the 30 deg that count."""
     design = fan(
         units,
@@ -125,7 +125,7 @@ def test_fans_of_more_units_fold_and_open_when_the_torque_is_held(units, sector_
     assert outcome.states["folded"].readings["distal_angle"].mean.shape == (2 * units + 1,)
 
 
-def test_a_fan_of_five_units_folds_under_100_newton_centimetres_at_the_timestep_that_is_chosen():
+def test_a_fan_of_five_units_folds_under_100_newton_centimetres_at_the_automatic_timestep():
     """It folds under the torque; whether all eleven hinges stay beyond 150 deg when let go is another matter."""
     design = with_timestep(fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "auto"}))
     assert timestep_warnings(design) == []
@@ -144,13 +144,13 @@ def test_a_fan_of_five_units_folds_under_100_newton_centimetres_at_the_timestep_
     ],
     ids=["reference", "stiff tendons", "five veins", "seven veins of 5 MPa"],
 )
-def test_the_timestep_that_is_chosen_does_not_diverge(values):
+def test_runs_at_the_automatic_timestep_do_not_diverge(values):
     design = with_timestep(ff.load_design("binder2025", {**values, "protocol.timestep": "auto"}))
     assert timestep_warnings(design) == []
     assert ff.run(design, confirm=False).diverged_at is None
 
 
-def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
+def test_a_wing_is_stable_just_below_the_longest_timestep_and_diverges_well_above_it(reference, monkeypatch):
     # of numbers that grow without end: how far a hinge runs into its stop is another matter, and of accuracy
     monkeypatch.setattr("forficula.dynamics.stepping.stage_plan._FAR", math.inf)
     longest = stable_timestep(reference)
@@ -161,7 +161,7 @@ def test_a_wing_stays_sound_just_below_the_longest_timestep_and_diverges_well_ab
     assert diverged.diverged_at is not None
 
 
-def test_a_timestep_too_long_is_warned_of(reference):
+def test_a_too_long_timestep_gives_a_warning(reference):
     assert timestep_warnings(reference) == []
     (warning,) = timestep_warnings(with_values(reference, {"protocol.timestep": 5e-3}))
     assert "5 ms is too long" in warning
@@ -174,7 +174,7 @@ def test_a_timestep_too_long_is_warned_of(reference):
     modulus=st.floats(1e4, 1e7),
     thickness=st.floats(1e-5, 1e-3),
 )
-def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_volume(
+def test_a_stretched_strip_stores_half_of_modulus_times_strain_squared_times_volume(
     agree, length, width, strain, modulus, thickness
 ):
     corners = np.array([[0, 0, 0], [length, 0, 0], [0, width, 0], [length, width, 0]])
@@ -197,7 +197,7 @@ def test_a_strip_pulled_along_holds_half_of_modulus_times_strain_squared_times_v
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3])
 @settings(max_examples=10, deadline=None)
 @given(seed=st.integers(0, 2**32 - 1), bend=st.floats(0.01, 0.5))
-def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(holds, reference, poisson_ratio, seed, bend):
+def test_the_engines_membrane_forces_are_the_gradient_of_its_energy(holds, reference, poisson_ratio, seed, bend):
     slack = {"tendon.stiffness": 0.0, "tendon.damping": 0.0, "membrane.poisson_ratio": poisson_ratio}
     wing = compile_model(with_values(reference, slack))
     data = mujoco.MjData(wing.engine)
@@ -216,7 +216,7 @@ def test_the_engine_pulls_with_the_slope_of_the_membrane_energy(holds, reference
     holds("force apart from the energy's slope", apart, below=1e-5, by="central differences")
 
 
-def test_the_membrane_does_the_work_that_its_energy_gives_up(agree, reference):
+def test_the_work_of_the_membrane_is_the_decrease_of_its_energy(agree, reference):
     """Along a path through bent wings, the integral of the engine's force (Gauss-Legendre) is the energy's fall."""
     wing = compile_model(with_values(reference, {"tendon.stiffness": 0.0, "tendon.damping": 0.0}))
     data = mujoco.MjData(wing.engine)
@@ -233,13 +233,13 @@ def test_the_membrane_does_the_work_that_its_energy_gives_up(agree, reference):
     agree("work of the membrane", work, at(0.0)[0] - at(0.3)[0], by="fall of its energy", rel=1e-9)
 
 
-def test_how_long_the_open_wing_is_held_does_not_change_the_verdict():
+def test_the_holding_time_of_the_open_wing_does_not_change_the_verdict():
     held = ff.load_design("binder2025", {"protocol.stages.3.hold": "0.5 s", "protocol.stages.3.time_limit": "2 s"})
     assert held.protocol.stages[3].hold > held.protocol.window  # longer than what counts as stuck
     assert ff.measure(ff.run(held, confirm=False)).status == "folded and opened"
 
 
-def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
+def test_without_a_release_the_folded_state_is_taken_at_the_moment_of_folding(reference):
     stages = [stage.model_dump() for stage in reference.protocol.stages]
     record = ff.run(with_values(reference, {"protocol.stages": [*stages[:2], *stages[3:]]}), confirm=False)
     outcome = ff.measure(record)
@@ -248,7 +248,9 @@ def test_without_a_release_the_folded_state_is_the_moment_of_folding(reference):
     assert np.all(outcome.states["folded"].readings["distal_angle"].mean <= -reference.protocol.folded_angle)
 
 
-def test_the_wing_folds_the_way_its_crease_pattern_says(reference, reference_run, reference_outcome):
+def test_the_wing_folds_by_the_mountain_and_valley_assignment_of_its_pattern(
+    reference, reference_run, reference_outcome
+):
     """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
     row = np.argmin(np.abs(reference_run.time - reference_outcome.states["folded"].time))
     height = places(reference_run, "ring")[row, :, 2]

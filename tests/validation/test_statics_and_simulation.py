@@ -113,7 +113,7 @@ def pushed(reference):
     ]
 
 
-def test_the_flat_wing_is_pressed_on_its_stops_alike(agree, holds, wings, flat, pushed):
+def test_the_flat_wing_rests_on_its_stops_in_statics_and_simulation(agree, holds, wings, flat, pushed):
     off = []
     for run in pushed:
         row = end_of(run, 0)
@@ -132,7 +132,7 @@ def test_the_flat_wing_is_pressed_on_its_stops_alike(agree, holds, wings, flat, 
     agree("that by the same at half the timestep", off[0] / off[1], 1, by="stops with a time constant", rel=1e-3)
 
 
-def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(agree, holds, wings, flat, pushed):
+def test_the_wing_under_half_its_least_torque_rests_at_the_same_angles_and_energies(agree, holds, wings, flat, pushed):
     static = rest(wings, flat, driven(wings, "fold", 0.0035))
     tendons, membrane = energies(wings, static.position)
     off = []
@@ -148,7 +148,7 @@ def test_the_pushed_wing_rests_at_the_same_angles_with_the_same_energies(agree, 
     agree("that at half the timestep, by it", off[1] / off[0], 1, by="stops with a time constant", rel=1e-3)
 
 
-def test_the_least_fold_torque_is_that_of_a_damped_wing(agree, reference, wings, flat):
+def test_the_least_fold_torque_of_statics_is_that_of_a_damped_simulation(agree, reference, wings, flat):
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
     at_once = least_at_once(wings, flat, "fold", "folded", 0.5)
     # 1 % each
@@ -159,7 +159,7 @@ def test_the_least_fold_torque_is_that_of_a_damped_wing(agree, reference, wings,
         assert (run.series["kinetic_energy"][-1] < 1e-9) or folds
 
 
-def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_wing_stays_partly_folded(
+def test_the_least_opening_torque_is_that_of_a_damped_simulation_and_below_it_the_wing_stays_partly_folded(
     agree, reference, wings
 ):
     fold = stage("fold", "fold", "folded", 60.0)
@@ -196,7 +196,7 @@ def test_the_least_torque_that_opens_is_that_of_a_damped_wing_and_below_it_the_w
 
 
 @pytest.mark.parametrize("stiffness", ["rigid", 0.1])
-def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(agree, stiffness):
+def test_the_least_torque_of_one_motor_on_coupled_veins_is_that_of_a_damped_simulation(agree, stiffness):
     """The motor turns one vein, and what ties the veins takes the others along."""
     coupled = with_values(load_design("binder2025-coupled"), {"coupling.stiffness": stiffness})
     wings = ensemble_of([with_values(coupled, {"protocol.folded_angle": FOLDED})])
@@ -215,7 +215,7 @@ def test_the_least_torque_of_one_motor_on_tied_veins_is_that_of_a_damped_wing(ag
             agree("angles below it", ours, theirs, unit="deg", by="statics", abs=1)
 
 
-def test_two_ring_folds_that_a_torque_holds_partly_folded_rest_as_the_statics_say(agree):
+def test_two_ring_folds_held_partly_folded_by_a_torque_rest_as_in_statics(agree):
     """A torque that grows within 15 s leaves them so; one that grows within 100 s folds them with 0.6 N cm."""
     thick = with_values(load_design("binder2025-thick"), {"protocol.contact": False, "protocol.rise": 15.0})
     wings = ensemble_of([with_values(thick, {"protocol.folded_angle": FOLDED})])

@@ -41,7 +41,7 @@ def others(reference):
     return [with_values(reference, each) for each in values]
 
 
-def test_the_image_in_the_plane_of_the_wing_moves_alike(agree, reference, reference_run):
+def test_the_mirror_image_of_the_wing_has_the_mirrored_motion(agree, reference, reference_run):
     image = simulate([mirrored(reference)])[0]
     assert image.data.sizes == reference_run.data.sizes
     signs = {"ring": 1, "turn": 1, "sweep": 1, "lift": -1}  # angles in the hinges' own senses
@@ -54,7 +54,7 @@ def test_the_image_in_the_plane_of_the_wing_moves_alike(agree, reference, refere
     agree("places of points", places, known, unit="m", by="the image in its plane", abs=1e-9)
 
 
-def test_gravity_tells_up_from_down(holds, reference):
+def test_gravity_breaks_the_mirror_symmetry(holds, reference):
     heavy = with_values(reference, {"protocol.gravity": 9.81})
     up, down = (simulate([wing])[0].angles("ring") for wing in (compile_model(heavy), mirrored(heavy)))
     rows = min(len(up), len(down))
@@ -62,8 +62,8 @@ def test_gravity_tells_up_from_down(holds, reference):
     holds("angles under gravity, apart from those of the image", apart, above=1, unit="deg")
 
 
-def test_the_other_tangent_is_another_mechanism(holds, reference, reference_outcome):
-    """The sense in which the veins turn matters (docs/model/theory.md, section "Fan pattern")."""
+def test_the_opposite_turning_sense_of_the_veins_is_another_mechanism(holds, reference, reference_outcome):
+    """The sense in which the veins turn matters (docs/model/theory.md, section Fan pattern)."""
     left = ff.measure(ff.run(with_values(reference, {"pattern.tangent": "left"}), confirm=False))
     assert reference_outcome.holds["folded"]
     angles = [each.states["folded"].readings["distal_angle"].mean for each in (left, reference_outcome)]
@@ -71,12 +71,12 @@ def test_the_other_tangent_is_another_mechanism(holds, reference, reference_outc
     holds("folded angles, apart from those of the other tangent", apart, above=5, unit="deg")
 
 
-def test_a_run_gives_the_same_bits_twice(reference, reference_run):
+def test_a_repeated_run_gives_the_same_bits(reference, reference_run):
     assert_same_bits(ff.run(reference, confirm=False), reference_run)
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_a_run_gives_the_same_bits_on_any_number_of_threads_and_beside_other_wings(
+def test_a_run_gives_the_same_bits_with_any_number_of_threads_and_with_other_wings(
     reference, reference_run, others, threads
 ):
     wings = [compile_model(design) for design in (others[0], reference, others[1])]
@@ -86,7 +86,7 @@ def test_a_run_gives_the_same_bits_on_any_number_of_threads_and_beside_other_win
     assert_same_bits(together[2], ff.run(others[1], confirm=False))
 
 
-def test_a_wing_that_diverges_does_not_touch_those_beside_it(reference, reference_run):
+def test_a_diverging_wing_does_not_affect_wings_simulated_with_it(reference, reference_run):
     diverging = with_values(reference, {"protocol.timestep": 5e-3})
     records = simulate([compile_model(design) for design in (diverging, reference)])
     assert records[0].diverged_at is not None
@@ -103,7 +103,7 @@ def test_a_saved_design_gives_the_same_bits(reference, tmp_path):
     assert_same_bits(ff.run(again, confirm=False), ff.run(design, confirm=False))
 
 
-def test_how_often_the_record_is_sampled_changes_nothing(reference, reference_run):
+def test_the_sample_interval_of_the_record_changes_nothing(reference, reference_run):
     seldom = ff.run(with_values(reference, {"protocol.sample_interval": 0.01}), confirm=False)
     assert seldom.stages == reference_run.stages
     for name in seldom.data:

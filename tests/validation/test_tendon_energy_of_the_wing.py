@@ -51,7 +51,7 @@ def settled(reference, values):
     ]
 
 
-def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(reference_run, agree):
+def test_tendon_lengths_and_energies_follow_from_the_angles_during_the_whole_reference_run(reference_run, agree):
     data, design = reference_run.data, reference_run.design
     angles = reference_run.angles("ring")
     assert np.degrees(angles).min() < -170
@@ -69,7 +69,7 @@ def test_length_and_energy_are_those_of_the_angles_all_along_the_reference(refer
     agree("energy of the tendons", data["tendon_energy"].values, energy, unit="J", by="k (L - l₀)² / 2", abs=1e-12)
 
 
-def test_flat_opened_and_folded_hold_the_energy_of_their_angles(agree, reference_run, reference_outcome):
+def test_the_flat_opened_and_folded_states_have_the_energies_of_their_angles(agree, reference_run, reference_outcome):
     for state in reference_outcome.states.values():
         # a state is a mean over its window, and a mean of energies is not the energy of a mean: second order in a swing
         # of up to 0.1 deg
@@ -81,7 +81,7 @@ def test_flat_opened_and_folded_hold_the_energy_of_their_angles(agree, reference
 
 @settings(max_examples=6, deadline=None)
 @given(hub=st.floats(0, 0.04), sector=st.floats(15, 30), before=st.floats(0.02, 0.12), beyond=st.floats(0.02, 0.1))
-def test_the_length_follows_the_geometry_in_other_fans(agree, reference, hub, sector, before, beyond):
+def test_tendon_lengths_follow_from_the_geometry_in_other_fans(agree, reference, hub, sector, before, beyond):
     geometry = {
         "pattern.hub_radius": hub,
         "pattern.sector_angle": math.radians(sector),
@@ -108,12 +108,12 @@ def test_open_tendons_are_about_11_cm_long(reference_outcome, agree):
     agree("length of the flat wing's tendons", 100 * length, 11, unit="cm", by="the paper, about", abs=0.5)
 
 
-def test_the_stiff_and_short_tendon_holds_more_than_35_joules(holds, reference):
+def test_the_stiffest_tendon_without_resting_length_stores_more_than_35_joules(holds, reference):
     flat = settled(reference, {"tendon.stiffness": 6000.0, "tendon.rest_length": 0.0})
     holds("energy of a tendon, 60 N/cm, resting length 0", flat.tendon_energy, above=35, unit="J", by="the paper")
 
 
-def test_the_softest_tendon_without_resting_length_holds_about_6_joules(reference, agree):
+def test_the_softest_tendon_without_resting_length_stores_about_6_joules(reference, agree):
     flat = settled(reference, {"tendon.stiffness": 1000.0, "tendon.rest_length": 0.0})
     # "about": to the joule
     agree(
@@ -121,7 +121,7 @@ def test_the_softest_tendon_without_resting_length_holds_about_6_joules(referenc
     )
 
 
-def test_with_equal_attachments_a_folded_tendon_without_resting_length_holds_little(holds, reference):
+def test_with_equal_attachments_a_folded_tendon_without_resting_length_stores_little_energy(holds, reference):
     flat, folded = tendon_energy(with_values(reference, {"tendon.rest_length": 0.0}), [0.0, -math.pi])
     # the crease is not square to the vein: the ends pass each other at a distance, by twice the crease's slant,
     # (2 sin(theta / 2))^2 of the square of the length where epsilon is small

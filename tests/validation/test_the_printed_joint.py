@@ -56,7 +56,7 @@ def joint_run():
     return ff.run(JOINT, confirm=False)
 
 
-def test_its_hinge_has_the_energy_and_the_moment_of_the_closed_form_at_every_angle(agree):
+def test_the_hinge_of_the_joint_has_the_energy_and_moment_of_the_closed_form_at_every_angle(agree):
     (hinge,) = tendon_hinges(structure_of(JOINT))
     angles = np.radians(np.linspace(-180, 3, 184))
     over = ("hinge angle (deg)", np.degrees(angles))
@@ -65,7 +65,7 @@ def test_its_hinge_has_the_energy_and_the_moment_of_the_closed_form_at_every_ang
     agree("moment about the hinge", hinge.moment(angles), moment(angles), by=BY, unit="N m", abs=1e-13, over=over)
 
 
-def test_its_landscape_has_the_barrier_and_the_holding_torque_of_the_closed_form(agree):
+def test_the_landscape_of_the_joint_has_the_barrier_and_holding_torque_of_the_closed_form(agree):
     surveyed = ff.landscape(JOINT)
     (hinge,) = surveyed.tendons
     agree("angle of the barrier", hinge.barrier_angle, -DELTA, by=BY, unit="rad", abs=1e-9)
@@ -80,7 +80,7 @@ def test_its_landscape_has_the_barrier_and_the_holding_torque_of_the_closed_form
     assert [(rest.name, rest.stable) for rest in surveyed.rests[:2]] == [("flat", True), ("folded", True)]
 
 
-def test_pushed_over_its_barrier_it_folds_by_itself_and_stays_and_opens_again(joint_run, agree):
+def test_pushed_over_its_barrier_the_joint_folds_by_itself_stays_folded_and_reopens(joint_run, agree):
     outcome = ff.measure(joint_run)
     assert outcome.verdict == "reached"
     assert outcome.energy_balance.residual < 1e-4
@@ -104,7 +104,7 @@ def test_pushed_over_its_barrier_it_folds_by_itself_and_stays_and_opens_again(jo
         ("unfold", np.arange(36.0, 38.1, 0.2), -float(np.min(moment(np.linspace(-2, 0, 2001))))),
     ],
 )
-def test_the_least_torque_that_moves_it_in_runs_is_that_of_statics(agree, key, torques, closed):
+def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, torques, closed):
     """Torques that come slowly: a run of every one, up to the first that gets there."""
 
     def stage(drive, until, time_limit):
@@ -126,7 +126,7 @@ def test_the_least_torque_that_moves_it_in_runs_is_that_of_statics(agree, key, t
     agree(f"least torque of runs, {key}", least, closed, by="statics", unit="N m", abs=step / 100)
 
 
-def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
+def test_the_joint_simulated_with_its_printed_parts_is_bistable_with_the_numbers_of_the_readme():
     made = as_made(ff.make_parts(JOINT, "joint"))
     outcome = ff.measure(ff.run(made, confirm=False))
     assert outcome.status == "folded and opened"

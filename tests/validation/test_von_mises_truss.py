@@ -44,7 +44,7 @@ def limit(height):
 
 @settings(deadline=None, max_examples=8)
 @given(st.floats(0.05, 1.5))
-def test_a_force_leads_along_the_closed_form_through_both_limits(agree, height):
+def test_the_load_path_under_a_force_follows_the_closed_form_through_both_limits(agree, height):
     net = von_mises(height)
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=height / 10, increments=26)
     z = np.array([point.shape.positions[1, 2] for point in path.points])
@@ -62,7 +62,7 @@ def test_a_force_leads_along_the_closed_form_through_both_limits(agree, height):
 
 @pytest.mark.parametrize("height", [0.003, 0.01, 0.02, 0.05])
 @pytest.mark.parametrize("step", [0.02, 0.08])
-def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_step_over(agree, height, step):
+def test_the_limit_of_a_shallow_truss_is_found_although_an_increment_could_step_over_it(agree, height, step):
     net = von_mises(height)
     path = load_path(net, built_shape(net), point_forces(net, APEX, DOWN), step=step, increments=20, events=1)
     assert [event.kind for event in path.events] == ["limit"]
@@ -70,7 +70,7 @@ def test_a_shallow_truss_collapses_at_its_limit_whose_snap_an_increment_would_st
     agree("limit load", found, known, unit="N", by="von Mises 1923", rel=1e-6)
 
 
-def test_a_displacement_leads_through_without_a_limit(agree):
+def test_the_path_under_a_displacement_has_no_limit(agree):
     net = von_mises(0.3, held=[1])
     move = np.zeros((3, 3))
     move[1] = DOWN
@@ -89,7 +89,7 @@ def test_a_displacement_leads_through_without_a_limit(agree):
     )
 
 
-def test_a_soft_spring_in_series_snaps_back_under_displacement(agree):
+def test_with_a_soft_spring_in_series_the_truss_snaps_back_under_displacement(agree):
     height, soft = 0.3, 30.0
     nodes = [[-HALF, 0, 0], [0, 0, height], [HALF, 0, 0], [0, 0, 2.0]]
     net = truss(nodes, [[0, 1], [1, 2], [1, 3]], stiffness=[STIFFNESS, STIFFNESS, soft], held=[0, 2, 3, (1, 0), (1, 1)])
@@ -113,7 +113,7 @@ def test_a_soft_spring_in_series_snaps_back_under_displacement(agree):
         agree("displacement at which it turns", event.point.factor, driven(turn), unit="m", by=by, rel=1e-8)
 
 
-def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner(agree):
+def test_the_path_has_a_corner_where_a_tendon_goes_slack(agree):
     # it pulls the apex down as far as 0.1 m, and keeps it from snapping until then
     slack, pull = 0.1, 400.0
     nodes = [[-HALF, 0, 0], [0, 0, 0.3], [HALF, 0, 0], [0, 0, -1]]
@@ -132,7 +132,7 @@ def test_a_tendon_that_goes_slack_turns_the_path_at_a_corner(agree):
     agree("force at the corner", path.events[0].point.factor, force(0.3, slack), unit="N", by=by, rel=1e-3)
 
 
-def test_a_tall_truss_leaves_sideways_first(agree):
+def test_a_tall_truss_buckles_sideways_first(agree):
     # the sideways stiffness 1 - L0 z^2 / L^3 falls to 0 above the limit where L0 > 3 sqrt(3) / 2 of the half span
     height = 2.6
     net = von_mises(height)
@@ -151,7 +151,7 @@ def test_a_tall_truss_leaves_sideways_first(agree):
             event.point.shape,
             point_forces(net, APEX, DOWN),
             factor=event.point.factor,
-            way=sense * event.mode,
+            direction=sense * event.mode,
             increments=20,
         )
         for point in aside.points[1:]:
@@ -163,7 +163,7 @@ def test_a_tall_truss_leaves_sideways_first(agree):
             assert sum(pulls) * z == pytest.approx(point.factor, abs=1e-8)
 
 
-def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars(agree):
+def test_the_saddle_between_both_states_has_straight_bars(agree):
     net = von_mises(0.3)
     found = find_stable_states(net, [built_shape(net)], tries=10)
     heights = sorted(state.shape.positions[1, 2] for state in found.states)
@@ -175,7 +175,7 @@ def test_two_states_lie_on_either_side_of_the_saddle_of_straight_bars(agree):
     agree("barrier of a truss of two bars", saddle.barriers, barrier, unit="J", by="straight bars", rel=1e-9)
 
 
-def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration(agree):
+def test_the_truss_collapses_at_the_same_limit_under_force_and_acceleration(agree):
     net = replace(von_mises(0.3), masses=np.array([1.0, 0.2, 1.0]))
     rest = minimum(net, built_shape(net))
     pushed = collapse(net, rest, point_forces(net, APEX, DOWN))
@@ -186,7 +186,7 @@ def test_it_collapses_at_the_limit_under_a_force_or_an_acceleration(agree):
     assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
 
 
-def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_force(agree):
+def test_the_truss_snaps_from_its_limit_to_the_inverted_shape_under_the_same_force(agree):
     net = von_mises(0.3)
     state = minimum(net, built_shape(net))
     lost = collapse(net, state, point_forces(net, APEX, DOWN))
@@ -200,7 +200,7 @@ def test_from_the_limit_it_snaps_to_where_the_inverted_truss_bears_the_same_forc
         snapped(net, held)
 
 
-def test_its_apex_vibrates_as_its_stiffness_says(agree):
+def test_the_frequency_of_the_apex_follows_from_its_stiffness(agree):
     net = von_mises(0.3)
     modes = natural_modes(net, built_shape(net))
     squares = 2 * STIFFNESS * np.array([0.3**2, HALF**2]) / (0.3**2 + HALF**2)

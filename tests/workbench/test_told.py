@@ -49,7 +49,7 @@ def test_a_design_says_what_it_is_and_each_section_what_it_holds():
 
 def test_a_structure_that_the_engine_of_pages_would_move_otherwise_is_told_with_the_reason_and_shown():
     told = model_told(Asked(design="bistable-miura"), LETTER)
-    assert told["live"] == {"refused": "its creases are no joints, which engines before MuJoCo 4.0 do not take"}
+    assert told["live"] == {"refused": "its creases are not joints, which engines before MuJoCo 4.0 do not support"}
     assert told["bench"]["clips"][0]["pointCount"] == 9
 
 

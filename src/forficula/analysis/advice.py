@@ -1,7 +1,7 @@
-"""What to try with a design whose run missed its goal: changes of values, each kind tested over failing designs.
+"""Advice for a design whose run missed its goal: changes of values, each kind tested on failing designs.
 
-A kind of advice is given only if it helps at least 90 % of random failing designs, see `benchmarks/advice.py`: the run
-then reaches its goals, its margin grows, or it says something of the structure where it said nothing before.
+A kind of advice is given only if it helps at least 90 % of random failing designs (`benchmarks/advice.py`). It helps if
+the run then reaches its goals, if its margin grows, or if a run without a conclusive verdict gets one.
 """
 
 from __future__ import annotations
@@ -29,30 +29,30 @@ from forficula.structure import (
     structure_of,
 )
 
-# [chosen] how many times the allowed residual tells nothing of the timestep that would do
+# [chosen] a residual above this many times the allowed one does not predict a sufficient timestep
 _FAR_OFF = 20
 AUTO = 'protocol.timestep = "auto" chooses one'
 SHORTER_STEP = f"Take a shorter timestep: {AUTO}."
-# [chosen] by how much a time limit, and a hold before a release, are raised
+# [chosen] factors by which a time limit, and a hold before a release, are raised
 _LONGER, _HELD = 4.0, 10.0
-# [chosen] how much more than the least slowly growing torque is advised
+# [chosen] advised torque divided by the least slowly growing torque
 _SURELY = 1.2
-# [chosen] what is tried of a tendon's stiffness where no torque does
+# [chosen] factors on the tendons' stiffness that are tried where no torque is sufficient
 _SOFTER = (0.5, 0.25, 0.125)
-# [chosen] by the size of the whole: a distance that changes by less over a window has not moved
+# [chosen] share of the structure's size: a distance that changes by less over a window has not moved
 _MOVED_SHARE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class Advice:
-    """What to try, or what is known of a failure that no tested advice mends.
+    """What to change in a design after a failed run, or a remark on a failure for which no tested advice exists.
 
     Attributes:
-        kind: of the advice, as the table of `benchmarks/advice.py` lists it; empty of a remark.
-        text: one sentence or two.
-        values: to replace, by the key that `--set` and a design file take, SI; empty of a remark.
-        least_torque: the least slowly growing one that moves what is stuck, N m, nan where none does; None where
-            statics were not asked.
+        kind: kind of the advice, as listed in the table of `benchmarks/advice.py`; empty for a remark.
+        text: one or two sentences.
+        values: new values, SI, by the key that `--set` and a design file use; empty for a remark.
+        least_torque: least slowly growing torque that moves the stuck structure, N m; nan where no torque does; None
+            where statics did not compute it.
     """
 
     text: str
@@ -66,14 +66,14 @@ _EDGE = Advice(text="The design is at a boundary, where the smallest change deci
 
 
 def edge_advice() -> Advice:
-    """Return what is known of a design whose outcome depends on the computation."""
+    """Return the remark on a design whose outcome depends on details of the computation."""
     return _EDGE
 
 
 def run_advice(record: Record, ending: Ending) -> Advice:
-    """What to try with the design of a run; without a text where it reached its goals, or nothing is known to help.
+    """Return what to change in the design of a run; its text is empty if the goals were reached or nothing helps.
 
-    Statics are asked where a torque did not move the structure, which takes up to seconds.
+    Where a torque did not move the structure, a static computation of up to a few seconds finds the least torque.
     """
     design, transition = record.design, ending.transition
     match ending.verdict:
@@ -86,7 +86,7 @@ def run_advice(record: Record, ending: Ending) -> Advice:
         case Verdict.MOVING if transition is not None and transition.stage is not None:
             return _more_time(record, ending, transition)
         case Verdict.NOT_HELD if ending.why:
-            return Advice(text="Take a goal that only its drive brings about.")
+            return Advice(text="Choose a goal that is not met before its drive acts.")
         case Verdict.NOT_HELD if transition is not None and isinstance(design, FanDesign | JointDesign):
             return _longer_hold(record, transition)
         case Verdict.STUCK if transition is not None:
@@ -96,30 +96,32 @@ def run_advice(record: Record, ending: Ending) -> Advice:
 
 
 def _more_time(record: Record, ending: Ending, transition: Transition) -> Advice:
-    """More time for a stage that a run ended on its way to the goal."""
+    """Return a longer time limit for a stage that ended while the structure still approached its goal."""
     assert transition.stage is not None
     if transition.stage >= len(record.stages):
         return NOTHING
     end = record.stages[transition.stage]
-    if end.goal_time is not None:  # what was missed is rest in a later stage
+    if end.goal_time is not None:  # the run missed the rest of a later stage
         return NOTHING
     stage, key = end.stage, _stage_key(record.design, transition.stage, "time_limit")
     if not (end.at_goal or ending.why or _approaches(record, transition)):
         last = show_value(min(record.design.protocol.window, end.end - end.start), "s")
         return Advice(
-            text=f'In the last {last} of the stage "{stage.name}" it came no nearer to its goal than what rests does.'
+            text=f'In the last {last} of the stage "{stage.name}" it approached its goal no faster than a structure'
+            " at rest."
         )
     rises = [drive.rise for drive in record.structure.drives if drive.name in (transition.drive, *stage_drives(stage))]
     limit = _rounded(max(_LONGER * stage.time_limit, *(rise + stage.time_limit for rise in rises)))
     old, new = show_value(stage.time_limit, "s"), show_value(limit, "s")
-    text = f"It is on its way to its goal: raise {key} from {old} to {new}."
+    text = f"It is still approaching its goal: raise {key} from {old} to {new}."
     return Advice(kind="more time", text=text, values={key: limit})
 
 
 def _approaches(record: Record, transition: Transition) -> bool:
-    """Whether what is furthest from a transition's goal came nearer to it at the end of the driven stage.
+    """Return whether the coordinate furthest from a transition's goal approached it at the end of the driven stage.
 
-    Faster, on average over the last window, than what counts as rest: what creeps is not mended by time.
+    Its mean speed over the last window must exceed the speed that counts as rest, because more time does not help a
+    structure that only creeps.
     """
     assert transition.stage is not None
     end = record.stages[transition.stage]
@@ -136,7 +138,10 @@ def _approaches(record: Record, transition: Transition) -> bool:
 
 
 def _longer_hold(record: Record, transition: Transition) -> Advice:
-    """A longer hold under torque of what was lost when released; of plates it helped 4 of 9."""
+    """Return a longer hold under torque for a state that was lost when released.
+
+    It is not advised for sheets, because it helped only 4 of 9 designs with plates.
+    """
     number = transition.stage
     if number is None or number >= len(record.stages) or record.stages[number].goal_time is None:
         return NOTHING
@@ -153,10 +158,10 @@ def _longer_hold(record: Record, transition: Transition) -> Advice:
 
 
 def _stronger(record: Record, transition: Transition) -> Advice:
-    """A stronger drive for what did not move, or softer tendons, where statics say that it would."""
+    """Return a stronger drive, or softer tendons, with which a stuck structure moves according to statics."""
     structure, design = record.structure, record.design
     drive, verb = drive_of(structure, transition.drive), transition.wording.verb
-    unit, own = drive_unit(structure, drive), drive.strength
+    unit, strength = drive_unit(structure, drive), drive.strength
     if not _turned_slowly(structure, transition):
         sheet = isinstance(design, SheetDesign)
         return Advice(text="`forficula pattern` reports whether the sheet can fold at all.") if sheet else NOTHING
@@ -164,45 +169,48 @@ def _stronger(record: Record, transition: Transition) -> Advice:
     if math.isnan(least):
         softer = _softer(design)
         with_softer = _least_torques([with_values(design, each) for each in softer], transition) if softer else []
-        most = show_value(MORE * abs(own), unit)
-        none = f"Growing slowly, no torque up to {most} makes it {verb}."
+        most = show_value(MORE * abs(strength), unit)
+        none = f"No slowly growing torque up to {most} makes it {verb}."
         for values, torque in zip(softer, with_softer, strict=True):
-            if _SURELY * torque <= abs(own):
+            if _SURELY * torque <= abs(strength):
                 stiffness = show_value(values["tendon.stiffness"], "N/m")
-                text = f"{none} With tendon.stiffness = {stiffness} that of the drive does."
+                text = f"{none} With tendon.stiffness = {stiffness} the torque of its drive is enough."
                 return Advice(kind="softer tendons", text=text, values=values, least_torque=least)
         return Advice(text=none, least_torque=least)
-    if least <= abs(own):
+    if least <= abs(strength):
         return Advice(text="", least_torque=least)
-    value = math.copysign(_rounded(_SURELY * least), own)
+    value = math.copysign(_rounded(_SURELY * least), strength)
     text = (
-        f"Raise {drive.key} from {show_value(own, unit)} to {show_value(value, unit)}:"
-        f" growing slowly, {show_value(least, unit, 3)} makes it {verb}."
+        f"Raise {drive.key} from {show_value(strength, unit)} to {show_value(value, unit)}:"
+        f" a slowly growing torque of {show_value(least, unit, 3)} makes it {verb}."
     )
     return Advice(kind="more torque", text=text, values={drive.key: value}, least_torque=least)
 
 
 def _softer(design: Design) -> list[dict[str, float]]:
-    """Values of softer tendons, where all have one stiffness that follows no law; else none."""
+    """Return values of softer tendons; empty unless all tendons have the same stiffness and no material law."""
     tendons = design.tendons if isinstance(design, FanDesign | JointDesign) else ()
     values = {tendon.stiffness for tendon in tendons if tendon is not None and tendon.stiffness is not None}
     if len(values) != 1 or any(tendon is None or tendon.law is not None for tendon in tendons):
         return []
-    (own,) = values
-    return [{"tendon.stiffness": float(f"{share * own:.3g}")} for share in _SOFTER]
+    (stiffness,) = values
+    return [{"tendon.stiffness": float(f"{share * stiffness:.3g}")} for share in _SOFTER]
 
 
 def least_torque(design: Design, structure: Structure, transition: Transition) -> float | None:
-    """The least slowly growing torque that makes a transition, N m, by statics, up to ten times the protocol's.
+    """Compute by statics the least slowly growing torque that makes a transition, N m.
+
+    Torques of up to ten times the protocol's are tried.
 
     Returns:
-        nan where none does; None where it is not torques on a tree of hinges that make it, or hinges have dry friction.
+        nan if no such torque makes it; None if the drive is not a torque, if the hinges do not form a tree, or if
+        hinges have dry friction.
     """
     return _least_torques([design], transition)[0] if _turned_slowly(structure, transition) else None
 
 
 def _turned_slowly(structure: Structure, transition: Transition) -> bool:
-    """Whether statics let torques on a tree of hinges grow slowly to make a transition; they ignore dry friction."""
+    """Return whether statics can compute the least torque of a transition: torques on a tree without dry friction."""
     drive = drive_of(structure, transition.drive)
     if any(hinge.friction for hinge in structure.hinges):
         return False
@@ -210,18 +218,18 @@ def _turned_slowly(structure: Structure, transition: Transition) -> bool:
 
 
 def _least_torques(designs: Sequence[Design], transition: Transition) -> list[float]:
-    """The least slowly growing torques of designs that differ in their tendons only, N m; nan where none does."""
+    """Compute the least slowly growing torques of designs that differ only in their tendons, N m; nan if none works."""
     names = [each.name for each in structure_of(designs[0]).transitions]
     return [float(each) for each in least_slow_torques(designs, [transition.name])[names.index(transition.name)]]
 
 
 def _shorter_step(ending: Ending, design: Design) -> Advice:
-    """The timestep that would do: what is missing falls with it at least in proportion."""
+    """Return a sufficient timestep, assuming that the missing energy is at least proportional to the timestep."""
     limit, timestep = design.protocol.residual_limit, design.protocol.timestep
     auto = Advice(kind="timestep auto", text=SHORTER_STEP, values={"protocol.timestep": "auto"})
     if ending.verdict is Verdict.DIVERGED or ending.why:
         return auto
-    allowed = f"{100 * limit:.3g} % are allowed (protocol.residual_limit)"
+    allowed = f"a residual of {100 * limit:.3g} % is allowed (protocol.residual_limit)"
     if ending.residual is None or not ending.residual <= _FAR_OFF * limit or not isinstance(timestep, float):
         return Advice(kind=auto.kind, text=f"Take a shorter timestep: {allowed}; {AUTO}.", values=auto.values)
     needed = timestep * limit / ending.residual
@@ -233,14 +241,14 @@ def _shorter_step(ending: Ending, design: Design) -> Advice:
 
 
 def _stage_key(design: Design, number: int, name: str) -> str:
-    """The key of a stage's value: by the stage's name where it is the only one and can be typed, else by its number."""
+    """Return the key of a stage's value: with the stage's name if it is unique and easy to type, else its number."""
     names = [stage.name for stage in design.protocol.stages]
-    own = names[number]
-    plain = own.replace("_", "").replace("-", "").isalnum() and not own.isdigit() and names.count(own) == 1
-    return f"protocol.stages.{own if plain else number}.{name}"
+    stage = names[number]
+    plain = stage.replace("_", "").replace("-", "").isalnum() and not stage.isdigit() and names.count(stage) == 1
+    return f"protocol.stages.{stage if plain else number}.{name}"
 
 
 def _rounded(value: float) -> float:
-    """A value rounded up to two digits."""
+    """Return a value rounded up to two digits."""
     digit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return float(f"{math.ceil(value / digit * (1 - 1e-9)) * digit:.2g}")

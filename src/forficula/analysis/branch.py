@@ -1,4 +1,4 @@
-"""Which of the many ways out of its flat state a sheet took, and what decided it."""
+"""Which of the possible branches a sheet followed out of its flat state, and what decided between them."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from forficula.pattern.crease_pattern import is_unfolded
 from forficula.structure import Structure, drive_of
 from forficula.structure.sheets.facets import BEND
 
-# rad; less is flat: as built, and in the end
+# rad; largest angle that counts as flat: as built, and at the end
 _FLAT_AS_BUILT, _FLAT = 1e-9, math.radians(1.0)
 _ROUNDING = "rounding alone"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Branch:
-    """The way that a sheet took out of its flat state.
+    """The branch that a sheet followed out of its flat state.
 
     Attributes:
-        as_assigned: how many creases are folded the way that they are assigned in the end.
-        against: how many the other way.
-        flat: how many less than 1 deg.
-        decided_by: what made it leave the flat state this way.
+        as_assigned: number of creases that end folded in the direction of their assignment.
+        against: number of creases that end folded against their assignment.
+        flat: number of creases that end folded by less than 1 deg.
+        decided_by: what selected this branch.
     """
 
     as_assigned: int
@@ -36,10 +36,10 @@ class Branch:
 
 
 def branch_taken(record: Record) -> Branch | None:
-    """Which way a sheet took; None of one that is not built flat, or whose creases are joints.
+    """Return the branch that a sheet followed; None if it is not drawn flat, or if its creases are joints.
 
-    What is drawn flat counts as flat, however it is built beside that. Angles of creases count positive the way that
-    they are assigned; one that is not assigned counts as a valley.
+    A sheet that is drawn flat counts as flat, even if it is built slightly out of the plane. Angles of creases are
+    positive in the direction of their assignment; an unassigned crease counts as a valley.
     """
     structure = record.structure
     creases = [number for number, hinge in enumerate(structure.hinges) if hinge.flaps and hinge.role != BEND]
@@ -56,33 +56,33 @@ def branch_taken(record: Record) -> Branch | None:
 
 
 def branch_text(branch: Branch) -> str:
-    """The way that was taken, as a sentence without an end."""
+    """Return the branch that was followed, as a clause."""
     every = branch.as_assigned + branch.against + branch.flat
-    other = [f"{count} {how}" for count, how in ((branch.against, "the other way"), (branch.flat, "flat")) if count]
-    told = ", ".join([f"{branch.as_assigned} of {every} creases folded as assigned", *other])
+    other = [f"{count} {how}" for count, how in ((branch.against, "opposite"), (branch.flat, "flat")) if count]
+    counts = ", ".join([f"{branch.as_assigned} of {every} creases folded as assigned", *other])
     by = " and ".join(branch.decided_by)
-    hint = ": give imperfection.size and seed to choose" if branch.decided_by == (_ROUNDING,) else ""
-    return f"out of the flat state {told}; decided by {by}{hint}"
+    hint = ": set imperfection.size and imperfection.seed to choose" if branch.decided_by == (_ROUNDING,) else ""
+    return f"from the flat state, {counts}; decided by {by}{hint}"
 
 
 def _by_build(structure: Structure, creases: list[int]) -> list[str]:
     rests = [structure.hinges[number] for number in creases]
     slight = _FLAT_AS_BUILT + 2 * max(abs(hinge.start) for hinge in rests)
     bent = any(hinge.stiffness and abs(hinge.rest_angle) > slight for hinge in rests)
-    told = ["the rest angles of the creases"] if bent else []
-    beside = structure.imperfection
-    if beside is not None:
-        told.append(f"an imperfection of {1e3 * beside.size:.3g} mm, seed {beside.seed}")
-    return told
+    causes = ["the rest angles of the creases"] if bent else []
+    imperfection = structure.imperfection
+    if imperfection is not None:
+        causes.append(f"an imperfection of {1e3 * imperfection.size:.3g} mm, seed {imperfection.seed}")
+    return causes
 
 
 def _by_drives(record: Record) -> list[str]:
     used = dict.fromkeys(name for end in record.stages for name in stage_drives(end.stage))
     kinds = {"rest-angle": "rest angles", "torque": "torques", "force": "forces"}
-    told = []
+    causes = []
     for name in used:
         drive = drive_of(record.structure, name)
         motors = [motor for motor, share in zip(record.structure.motors, drive.shares, strict=True) if share]
         kind = kinds.get(motors[0].kind, "motion") if motors else "drive"
-        told.append(f'the {kind} of drive "{name}"')
-    return told
+        causes.append(f'the {kind} of drive "{name}"')
+    return causes

@@ -1,4 +1,4 @@
-"""Confirmation of a run: verdict and numbers held against second runs in which only the computation differs."""
+"""Confirmation of a run: comparison of its verdict and numbers with second runs that differ only numerically."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from forficula.serial import Key, Seconds, Written
 
 HALF_STEP = "half the timestep"
 OTHER_START = "a slightly different start"
-# of a value: what differs by more between two timesteps has not settled
+# share of a value; a larger difference between two timesteps means that the value has not converged
 SETTLED_WITHIN = 0.02
 
 Values = Mapping[str, tuple[float, ...]]
@@ -31,9 +31,9 @@ class Confirmation:
 
     Attributes:
         checks: the second runs.
-        agree: whether all of them say the same of the structure as the run, see `same_ending`.
-        uncertainty: numerical uncertainty of times, s, works and energies, J, lengths, m, and readings, rad or m, by
-            name, with as many entries as each has; see `uncertainties`.
+        agree: whether all of them have the same outcome as the run, see `same_ending`.
+        uncertainty: by name, the numerical uncertainty of times, s, works and energies, J, lengths, m, and readings,
+            rad or m, each with the shape of its value; see `uncertainties`.
         unsettled: names of the times and works whose uncertainty exceeds 2 % of the value.
         values: of the run, by name, SI.
         timestep: of the run, s.
@@ -48,8 +48,8 @@ class Confirmation:
 
     def of(self, name: str, place: int = 0) -> float | None:
         """Return the numerical uncertainty of a value, SI; None where the second runs do not have the value."""
-        found = self.uncertainty.get(name)
-        return None if found is None else found[place]
+        uncertainty = self.uncertainty.get(name)
+        return None if uncertainty is None else uncertainty[place]
 
     def of_state(self, state: str, numbers: Callable[[StateValues], ArrayLike]) -> Array | None:
         """Return the numerical uncertainties of numbers that are computed from the values of a state, SI.
@@ -65,12 +65,12 @@ class Confirmation:
         """
         runs = [_values_of(state, values) for values in (self.values, *(check.values for check in self.checks))]
         try:
-            own, *others = (np.asarray(numbers(values), dtype=np.float64) for values in runs)
+            first, *others = (np.asarray(numbers(values), dtype=np.float64) for values in runs)
         except KeyError:
             return None
-        if not others or any(other.shape != own.shape for other in others):
+        if not others or any(other.shape != first.shape for other in others):
             return None
-        return _largest_difference(own, self.timestep, zip(self.checks, others, strict=True))
+        return _largest_difference(first, self.timestep, zip(self.checks, others, strict=True))
 
 
 def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[NumericalCheck]) -> Confirmation:
@@ -83,23 +83,28 @@ def confirm(ending: Ending, values: Values, timestep: float, checks: Sequence[Nu
         checks: the second runs.
     """
     agree = all(same_ending(ending, check) for check in checks)
-    sure = uncertainties(values, timestep, checks)
+    uncertainty = uncertainties(values, timestep, checks)
     unsettled = tuple(
         name
-        for name, each in sure.items()
+        for name, halves in uncertainty.items()
         if name.endswith((".time", ".work"))
-        and any(half > SETTLED_WITHIN * abs(value) for half, value in zip(each, values[name], strict=True))
+        and any(half > SETTLED_WITHIN * abs(value) for half, value in zip(halves, values[name], strict=True))
     )
     return Confirmation(
-        checks=tuple(checks), agree=agree, uncertainty=sure, unsettled=unsettled, values=values, timestep=timestep
+        checks=tuple(checks),
+        agree=agree,
+        uncertainty=uncertainty,
+        unsettled=unsettled,
+        values=values,
+        timestep=timestep,
     )
 
 
 def same_ending(ending: Ending, check: NumericalCheck) -> bool:
-    """Return whether a second run says the same of the structure.
+    """Return whether a second run has the same outcome.
 
-    A run that still moves when its time is over and one that rests by then both fall short of the goal within the time
-    limit; how slowly the last of a creep dies away is no difference between outcomes.
+    A run that still moves at the time limit and one that rests by then count as the same outcome, because both missed
+    the goal within the time limit and may differ only in the decay of a creep.
     """
     return (_outcome_of(ending.verdict), ending.goal) == (_outcome_of(Verdict(check.verdict)), check.goal)
 
@@ -122,34 +127,34 @@ def uncertainties(values: Values, timestep: float, checks: Sequence[NumericalChe
         checks: the second runs; only values that all of them have are compared.
 
     Returns:
-        By name, as long as the values.
+        Uncertainties by name, with the shapes of the values.
     """
     found = {}
-    for name, own in values.items():
-        if not checks or not all(len(check.values.get(name, ())) == len(own) for check in checks):
+    for name, value in values.items():
+        if not checks or not all(len(check.values.get(name, ())) == len(value) for check in checks):
             continue
         others = ((check, np.array(check.values[name])) for check in checks)
         least = timestep if name.endswith(".time") else 0.0
-        found[name] = tuple(_largest_difference(np.array(own), timestep, others, least).tolist())
+        found[name] = tuple(_largest_difference(np.array(value), timestep, others, least).tolist())
     return found
 
 
 def _largest_difference(
-    own: Array, timestep: float, others: Iterable[tuple[NumericalCheck, Array]], least: float = 0.0
+    values: Array, timestep: float, others: Iterable[tuple[NumericalCheck, Array]], least: float = 0.0
 ) -> Array:
     """Return the largest differences between numbers of a run and of second runs, as `uncertainties` weighs them.
 
     Args:
-        own: numbers of the run.
+        values: numbers of the run.
         timestep: of the run, s.
         others: second runs and the same numbers of each.
         least: the smallest difference that is returned.
     """
-    halves = np.full(own.shape, least)
+    halves = np.full(values.shape, least)
     for check, other in others:
         apart = abs(check.timestep - timestep)
         factor = timestep / apart if apart > 1e-9 * timestep else 1.0
-        halves = np.fmax(halves, factor * np.abs(own - other))
+        halves = np.fmax(halves, factor * np.abs(values - other))
     return halves
 
 
@@ -160,7 +165,7 @@ def _values_of(state: str, values: Values) -> dict[str, Array]:
 
 
 def confirmation_text(ending: Ending, confirmation: Confirmation) -> str:
-    """Return what the second runs say of the verdict, as a clause."""
+    """Return the result of the second runs as a clause: that they confirm the verdict, or their own outcomes."""
     names = [f"{'from' if check.name == OTHER_START else 'at'} {check.name}" for check in confirmation.checks]
     if confirmation.agree:
         return f"confirmed {listed(names)}"
@@ -179,7 +184,7 @@ def undecided_text(status: str, timestep: float, ending: Ending, confirmation: C
         status: of the run alone.
         timestep: of the run, s.
         ending: of the run alone.
-        confirmation: of it.
+        confirmation: comparison of the run with its second runs.
     """
     return f"{status} at {show_value(timestep, 's')}, but {confirmation_text(ending, confirmation)}"
 

@@ -1,4 +1,4 @@
-"""Facets that pass through each other, in a run or in one shape, for nothing keeps them from it."""
+"""Facets that pass through each other, in a run or in one shape, because their contact is not modelled."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from forficula.dynamics import Record
 from forficula.pattern.geometry import polygon_normal
 from forficula.structure import Structure, facet_triangles
 
-_ROWS = 400  # of a record that are looked at, evenly
-_TOGETHER = 16  # rows whose boxes are compared at once
-_SWINGS = np.radians(5.0)  # by which what folds flat may swing past 180 deg: springs do not stop it
+_ROWS = 400  # number of evenly spaced rows of a record that are examined
+_TOGETHER = 16  # rows whose bounding boxes are compared at once
+_SWINGS = np.radians(5.0)  # allowed swing of a folded crease past 180 deg, because no stop limits its springs
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,8 +21,8 @@ class CrossingFacets:
     """Two plates, or two facets between points, that pass through each other.
 
     Attributes:
-        names: of the two, by the bodies of plates.
-        time: of the first row that is looked at in which they do, s.
+        names: of both facets; plates have the names of their bodies.
+        time: time of the first examined row in which they cross, s.
     """
 
     names: tuple[str, str]
@@ -34,11 +34,11 @@ class _Pieces:
     """Flat polygons that may cross.
 
     Attributes:
-        corners: points of each, the last one again and again where there are fewer, (piece, corner).
-        half: half its thickness, m, (piece,).
-        owner: number of the plate or facet that it is of, (piece,).
-        names: of these, (owner,).
-        joined: pairs of pieces that a hinge or a side joins, (piece, piece).
+        corners: points of each piece, padded by repeating the last one, (piece, corner).
+        half: half the thickness of each piece, m, (piece,).
+        owner: number of the plate or facet that the piece belongs to, (piece,).
+        names: of plates and facets, (owner,).
+        joined: whether a hinge or a common side joins two pieces, (piece, piece).
     """
 
     corners: Indices
@@ -49,12 +49,12 @@ class _Pieces:
 
 
 def facets_that_cross(record: Record) -> list[CrossingFacets]:
-    """The pairs of facets that pass through each other in a run, in the order in which they begin to.
+    """Find the pairs of facets that pass through each other in a run, in the order in which they first cross.
 
-    Facets that share a crease do where that is folded beyond 180 deg by more than 5 deg.
+    Facets that share a crease cross where the crease is folded beyond 180 deg by more than 5 deg.
 
     Returns:
-        None of a record without places, or of a run that diverged.
+        The pairs; empty for a record without positions of points, and for a run that diverged.
     """
     places = record.series.get("point_position")
     if places is None or record.diverged_at is not None:
@@ -69,7 +69,7 @@ def facets_that_cross(record: Record) -> list[CrossingFacets]:
 
 
 def _turned_through(record: Record) -> list[CrossingFacets]:
-    """The pairs of facets between points that are folded through each other at their own crease."""
+    """Find the pairs of facets between points that are folded through each other at their common crease."""
     angles, structure = record.series.get("hinge_angle"), record.structure
     found: dict[tuple[str, ...], float] = {}
     for number, hinge in enumerate(structure.hinges if angles is not None else ()):
@@ -87,18 +87,18 @@ def _turned_through(record: Record) -> list[CrossingFacets]:
 
 
 def crossing_facets(structure: Structure, places: Array) -> list[tuple[str, str]]:
-    """The names of the pairs of facets that pass through each other, with the points at places, m, (point, 3)."""
+    """Return the names of the pairs of facets that cross, for points at the positions `places`, m, (point, 3)."""
     pieces = _pieces(structure)
     return [(pieces.names[one], pieces.names[other]) for one, other, _ in _first_crossings(pieces, places[None])]
 
 
 def _pieces(structure: Structure) -> _Pieces:
-    """Plates, and the triangles of facets."""
+    """Return all plates, and the triangles of all facets."""
     triangles, numbers = facet_triangles(structure)
     plates, facets = structure.plates, structure.facets
     polygons = [plate.points for plate in plates] + [tuple(corners) for corners in triangles.tolist()]
     most = max(map(len, polygons), default=0)
-    # a last corner again and again adds sides without a length, which cross nothing
+    # a repeated last corner adds sides of zero length, which cross nothing
     corners = [[*points, *[points[-1]] * (most - len(points))] for points in polygons]
     thickness = [plate.thickness for plate in plates] + [facets[number].thickness for number in numbers.tolist()]
     bodies = [structure.bodies[plate.body] for plate in plates]
@@ -122,11 +122,11 @@ def _pieces(structure: Structure) -> _Pieces:
 
 
 def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int]]:
-    """Pairs of owners and the first row, of places, (row, point, 3), in which they cross, in the order of the rows.
+    """Return pairs of owners and the first row in which they cross, ordered by rows; places, (row, point, 3).
 
-    Pieces cross where both have corners on either side of the other's plane, by more than half its thickness, and the
-    lengths that they cut out of the line in which these planes meet overlap by more than that. So pieces that touch
-    along a side or at a corner, or lie on one another, do not count.
+    Two pieces cross if each has corners on both sides of the other's plane, further away than half its thickness, and
+    if the segments that they cut out of the line of intersection of both planes overlap by more than that. Pieces that
+    touch along a side or at a corner, or that lie on one another, therefore do not count.
     """
     found: dict[tuple[int, int], int] = {}
     for first in range(0, len(places) if len(pieces.corners) > 1 else 0, _TOGETHER):
@@ -143,9 +143,9 @@ def _first_crossings(pieces: _Pieces, places: Array) -> list[tuple[int, int, int
 
 
 def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
-    """Pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
+    """Return pairs of pieces, (2, case), and rows, (case,), whose boxes overlap; corners, (piece, row, corner, 3)."""
     low, high = corners.min(axis=2), corners.max(axis=2)
-    # first by the boxes of all rows together
+    # first compare the boxes over all rows
     least, most = low.min(axis=1), high.max(axis=1)
     near = np.triu(~pieces.joined, 1)
     for axis in range(3):
@@ -156,8 +156,14 @@ def _near(pieces: _Pieces, corners: Array) -> tuple[Indices, Indices]:
 
 
 def _cross(corners: Array, normals: Array, half: Array) -> Flags:
-    """Whether two facets cross, (case,), by corners, (2, case, corner, 3), normals and half thicknesses, (2, case)."""
-    # over the other's plane
+    """Return whether two facets cross, (case,).
+
+    Args:
+        corners: of both facets, (2, case, corner, 3).
+        normals: of both facets, (2, case, 3).
+        half: half their thicknesses, (2, case).
+    """
+    # height over the plane of the other facet
     height = np.einsum("pckx,pcx->pck", corners - corners[::-1, :, :1], normals[::-1])
     deep = half[::-1, :, None]
     crosses = np.asarray(((height > deep).any(axis=2) & (height < -deep).any(axis=2)).all(axis=0))
@@ -168,7 +174,7 @@ def _cross(corners: Array, normals: Array, half: Array) -> Flags:
     after, next_place = (np.roll(each, -1, axis=2) for each in (height, place))
     cut = (height >= 0) != (after >= 0)
     share = np.divide(height, height - after, out=np.zeros_like(height), where=cut)
-    # a line goes into a polygon at every other side that it cuts; nan, of the others, overlaps nothing
+    # a line enters a polygon at every other side that it cuts; nan, for sides that are not cut, overlaps nothing
     cuts = np.sort(np.where(cut, place + share * (next_place - place), np.nan), axis=2)
     start, end = cuts[:, :, :-1:2], cuts[:, :, 1::2]
     overlap = np.minimum(end[0, :, :, None], end[1, :, None]) - np.maximum(start[0, :, :, None], start[1, :, None])

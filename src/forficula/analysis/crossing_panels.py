@@ -1,4 +1,4 @@
-"""How far panels of membranes pass through each other, from the record alone: no engine is asked."""
+"""How far panels of membranes pass through each other, computed from the record without the engine."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from forficula.pattern.geometry import triangle_normals
 from forficula.serial import Key, Metres, Seconds
 from forficula.structure import Structure
 
-# rows of a stage that are looked at, and then beside the deepest
+# rows examined per driven stage and per other stage, and then on both sides of the deepest crossing
 _DRIVEN, _OTHERS, _CLOSER = 32, 4, 16
-_TOGETHER = 64  # rows that are looked at at once
-_SLIGHT, _ROUNDING = 1e-6, 1e-9  # of an edge's length: what reaches less far only touches; and of numbers
+_TOGETHER = 64  # rows that are computed at once
+_SLIGHT, _ROUNDING = 1e-6, 1e-9  # shares of an edge's length below which panels only touch, and of numbers
 
 
 @dataclass(frozen=True, kw_only=True)
 class PanelCrossing:
-    """The deepest that panels pass through each other.
+    """Deepest crossing of two panels in a run.
 
     Attributes:
-        depth: how far one of the two panels would have to go back, m; 0 where none crosses another.
-        names: of the two panels; empty where none cross.
+        depth: distance by which one of the two panels would have to retreat, m; 0 where no panels cross.
+        names: of the two panels; empty where no panels cross.
         time: s.
     """
 
@@ -40,11 +40,11 @@ class PanelCrossing:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PanelMesh:
-    """A panel as triangles.
+    """Triangle mesh of a panel.
 
     Attributes:
-        name: of its own.
-        triangles: three nodes each, (triangle, 3), of the nodes from 0 on.
+        name: of the panel.
+        triangles: three node numbers each, counted from 0, (triangle, 3).
     """
 
     name: str
@@ -52,31 +52,35 @@ class PanelMesh:
 
     @cached_property
     def edges(self) -> Indices:
-        """Two nodes each, (edge, 2)."""
+        """Return the two nodes of every edge, (edge, 2)."""
         return np.unique(self._sides.reshape(-1, 2), axis=0)
 
     @cached_property
     def rims(self) -> Flags:
-        """Which sides of triangles are on the rim, from corner to next corner, (triangle, 3)."""
+        """Return whether each side of a triangle, from a corner to the next, is on the rim, (triangle, 3)."""
         _, which, count = np.unique(self._sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True)
         return np.asarray(count[which.ravel()] == 1).reshape(-1, 3)
 
     @cached_property
     def on_rim(self) -> Flags:
-        """Whether each node is on the rim, (node,)."""
+        """Return whether each node is on the rim, (node,)."""
         return np.isin(np.arange(self.triangles.max() + 1), self._sides[self.rims])
 
     @property
     def _sides(self) -> Indices:
-        """Of each triangle, (triangle, 3, 2)."""
+        """Return the nodes of the sides of each triangle, (triangle, 3, 2)."""
         return np.sort(np.stack([self.triangles, np.roll(self.triangles, -1, axis=1)], axis=-1), axis=-1)
 
 
 def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCrossing | None:
-    """The deepest crossing of panels in some rows of a record: those given, or some, evenly by how far panels move.
+    """Find the deepest crossing of panels in a record.
+
+    Args:
+        record: of a run.
+        rows: rows to examine; if None, rows between which the panels move by equal distances.
 
     Returns:
-        None of what has no panels, of a sparse record, and of a run that diverged.
+        None for a structure without panels, a sparse record, and a run that diverged.
     """
     if record.diverged_at is not None or "membrane_position" not in record.series:
         return None
@@ -87,7 +91,7 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
         return _deepest(record, meshes, rows)
     rows = _telling_rows(record)
     found = _deepest(record, meshes, rows)
-    # between the rows beside the deepest one, once more
+    # search once more between the rows next to the deepest one
     near = int(np.searchsorted(record.time[rows], found.time))
     low, high = rows[max(near - 1, 0)], rows[min(near + 1, len(rows) - 1)]
     closer = _deepest(record, meshes, np.unique(np.linspace(low, high, _CLOSER).round().astype(np.int64)).tolist())
@@ -95,11 +99,11 @@ def panel_crossing(record: Record, rows: Sequence[int] | None = None) -> PanelCr
 
 
 def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -> PanelCrossing:
-    """The deepest crossing in some rows."""
+    """Find the deepest crossing in some rows."""
     places = panel_places(record, rows)
     found = PanelCrossing(depth=0.0, time=float(record.time[rows[0]]))
-    for (one, here), (other, there) in combinations(zip(meshes, places, strict=True), 2):
-        depths = crossing_depths(one, here, other, there)
+    for (one, first_nodes), (other, second_nodes) in combinations(zip(meshes, places, strict=True), 2):
+        depths = crossing_depths(one, first_nodes, other, second_nodes)
         row = int(np.argmax(depths))
         if depths[row] > found.depth:
             names = (one.name, other.name)
@@ -108,7 +112,7 @@ def _deepest(record: Record, meshes: Sequence[PanelMesh], rows: Sequence[int]) -
 
 
 def _telling_rows(record: Record) -> list[int]:
-    """Rows of every stage between which the panels move by as much, both of its ends among them."""
+    """Return rows of every stage between which the panels move by equal distances, with the ends of the stage."""
     steps = np.linalg.norm(np.diff(record.series["membrane_position"], axis=0), axis=2).max(axis=1)
     way = np.concatenate([[0.0], np.cumsum(steps)])
     bounds = np.searchsorted(record.time, [[end.start, end.end] for end in record.stages])
@@ -120,7 +124,7 @@ def _telling_rows(record: Record) -> list[int]:
 
 
 def panel_meshes(structure: Structure) -> list[PanelMesh]:
-    """The panels of all surfaces, one surface after another."""
+    """Return the meshes of the panels of all surfaces, one surface after another."""
     return [
         PanelMesh(name=name, triangles=np.unique(own, return_inverse=True)[1].reshape(-1, 3))
         for surface in (each.surface for each in structure.membranes if each.surface is not None)
@@ -129,10 +133,10 @@ def panel_meshes(structure: Structure) -> list[PanelMesh]:
 
 
 def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
-    """Where the nodes of every panel are, as `panel_meshes` has them, m, (row, node, 3) each.
+    """Return the positions of the nodes of every panel, in the order of `panel_meshes`, m, (row, node, 3) each.
 
-    A node goes with its body: it is a sum of the places of that body's recorded points and nodes, with weights that are
-    found as it is built.
+    A node moves with its body: its position is a weighted sum of the positions of the recorded points and nodes of that
+    body. The weights follow from the shape as built.
     """
     structure = record.structure
     known = np.concatenate(
@@ -157,43 +161,49 @@ def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
     return found
 
 
-def crossing_depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> Array:
-    """How far two panels pass through each other, m, (row,); 0 where they do not.
+def crossing_depths(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array) -> Array:
+    """Compute how far two panels pass through each other, m, (row,); 0 where they do not cross.
 
-    Where an edge of one goes through the other there are two parts of either panel, on either side of the other. The
-    part that reaches less far from the other panel is what has passed: the depth there is the least reach of these four
-    parts, and that of the panels the largest of all their edges. A part is made of nodes of one side that edges join,
-    and that have the other panel before them: what lies beside it may be on any side of it. Nodes that lie in the other
-    panel are on no side of it: a whole row of them hides that their edges go through, and the depth may come out less.
+    Where an edge of one panel pierces the other panel, each panel is divided into two parts, one on either side of the
+    other panel. The part that reaches least far from the other panel is taken as the part that passed through, so the
+    depth at a piercing is the least reach of these four parts. The depth of two panels is the largest depth of all
+    piercings.
+
+    A part consists of nodes on one side that are joined by edges and that lie in front of or behind the other panel. A
+    node beside the other panel has no defined side. A node in the plane of the other panel is on neither side, so a
+    whole row of such nodes hides the piercing of their edges, and the depth may be underestimated.
 
     Args:
         one: a panel.
-        here: its nodes, (row, node, 3).
+        first_nodes: its nodes, (row, node, 3).
         other: another panel.
-        there: its nodes, (row, node, 3).
+        second_nodes: its nodes, (row, node, 3).
     """
-    depths = np.zeros(len(here))
-    apart = (here.min(axis=1) > there.max(axis=1)) | (here.max(axis=1) < there.min(axis=1))
+    depths = np.zeros(len(first_nodes))
+    apart = (first_nodes.min(axis=1) > second_nodes.max(axis=1)) | (first_nodes.max(axis=1) < second_nodes.min(axis=1))
     near = np.flatnonzero(~apart.any(axis=1))
     for first in range(0, len(near), _TOGETHER):
         rows = near[first : first + _TOGETHER]
-        depths[rows] = _depths(one, here[rows], other, there[rows])
+        depths[rows] = _depths(one, first_nodes[rows], other, second_nodes[rows])
     return depths
 
 
-def _depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> Array:
-    """The same, of all rows at once."""
-    through = [_piercings(one, here, other, there), _piercings(other, there, one, here)]
-    cross, depths = np.union1d(through[0][0], through[1][0]), np.zeros(len(here))
+def _depths(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array) -> Array:
+    """Compute the depths of `crossing_depths` for all rows at once."""
+    through = [_piercings(one, first_nodes, other, second_nodes), _piercings(other, second_nodes, one, first_nodes)]
+    cross, depths = np.union1d(through[0][0], through[1][0]), np.zeros(len(first_nodes))
     if not len(cross):
         return depths
-    views = [_reaches(one, here[cross], other, there[cross]), _reaches(other, there[cross], one, here[cross])]
+    views = [
+        _reaches(one, first_nodes[cross], other, second_nodes[cross]),
+        _reaches(other, second_nodes[cross], one, first_nodes[cross]),
+    ]
     for (rows, edges, triangles), pierces, pierced, own in zip(
         through, (one, other), (other, one), (0, 1), strict=True
     ):
         places = np.searchsorted(cross, rows)[:, None]
         reach, side, distance = (each[places, pierces.edges[edges]] for each in views[own])
-        # what seems to be on one side all along only skims the other panel
+        # an edge with both ends on one side only grazes the other panel
         least = np.where(side[:, :1] == side[:, 1:], distance, reach).min(axis=1, initial=np.inf)
         reach, side, _ = (each[places, pierced.triangles[triangles]] for each in views[1 - own])
         for sign in (1, -1):
@@ -203,13 +213,15 @@ def _depths(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> Arra
     return depths
 
 
-def _piercings(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tuple[Indices, Indices, Indices]:
-    """Rows, edges of one panel that go through triangles of another in them, and these triangles, (piercing,) each.
+def _piercings(
+    one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array
+) -> tuple[Indices, Indices, Indices]:
+    """Return rows, edges of one panel and triangles of another that these edges pierce, (piercing,) each.
 
-    What only touches does not count, as at the vein where two panels join.
+    An edge that only touches, as at the vein where two panels join, does not count.
     """
-    start, end = (here[:, one.edges[:, each], None] for each in (0, 1))
-    corners = there[:, other.triangles]
+    start, end = (first_nodes[:, one.edges[:, each], None] for each in (0, 1))
+    corners = second_nodes[:, other.triangles]
     normals, along = _normals(corners), end - start
     before, after = (_heights(each, corners, normals) for each in (start, end))
     slight = _SLIGHT * np.linalg.norm(along, axis=-1)
@@ -222,10 +234,10 @@ def _piercings(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> t
     return rows[inside], edges[inside], triangles[inside]
 
 
-def _reaches(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tuple[Array, Indices, Array]:
-    """How far the part of each node of a panel reaches from another, m, its side, +-1, and its own distance, m."""
-    distance, side, before = _nearest(here, other, there)
-    reach, before = distance, before & (distance > _SLIGHT * np.ptp(here, axis=1).max())
+def _reaches(one: PanelMesh, first_nodes: Array, other: PanelMesh, second_nodes: Array) -> tuple[Array, Indices, Array]:
+    """Return for each node of a panel the reach of its part from another panel, m, its side, +-1, and distance, m."""
+    distance, side, before = _nearest(first_nodes, other, second_nodes)
+    reach, before = distance, before & (distance > _SLIGHT * np.ptp(first_nodes, axis=1).max())
     tail, head = one.edges.T
     joined = np.zeros((*reach.shape, reach.shape[1]), dtype=bool)
     joined[:, tail, head] = before[:, tail] & before[:, head] & (side[:, tail] == side[:, head])
@@ -238,7 +250,7 @@ def _reaches(one: PanelMesh, here: Array, other: PanelMesh, there: Array) -> tup
 
 
 def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indices, Flags]:
-    """Distances of points from a panel, m, sides, +-1, and whether it is before them and not beside, (row, point)."""
+    """Return distances of points from a panel, m, their sides, +-1, and whether they face it, (row, point)."""
     corners, points = nodes[:, mesh.triangles], points[:, :, None]
     normals = _normals(corners)
     height = _heights(points, corners, normals)
@@ -256,7 +268,7 @@ def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indic
         beside = np.where(distance < square, at_rim, beside)
         square = np.minimum(square, distance)
     square = np.where(within, height**2, square)
-    # of triangles as near as each other, at an edge, the one that the point is most plainly on a side of
+    # of equally near triangles, at an edge, take the one from whose plane the point is furthest
     least = square.min(axis=2, keepdims=True)
     tied = square <= least * (1 + _ROUNDING) + np.finfo(float).tiny
     pick = np.where(tied, np.abs(height), -1.0).argmax(axis=2)[..., None]
@@ -265,11 +277,11 @@ def _nearest(points: Array, mesh: PanelMesh, nodes: Array) -> tuple[Array, Indic
 
 
 def _normals(corners: Array) -> Array:
-    """Unit vectors square to triangles, (row, triangle, 3)."""
+    """Return unit normals of triangles, (row, triangle, 3)."""
     normals = triangle_normals(corners)
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=2)[..., None], np.finfo(float).tiny))
 
 
 def _heights(points: Array, corners: Array, normals: Array) -> Array:
-    """Of points, (row, point, 1, 3), over the planes of triangles, m, (row, point, triangle)."""
+    """Return heights of points, (row, point, 1, 3), over the planes of triangles, m, (row, point, triangle)."""
     return np.asarray(np.sum((points - corners[:, None, :, 0]) * normals[:, None], axis=-1))

@@ -1,8 +1,8 @@
-"""The dimensionless groups of a structure: what weighs how much beside its strongest tendon, or its stiffest crease.
+"""Dimensionless groups of a structure, relative to its strongest tendon or its stiffest crease.
 
-Two structures with equal groups move alike in t / t* (similarity: Buckingham 1914, doi 10.1103/PhysRev.4.345). Every
-moment is measured by that of the tendon, k a b, and every time by t* = sqrt(I / (k a b)), in which the tendon moves
-what turns about the hinge that it lies across.
+Two structures with equal groups move identically in t / t* (similarity: Buckingham 1914, doi 10.1103/PhysRev.4.345).
+Every moment is divided by that of the tendon, k a b, and every time by t* = sqrt(I / (k a b)), the time in which the
+tendon moves the part that turns about its hinge.
 """
 
 from __future__ import annotations
@@ -21,25 +21,24 @@ from forficula.pattern.geometry import polygon_normal, triangle_areas
 from forficula.serial import Key, Written
 from forficula.structure import Structure, built_frames, built_points, hinge_groups, springs_name
 
-# m/s^2, for what a run without gravity leaves out
+# m/s^2, for the group that a run without gravity leaves out
 _GRAVITY = 9.81
-# air at 20 deg C, kg/m^3 and Pa s, likewise
+# air at 20 deg C, kg/m^3 and Pa s, for the groups that a run without a medium leaves out
 _AIR = (1.2, 1.8e-5)
-_SAME = 1e-9  # share of a group; what differs by less is rounding
+_SAME = 1e-9  # share of a group; smaller differences are rounding errors
 
 
 @dataclass(frozen=True, kw_only=True)
 class Group:
-    """One of them.
+    """A dimensionless group.
 
     Attributes:
-        name: as `summary.json` calls it.
-        label: as tables and sentences call it.
-        value: without a unit.
-        meaning: what it compares.
-        kind: what it is among others: "drive", a moment that drives; "resist", a moment that resists, at the pace of
-            the tendon; "stretch", how hard a sheet or bars are to stretch; "time"; "shape"; "left out", of what the
-            run leaves out.
+        name: key in `summary.json`.
+        label: name in tables and sentences.
+        value: dimensionless value.
+        meaning: the two quantities whose ratio it is.
+        kind: "drive" for a driving moment; "resist" for a resisting moment at the tendon's own speed; "stretch" for
+            the stiffness of a sheet or of bars; "time"; "shape"; "left out" for an effect that the run leaves out.
     """
 
     name: str
@@ -51,11 +50,11 @@ class Group:
 
 @dataclass(frozen=True, kw_only=True)
 class Groups:
-    """All of a structure.
+    """All dimensionless groups of a structure.
 
     Attributes:
-        scale: by what they are measured.
-        every: in the order of tables.
+        scale: moment and time by which the groups are divided.
+        every: the groups, in the order of tables.
     """
 
     scale: Annotated[Scale, Key("measured_by")]
@@ -63,24 +62,24 @@ class Groups:
 
     @property
     def values(self) -> Annotated[Mapping[str, float], Written.BESIDE]:
-        """Return the values by the names of the groups."""
+        """Return the values of the groups by name."""
         return {group.name: group.value for group in self.every}
 
     @property
     def in_words(self) -> Annotated[str, Written.ALWAYS]:
-        """Return what dominates."""
+        """Return a sentence about the dominant groups."""
         return dominance(self)
 
 
 def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") -> Groups | None:
-    """The groups that a structure has; what it lacks is left out.
+    """Compute the dimensionless groups of a structure, without those of parts that it does not have.
 
     Args:
         structure: SI.
-        timestep: s; "auto" where it is not known yet.
+        timestep: s; "auto" if it is not known yet.
 
     Returns:
-        None where nothing elastic folds, by which they could be measured.
+        None if neither a tendon nor an elastic hinge could serve as the scale.
     """
     scale = scale_of(structure)
     if scale is None:
@@ -97,12 +96,12 @@ def groups_of(structure: Structure, timestep: float | Literal["auto"] = "auto") 
         *_times(structure, scale, timestep),
         *_shape(structure, scale, widths),
     )
-    # a number beyond those that can be computed with says nothing
+    # a value that overflows has no meaning
     return Groups(scale=scale, every=tuple(group for group in every if math.isfinite(group.value)))
 
 
 def changed(before: Groups | None, after: Groups | None) -> list[tuple[Group, Group]]:
-    """The groups of two structures that differ by more than rounding, those of the same names side by side."""
+    """Return pairs of groups of two structures that have the same name and differ by more than rounding."""
     if before is None or after is None:
         return []
     others = {group.name: group for group in after.every}
@@ -111,21 +110,28 @@ def changed(before: Groups | None, after: Groups | None) -> list[tuple[Group, Gr
 
 
 def measured_by(scale: Scale) -> str:
-    """What moments are measured by, in words."""
+    """Return the moment by which moments are divided, in words."""
     return f"{'the stiffness' if scale.tendon is None else 'k a b'} of {scale.name}"
 
 
 def _drives(structure: Structure, scale: Scale) -> Iterator[Group]:
-    """The largest torque of a drive by the moment; of forces that times the size, of ways these by the size."""
+    """Yield the groups of drives.
+
+    They are the largest torque, or force times the size of the structure, divided by the moment of the scale; for
+    displacements, the largest displacement divided by the size.
+    """
     for drive in structure.drives:
         largest: dict[str, float] = {}
         for motor, strength in zip(structure.motors, drive.strengths, strict=True):
             most = abs(strength) * max(map(abs, motor.gains), default=1.0)
             largest[motor.kind] = max(largest.get(motor.kind, 0.0), most)
         by = {
-            "torque": (1 / scale.moment, f"its torque by {measured_by(scale)}"),
-            "force": (structure.span / scale.moment, f"its force times the size of the whole by {measured_by(scale)}"),
-            "displacement": (1 / structure.span, "how far it goes by the size of the whole"),
+            "torque": (1 / scale.moment, f"its torque, divided by {measured_by(scale)}"),
+            "force": (
+                structure.span / scale.moment,
+                f"its force times the size of the structure, divided by {measured_by(scale)}",
+            ),
+            "displacement": (1 / structure.span, "its displacement, divided by the size of the structure"),
         }
         for kind, (factor, meaning) in by.items():
             if largest.get(kind):
@@ -139,22 +145,22 @@ def _drives(structure: Structure, scale: Scale) -> Iterator[Group]:
 
 
 def _inertia(structure: Structure, scale: Scale) -> Iterator[Group]:
-    """Inertia that a hinge has of a motor by that of what turns there."""
+    """Yield the inertia of a motor on the hinge, divided by the inertia of the part that turns there."""
     armature = structure.hinges[scale.hinge].armature
     if armature and scale.inertia:
         yield Group(
             name="armature",
             label="the armature",
             value=armature / scale.inertia,
-            meaning="inertia of a motor on the hinge by that of what turns there",
+            meaning="inertia of a motor on the hinge, divided by that of the part that turns",
             kind="resist",
         )
 
 
 def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
-    """Moments of dampers at the speed 1 / t*: c / (k a b t*) of the hinge, c sqrt(a b / (k I)) of a tendon.
+    """Yield moments of dampers at the speed 1 / t*: c / (k a b t*) for the hinge, c sqrt(a b / (k I)) for a tendon.
 
-    Of a tendon with a law it is its linear viscosity; Maxwell branches are among the times.
+    For a tendon with a material law, c is its linear viscosity; Maxwell branches are among the times.
     """
     if not scale.time:
         return
@@ -164,7 +170,7 @@ def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
             name="hinge_damping",
             label="the hinge's damping",
             value=damping / (scale.moment * scale.time),
-            meaning=f"moment of the hinge's damper at a speed of 1 / t* by {measured_by(scale)}",
+            meaning=f"moment of the hinge's damper at a speed of 1 / t*, divided by {measured_by(scale)}",
             kind="resist",
         )
     friction = structure.hinges[scale.hinge].friction
@@ -173,7 +179,7 @@ def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
             name="hinge_friction",
             label="the hinge's dry friction",
             value=friction / scale.moment,
-            meaning=f"torque of the hinge's dry friction by {measured_by(scale)}",
+            meaning=f"torque of the hinge's dry friction, divided by {measured_by(scale)}",
             kind="resist",
         )
     if scale.tendon is None:
@@ -184,13 +190,13 @@ def _damping(structure: Structure, scale: Scale) -> Iterator[Group]:
             name="tendon_damping",
             label="the tendon's damping",
             value=linear * math.prod(scale.arms) / (scale.moment * scale.time),
-            meaning=f"moment of the tendon's own damper at a speed of 1 / t* by {measured_by(scale)}",
+            meaning=f"moment of the tendon's own damper at a speed of 1 / t*, divided by {measured_by(scale)}",
             kind="resist",
         )
 
 
 def _weight(structure: Structure, scale: Scale) -> Iterator[Group]:
-    """Moment of the weight of what turns where it lies level, m g r; with 9.81 m/s^2 where a run leaves it out."""
+    """Yield the weight moment m g r of the turning part in a level position; with 9.81 m/s^2 if gravity is off."""
     if not scale.weight_arm:
         return
     on = structure.gravity != 0
@@ -199,17 +205,18 @@ def _weight(structure: Structure, scale: Scale) -> Iterator[Group]:
         name="gravity" if on else "gravity_left_out",
         label="gravity" if on else "gravity, left out",
         value=gravity * scale.weight_arm / scale.moment,
-        meaning=f"moment of the weight of what turns by {measured_by(scale)}" + ("" if on else ", were it 9.81 m/s^2"),
+        meaning=f"moment of the weight of the part that turns, divided by {measured_by(scale)}"
+        + ("" if on else ", if gravity were 9.81 m/s^2"),
         kind="resist" if on else "left out",
     )
 
 
 def _medium(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
-    """What surrounds a strip as wide as the narrowest panel and as long as what turns; air where a run has none.
+    """Yield groups of the medium around a strip of width w and length l; those of air if the run has no medium.
 
-    With m = 3 I / l^3, the mass by length of a bar of that length and inertia: pi rho w^2 / 4 m of the medium that
-    moves with it; rho w l / m, its drag at a tip speed U = l / t*, and 32 mu l / (pi U m), what viscosity adds to that;
-    rho w U / mu.
+    w is the width of the narrowest panel and l the length of the part that turns. With m = 3 I / l^3, the mass per
+    length of a bar of that length and inertia, the groups are: the added mass pi rho w^2 / (4 m); the drag rho w l / m
+    at a tip speed U = l / t*; the viscous drag 32 mu l / (pi U m); and the Reynolds number rho w U / mu.
     """
     widths, (density, viscosity) = widths or _facet_widths(structure), _AIR
     medium, reach = structure.medium, scale.reach
@@ -225,30 +232,36 @@ def _medium(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iter
             "medium_mass",
             "the medium's mass",
             math.pi / 4 * density * width**2 / by_length,
-            "mass of it that moves with what turns, by the mass of that",
+            "mass of the medium that moves with the part that turns, divided by the mass of that part",
             "resist",
         ),
         (
             "drag",
             "drag",
             density * width * reach / by_length,
-            "drag at a speed of 1 / t* by the inertia of what turns",
+            "drag at a speed of 1 / t*, divided by the inertia of the part that turns",
             "resist",
         ),
-        ("viscous_drag", "viscous drag", viscous, "what viscosity adds to that", "resist"),
-        ("reynolds", "Reynolds number", reynolds, "by the width of what turns, at a tip speed of l / t*", "shape"),
+        ("viscous_drag", "viscous drag", viscous, "contribution of viscosity to the drag", "resist"),
+        (
+            "reynolds",
+            "Reynolds number",
+            reynolds,
+            "with the width of the part that turns, at a tip speed of l / t*",
+            "shape",
+        ),
     )
     for name, label, value, meaning, kind in groups:
-        own = Group(name=name, label=label, value=value, meaning=meaning, kind=kind)
+        group = Group(name=name, label=label, value=value, meaning=meaning, kind=kind)
         if value and medium is not None:
-            yield own
+            yield group
         elif value:
-            named = replace(own, name=f"{name}_left_out", label=f"{label}, left out")
-            yield replace(named, meaning=f"{meaning}, were it in air", kind="left out")
+            named = replace(group, name=f"{name}_left_out", label=f"{label}, left out")
+            yield replace(named, meaning=f"{meaning}, if it were in air", kind="left out")
 
 
 def _facet_widths(structure: Structure) -> list[float]:
-    """How wide facets are as built, m: their areas by their longest sides."""
+    """Return the widths of facets as built, m: their areas divided by their longest sides."""
     points, widths = built_points(structure), []
     for numbers in [each.points for each in structure.plates] + [each.points for each in structure.facets]:
         corners = points[list(numbers)]
@@ -259,9 +272,9 @@ def _facet_widths(structure: Structure) -> list[float]:
 
 
 def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
-    """Tension of a sheet at a strain of 1, E t w, at the tendon's distal arm, by k a b: E t w / (k a); alike of bars.
+    """Yield the moment of a sheet's tension at a strain of 1, E t w, divided by k a b, and the same for bars.
 
-    Without a tendon the sheet's own width is the arm.
+    The lever arm is the tendon's distal arm, so the group is E t w / (k a). Without a tendon it is the sheet's width.
     """
     moments = [
         membrane.law.youngs_modulus * membrane.law.thickness * width * (scale.arms[1] or width)
@@ -272,7 +285,7 @@ def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Ite
             name="membrane",
             label="stretch of the membrane",
             value=max(moments) / scale.moment,
-            meaning=f"moment of its tension at a strain of 1 by {measured_by(scale)}",
+            meaning=f"moment of its tension at a strain of 1, divided by {measured_by(scale)}",
             kind="stretch",
         )
     if structure.springs:
@@ -282,13 +295,13 @@ def _stretch(structure: Structure, scale: Scale, widths: Sequence[float]) -> Ite
             name=name,
             label=f"stretch of {name}",
             value=softest / scale.moment,
-            meaning=f"stiffness of the softest of them times its length squared by {measured_by(scale)}",
+            meaning=f"stiffness of the softest of them times its length squared, divided by {measured_by(scale)}",
             kind="stretch",
         )
 
 
 def _widths(structure: Structure) -> list[float]:
-    """How wide each sheet is as built, m: between the hinges with tendons that it joins, or the root of its area."""
+    """Return the width of each sheet as built, m: between its hinges with tendons, or the square root of its area."""
     turned = {tendon.crossing.hinge for tendon in structure.tendons if tendon.crossing is not None}
     bodies = {structure.hinges[hinge].body for hinge in turned}
     origins, _ = built_frames(structure)
@@ -305,7 +318,7 @@ def _widths(structure: Structure) -> list[float]:
 
 
 def _bending(structure: Structure, scale: Scale) -> Iterator[Group]:
-    """Stiffness of hinges' springs by the moment: of facets that bend, and of creases beside a tendon."""
+    """Yield the stiffness of hinge springs divided by the moment: of bending facets, and of creases beside a tendon."""
     groups = hinge_groups(structure)
     bends = [structure.hinges[number].stiffness for number in groups.get("facet bends", ())]
     if any(bends):
@@ -313,7 +326,7 @@ def _bending(structure: Structure, scale: Scale) -> Iterator[Group]:
             name="facet_bends",
             label="bending of facets",
             value=min(bends) / scale.moment,
-            meaning=f"stiffness of the softest bend of a facet by {measured_by(scale)}",
+            meaning=f"stiffness of the softest bend of a facet, divided by {measured_by(scale)}",
             kind="stretch",
         )
     folds = [structure.hinges[number].stiffness for kind in ("hinges", "creases") for number in groups.get(kind, ())]
@@ -322,13 +335,13 @@ def _bending(structure: Structure, scale: Scale) -> Iterator[Group]:
             name="crease_springs",
             label="springs in hinges",
             value=max(folds) / scale.moment,
-            meaning=f"stiffness of the stiffest spring in a hinge by {measured_by(scale)}",
+            meaning=f"stiffness of the stiffest spring in a hinge, divided by {measured_by(scale)}",
             kind="resist",
         )
 
 
 def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]) -> Iterator[Group]:
-    """Times by t*: in which the membrane, the tendon's branches and springs relax, and the step of the integrator."""
+    """Yield times divided by t*: relaxation times of the membrane, the tendon's branches and springs; the timestep."""
     if not scale.time:
         return
     branches = () if scale.tendon is None else structure.tendons[scale.tendon].law.branches
@@ -337,21 +350,21 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
             "membrane_relaxation",
             "relaxation of the membrane",
             max((each.law.damping for each in structure.membranes), default=0.0),
-            "relaxation time of the membrane's damping by t*",
+            "relaxation time of the membrane's damping, divided by t*",
         ),
         (
             "tendon_relaxation",
             "relaxation of the tendon",
             max((branch.time for branch in branches), default=0.0),
-            "the longest time in which a branch of the tendon's law relaxes by t*",
+            "longest relaxation time of a branch of the tendon's law, divided by t*",
         ),
         (
             "springs_relaxation",
             f"relaxation of {springs_name(structure)}",
             max((each.damping / each.stiffness for each in structure.springs if each.stiffness), default=0.0),
-            "the longest time in which one of them relaxes by t*",
+            "longest relaxation time of one of them, divided by t*",
         ),
-        ("timestep", "the timestep", 0.0 if timestep == "auto" else timestep, "step of the integrator by t*"),
+        ("timestep", "the timestep", 0.0 if timestep == "auto" else timestep, "step of the integrator, divided by t*"),
     )
     for name, label, time, meaning in times:
         if time:
@@ -359,24 +372,24 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
 
 
 def _shape(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iterator[Group]:
-    """Ratios of lengths: of the tendon, and of bars, margin and thickness by the width of the sheet between bars."""
+    """Yield ratios of lengths of the tendon; and bars, margin and thickness divided by the sheet's width."""
     found: list[tuple[str, str, float, str]] = []
     if scale.tendon is not None:
         tendon, (near, far) = structure.tendons[scale.tendon], scale.arms
         found += [
-            ("rest_length", "resting length", tendon.law.rest_length / (near + far), "of the tendon by a + b"),
-            ("arms", "arms", far / near, "of the tendon, b by a"),
+            ("rest_length", "resting length", tendon.law.rest_length / (near + far), "of the tendon, divided by a + b"),
+            ("arms", "arms", far / near, "of the tendon, b / a"),
         ]
     if structure.bars:
         slender = max(bar.diameter / float(np.linalg.norm(bar.end)) for bar in structure.bars)
-        found.append(("bar_slenderness", "bars", slender, "diameter by length, of the stoutest one"))
+        found.append(("bar_slenderness", "bars", slender, "diameter of the stoutest bar, divided by its length"))
     if widths:
         narrow, sheet = min(widths), structure.membranes[0]
         thick = max((bar.diameter for bar in structure.bars), default=0.0)
         found += [
-            ("bar_width", "bars beside the membrane", thick / narrow, "their diameter by its width"),
-            ("margin", "margin", sheet.margin / narrow, "of the membrane by its width"),
-            ("thickness", "thickness", sheet.law.thickness / narrow, "of the membrane by its width"),
+            ("bar_width", "bars beside the membrane", thick / narrow, "their diameter, divided by its width"),
+            ("margin", "margin", sheet.margin / narrow, "of the membrane, divided by its width"),
+            ("thickness", "thickness", sheet.law.thickness / narrow, "of the membrane, divided by its width"),
         ]
     for name, label, value, meaning in found:
         if value:
@@ -384,24 +397,24 @@ def _shape(structure: Structure, scale: Scale, widths: Sequence[float]) -> Itera
 
 
 def dominance(groups: Groups) -> str:
-    """What resists and what drives, the largest first, and whether sheets and bars give way, in a sentence.
+    """Return a sentence on the resisting moments, largest first, the strongest drive, and the stiffness of sheets.
 
-    What resists is measured at the pace of the tendon itself, where the inertia of what turns is 1: moments at an angle
-    of 1, a speed of 1 / t* and an acceleration of 1 / t*^2.
+    Resisting moments are compared at the tendon's own speed, that is at an angle of 1, a speed of 1 / t* and an
+    acceleration of 1 / t*^2, where the inertia of the part that turns is 1.
     """
     resisting = [(group.label, group.value) for group in groups.every if group.kind == "resist"]
     if groups.scale.time:
-        resisting.append(("the inertia of what turns", 1.0))
+        resisting.append(("the inertia of the part that turns", 1.0))
     resisting.sort(key=lambda each: -each[1])
     clauses = []
     if len(resisting) > 1:
         (first, most), *others = resisting
         rest = listed([f"{label} ({value:.2g})" for label, value in others])
-        clauses.append(f"of what resists, {first} comes first ({most:.2g}), before {rest}")
+        clauses.append(f"the largest resistance is {first} ({most:.2g}), followed by {rest}")
     drives = sorted((group for group in groups.every if group.kind == "drive"), key=lambda group: -group.value)
     part = "crease" if groups.scale.tendon is None else "tendon"
     if drives:
-        clauses.append(f"the strongest drive has {drives[0].value:.2g} of the {part}'s moment")
+        clauses.append(f"the strongest drive has {drives[0].value:.2g} times the {part}'s moment")
     clauses += [
         f"{group.label} is {_stiff(group.value)} the {part} ({group.value:.2g})"
         for group in groups.every
@@ -412,7 +425,7 @@ def dominance(groups: Groups) -> str:
 
 
 def _stiff(value: float) -> str:
-    """How stiff something is beside something else, by their ratio."""
+    """Return a comparison of two stiffnesses in words, from their ratio."""
     if value < 1 / 3:
         return "softer than"
     if value < 3:

@@ -1,4 +1,4 @@
-"""By how much a run did what its protocol asks for, or how far short of it it came: finite whatever happened."""
+"""Signed success margin of a run, in [-1, 1]: finite for every run, also for one that failed or diverged."""
 
 from __future__ import annotations
 
@@ -10,36 +10,38 @@ from forficula.analysis.outcome import Outcome, State
 from forficula.dynamics import Record
 from forficula.structure import StageGoal, Transition, goal_coordinates, goal_of, short_of
 
-# what failed never looks as if it had just worked
+# least missing share of a failed transition, so that its margin is never 0
 _LEAST_SHORT = 1e-3
 NOT_TRIED = -1.0
 
 
 def transition_margins(record: Record, outcome: Outcome) -> dict[str, float]:
-    """By how much every transition was made, from 1, at once, over 0, only just, to -1, not at all.
+    """Compute the signed margin of every transition: 1 at once, 0 only just, -1 not at all.
 
-    Of a transition that was made it is the share of its stage's time limit that was left, for what is about to stick
-    takes ever longer; of one that was not, less the share of its way that was missing at the end, or of the way back
-    that was lost on release. One that was not tried, and every one of a run that says nothing, has -1.
+    The margin of a transition that succeeded is the share of its stage's time limit that was left, because a structure
+    that is about to stick takes ever longer. The margin of one that failed is minus the share of the way to its goal
+    that was missing at the end, or, if it was lost on release, that was lost by then. A transition that was not tried
+    has -1, and so have all transitions of a run without a conclusive verdict.
 
     Args:
         record: of a run; rows at the ends of its stages are enough.
-        outcome: what it came to.
+        outcome: of the run.
 
     Returns:
-        By name, without a unit, in [-1, 1].
+        Dimensionless margins in [-1, 1], by name of the transition.
     """
     return {each.name: _margin(record, outcome, each) for each in record.structure.transitions}
 
 
 def chained(margins: Sequence[float]) -> float:
-    """One margin of transitions that follow one another: how far along all of them a run came.
+    """Combine the margins of consecutive transitions into one margin.
 
-    Where all were made, the least; else the first that was not counts, and each after it as not tried, so that every
-    transition that is made brings the mean nearer to 0.
+    If all transitions succeeded, it is the least of their margins. Otherwise it is the sum of the margin of the first
+    failed transition and of -1 for each transition after it, divided by the number of transitions. Every transition
+    that succeeds therefore brings it nearer to 0.
 
     Args:
-        margins: of the transitions in their order; 1 of none.
+        margins: of the transitions in their order; without any, the result is 1.
     """
     if all(margin > 0 for margin in margins):
         return min(margins, default=1.0)
@@ -60,7 +62,7 @@ def _margin(record: Record, outcome: Outcome, transition: Transition) -> float:
 
 
 def _share_short(record: Record, transition: Transition, state: State, goal: StageGoal) -> float:
-    """The share of the way to a goal that is missing where a run ended, in (0, 1]."""
+    """Return the share of the way to a goal that is missing at the end of a run, in (0, 1]."""
     assert transition.stage is not None
     row = int(np.argmin(np.abs(record.time - record.stages[transition.stage].start)))
     distances = record.series.get("distance")
@@ -75,10 +77,10 @@ def _share_short(record: Record, transition: Transition, state: State, goal: Sta
 
 
 def margin_column(name: str) -> str:
-    """What rows call the margin of a transition."""
+    """Return the name of the column with the margin of a transition."""
     return f"{name}_margin"
 
 
 def chained_row(row: Mapping[str, object], transitions: Sequence[Transition]) -> float:
-    """The margin of all transitions that a row of a study tells of."""
+    """Return the combined margin of all transitions in a row of a study."""
     return chained([float(str(row.get(margin_column(each.name), NOT_TRIED))) for each in transitions])

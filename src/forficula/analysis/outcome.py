@@ -1,4 +1,4 @@
-"""What a run means: states, energies, work, times, verdict and the energy balance."""
+"""Outcome of a run: states, energies, work, times, verdict and the energy balance."""
 
 from __future__ import annotations
 
@@ -34,20 +34,20 @@ from forficula.structure import (
 )
 
 _STIR = np.radians(0.1)
-_STIR_SHARE = 1e-3  # of the size of the whole
-_SHOWN = 1e-3  # of a reading, of which half its range is told
-_FIRST_STEP = 1.5  # timesteps, for times are multiples of it up to rounding
+_STIR_SHARE = 1e-3  # of the size of the structure
+_SHOWN = 1e-3  # share of a reading from which half its range is shown
+_FIRST_STEP = 1.5  # timesteps, because times are multiples of the timestep up to rounding
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reading:
-    """What a measure reads over a while: of each hinge of an angle, rad, or of a distance, m, (reading,).
+    """Readings of a measure over a time window: one per hinge of an angle, rad, or a distance, m, (reading,).
 
     Attributes:
         kind: "angle" or "distance".
-        mean: over the while.
-        low: lowest.
-        high: highest.
+        mean: means over the window.
+        low: lowest values.
+        high: highest values.
     """
 
     kind: Literal["angle", "distance"]
@@ -56,43 +56,44 @@ class Reading:
     high: Array
 
     def __repr__(self) -> str:
-        """The means as a table has them, with half the range where they swing."""
+        """Return the means in the units of tables, with half the range where they swing."""
         if self.kind == "angle":
             unit, factor = "deg", float(np.degrees(1.0))
         else:
             unit, factor = reading_unit("m", float(np.abs(self.mean).max(initial=0)))
         halves = factor * (self.high - self.low) / 2
-        told = (
+        values = (
             f"{value:.4g}{f' ± {half:.2g}' if half >= _SHOWN * abs(value) else ''}"
             for value, half in zip((factor * self.mean).tolist(), halves.tolist(), strict=True)
         )
-        return f"{', '.join(told)} {unit}"
+        return f"{', '.join(values)} {unit}"
 
 
-# what has springs, beside tendons; of each there is a state's energy if the structure has any
+# kinds of elastic parts besides tendons; a state has an energy for each kind that the structure has
 SPRUNG = ("hinge", "spring", "coupling")
 
 
 @dataclass(frozen=True, kw_only=True)
 class State:
-    """A state that a protocol names: the mean over the last part of a stage, and how far it still swings.
+    """A state that a protocol names: means over the last part of a stage, and whether it still swings.
 
     Attributes:
         name: such as "folded".
         time: end of the stage, s.
-        coordinates: means of what goals are bounds on, the angles of all hinges first, rad or m, (coordinate,).
+        coordinates: means of the coordinates that goals bound, rad or m, the angles of all hinges first, (coordinate,).
         readings: by name of the measure.
         tendon_length: m, (tendon,).
         tendon_energy: J, (tendon,).
         membrane_energy: J; nan in a sparse record of a structure with membranes.
-        hinge_energy: of the hinges' springs, J, (hinge,); None where they have none.
-        spring_energy: of the springs between points, J, (spring,); None where there are none.
-        coupling_energy: of the couplings between joints, J, (coupling,); None where none is elastic.
-        within: whether it is within the bounds of its name.
-        swings: whether what is measured still moves, an angle by more than 0.1 deg, a distance by 0.1 % of the size.
-        furthest: of the measure of the transition that leads there, what reads furthest from its goal, rad or m; of
-            other states the largest reading of the first measure; None where nothing is measured.
-        furthest_kind: of that measure.
+        hinge_energy: of the hinges' springs, J, (hinge,); None if no hinge has a spring.
+        spring_energy: of the springs between points, J, (spring,); None if there are none.
+        coupling_energy: of the couplings between joints, J, (coupling,); None if none is elastic.
+        within: whether the coordinates are within the bounds of the named state.
+        swings: whether a measure still moves, an angle by more than 0.1 deg or a distance by more than 0.1 % of the
+            structure's size.
+        furthest: reading furthest from the goal of the transition to this state, rad or m; for other states, the
+            largest reading of the first measure; None where nothing is measured.
+        furthest_kind: kind of that measure.
     """
 
     name: str
@@ -112,9 +113,9 @@ class State:
 
     @property
     def values(self) -> StateValues:
-        """Numbers of the state, SI: readings by the name of their measure, all others by names with a dot.
+        """Return the numbers of the state, SI: readings by the name of their measure, others by names with a dot.
 
-        Absent: energies of what the structure does not have, and those of membranes in a sparse record.
+        Energies of parts that the structure lacks are absent, and energies of membranes in a sparse record.
         """
         stored = {kind: getattr(self, f"{kind}_energy") for kind in SPRUNG}
         return {
@@ -127,25 +128,25 @@ class State:
         }
 
     def __repr__(self) -> str:
-        """What is measured, and the energy of its tendons, in the units of tables."""
-        told = [f"{name} {reading!r}" for name, reading in self.readings.items()]
-        told += [f"tendons {show_value(float(self.tendon_energy.sum()), 'J')}"] if len(self.tendon_energy) else []
-        return f"<{self.name} at {show_value(self.time, 's')}: {'; '.join(told) or 'nothing is measured'}>"
+        """Return the readings and the energy of the tendons, in the units of tables."""
+        parts = [f"{name} {reading!r}" for name, reading in self.readings.items()]
+        parts += [f"tendons {show_value(float(self.tendon_energy.sum()), 'J')}"] if len(self.tendon_energy) else []
+        return f"<{self.name} at {show_value(self.time, 's')}: {'; '.join(parts) or 'nothing is measured'}>"
 
 
 @dataclass(frozen=True, kw_only=True)
 class TransitionOutcome:
-    """What became of a transition, such as folding.
+    """Outcome of a transition, such as folding.
 
     Attributes:
         strength: of its drive, in the SI unit of `drive_unit`.
         succeeded: whether the goal was reached, and the state held after the release if a release ends in it.
-        time: from the start of the stage until the goal was reached, s; None where it failed.
+        time: from the start of the stage until the goal was reached, s; None if it failed.
         work: of the motors over the stage, J: the integral of torque over angle.
-        largest_force: over the stage, on all points of a displacement together and along it, N; None of other drives.
-        held: whether the state held after the release; None where no release ends in the state: nothing is claimed.
-        sprung_back: where no release ends in the state but one follows: what the transition's measure reads furthest
-            from the goal at the end of the driven stage and at the end of the release, rad or m; else None.
+        largest_force: largest total force along a displacement over the stage, N; None for other drives.
+        held: whether the state held after the release; None if no release ends in the state.
+        sprung_back: for a release that follows but ends in no named state: the readings furthest from the goal at the
+            end of the driven stage and at the end of the release, rad or m; else None.
     """
 
     strength: float
@@ -159,16 +160,16 @@ class TransitionOutcome:
 
 @dataclass(frozen=True, kw_only=True)
 class StageOutcome:
-    """How a stage of the protocol went.
+    """Outcome of a stage of the protocol.
 
     Attributes:
         name: of the stage.
         drive: names of its drives.
-        goal: as the protocol has it.
-        reached: whether the goal was; None where it was the time, or where nothing is to be trusted.
-        time: until the goal was reached, s; how long the stage took where it had none; None where it missed it.
+        goal: as written in the protocol.
+        reached: whether the goal was reached; None if the goal was a time, or if the run is unreliable.
+        time: until the goal was reached, s; the duration of a stage without a goal; None if it missed its goal.
         work: of the motors over the stage, J.
-        waited: how long it was at rest without being stepped, s, beside the time; None where it did not wait.
+        waited: time at rest that was skipped without stepping, s, not part of `time`; None if the stage did not wait.
     """
 
     name: Annotated[str, Written.NEVER]
@@ -187,22 +188,23 @@ class StageOutcome:
 
 @dataclass(frozen=True, kw_only=True)
 class Outcome(Displayed):
-    """What a run means.
+    """Outcome of a run.
 
     Attributes:
-        ending: what it came to.
-        status: that in a few words.
-        holds: by name of the state that a transition leads to, whether it was reached and held when released; None
-            where the run diverged or is not to be trusted.
-        states: by name, all of the structure; None where the protocol did not get there.
-        state_names: what to call each, for a state that was missed is called otherwise.
-        transitions: by name, all of the structure; None where the protocol has no such stage or did not get there.
-        stages: that took place, in order.
+        ending: verdict with its numbers.
+        status: verdict in a few words.
+        holds: by name of the state at the end of a transition, whether it was reached and held when released; None
+            if the run diverged or is unreliable.
+        states: all named states of the structure, by name; None for a state that the run did not reach in its protocol.
+        state_names: names for sentences, because a state that was missed has another name.
+        transitions: all transitions of the structure, by name; None for one that the protocol does not drive, or that
+            the run did not get to.
+        stages: stages that took place, in order.
         energy_balance: over the whole run.
         name: of the design.
-        structure: that ran.
-        confirmation: comparison with second runs of the same design; None where there were none.
-        advise: finds what to try.
+        structure: simulated structure.
+        confirmation: comparison with second runs of the same design; None without second runs.
+        advise: computes the advice.
     """
 
     ending: Ending
@@ -219,29 +221,29 @@ class Outcome(Displayed):
     advise: Callable[[], Advice] = field(default=lambda: NOTHING, repr=False, compare=False)
 
     def __repr__(self) -> str:
-        """What became of it, and the states."""
+        """Return the status and the states."""
         states = [repr(state) for state in self.states.values() if state is not None]
         return "\n  ".join([f"<Outcome of {self.name}: {self.status}>", *states])
 
     @cached_property
     def advised(self) -> Advice:
-        """What to try, with the values to replace; found when it is wanted, for statics may be asked."""
+        """Return what to change, with the new values; computed on first use, because it may need statics."""
         return self.advise()
 
     @property
     def advice(self) -> str:
-        """What to try, in a sentence; empty where there is nothing to mend, or nothing is known to help."""
+        """Return what to change, in a sentence; empty if nothing failed, or if nothing is known to help."""
         return self.advised.text
 
     @property
     def verdict(self) -> Verdict:
-        """What the run came to, in a word."""
+        """Return the verdict of the run."""
         return self.ending.verdict
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Way:
-    """A transition in a run: the stage that drives it, and the state that was left of it."""
+class _TransitionRun:
+    """A transition in a run: the stage that drives it, and the state at its end or after its release."""
 
     transition: Transition
     driven: StageEnd | None
@@ -250,14 +252,14 @@ class _Way:
 
 
 def measure(run: Record | str | os.PathLike[str]) -> Outcome:
-    """Find what a run, or the one in a folder, means.
+    """Compute the outcome of a run, or of a run in a folder.
 
-    A state is taken at the end of the stage that the protocol names it by. Where that did not take place it is taken
-    at the end of the stage that was to lead there. It is the mean over the protocol's window; at the end of a driven
-    stage that reached its goal, it is the moment at which it did.
+    A state is taken at the end of the stage that names it. If that stage did not take place, the state is taken at the
+    end of the stage that was to lead to it. It is a mean over the protocol's window. At the end of a driven stage that
+    reached its goal, it is the state at the moment of reaching.
 
     Raises:
-        InputError: it is no run, or cannot be read.
+        InputError: the folder does not contain a run, or it cannot be read.
     """
     record = as_record(run)
     return held_against(_outcome(record), record.checks, record.design)
@@ -266,12 +268,12 @@ def measure(run: Record | str | os.PathLike[str]) -> Outcome:
 def outcome_values(outcome: Outcome) -> dict[str, tuple[float, ...]]:
     """Return the numbers of an outcome by name, SI: times and works of transitions, and the values of states."""
     values: dict[str, tuple[float, ...]] = {}
-    for name, made in outcome.transitions.items():
-        if made is not None and made.time is not None:
-            values |= {f"{name}.time": (made.time,), f"{name}.work": (made.work,)}
+    for name, transition in outcome.transitions.items():
+        if transition is not None and transition.time is not None:
+            values |= {f"{name}.time": (transition.time,), f"{name}.work": (transition.work,)}
     for name, state in outcome.states.items():
         if state is not None:
-            values |= {f"{name}.{each}": tuple(numbers.tolist()) for each, numbers in state.values.items()}
+            values |= {f"{name}.{quantity}": tuple(numbers.tolist()) for quantity, numbers in state.values.items()}
     return values
 
 
@@ -279,22 +281,22 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
     """Compare an outcome with second runs of its design.
 
     Args:
-        outcome: of a run by itself.
-        checks: second runs; without any, and of a run that says nothing of its structure, the outcome stays.
-        design: that ran.
+        outcome: of the run alone.
+        checks: second runs; without any, or if the verdict is not conclusive, the outcome is returned unchanged.
+        design: simulated design.
 
     Returns:
-        The outcome with its confirmation. Where the verdicts differ the verdict is "undecided", and what the runs
-        disagree on is not known: `holds` is None, and a transition that leads there has no time.
+        The outcome with its confirmation. If the verdicts differ, the verdict is "undecided". For each state on which
+        the runs disagree, `holds` is None and the transition to it has no time.
     """
     if not checks or not outcome.verdict.tells:
         return outcome
     values: Values = outcome_values(outcome)
     timestep = float(design.protocol.timestep)
-    found = confirm(outcome.ending, values, timestep, checks)
-    if found.agree:
-        return replace(outcome, confirmation=found)
-    ending = undecided(outcome.ending, undecided_text(outcome.status, timestep, outcome.ending, found))
+    confirmation = confirm(outcome.ending, values, timestep, checks)
+    if confirmation.agree:
+        return replace(outcome, confirmation=confirmation)
+    ending = undecided(outcome.ending, undecided_text(outcome.status, timestep, outcome.ending, confirmation))
     holds = {
         state: held if all(check.holds.get(state) == held for check in checks) else None
         for state, held in outcome.holds.items()
@@ -310,18 +312,20 @@ def held_against(outcome: Outcome, checks: Sequence[NumericalCheck], design: Des
             state.name: _called(state, outcome.states[state.name], holds) for state in outcome.structure.states
         },
         transitions={
-            name: made if made is None or holds[leads[name]] is not None else replace(made, succeeded=False, time=None)
-            for name, made in outcome.transitions.items()
+            name: replace(transition, succeeded=False, time=None)
+            if transition is not None and holds[leads[name]] is None
+            else transition
+            for name, transition in outcome.transitions.items()
         },
-        confirmation=found,
+        confirmation=confirmation,
     )
 
 
 def _outcome(record: Record) -> Outcome:
-    """What a run means by itself."""
+    """Compute the outcome of a run alone, without second runs."""
     structure, protocol, balance = record.structure, record.design.protocol, energy_balance(record)
-    ways = [_way(record, transition) for transition in structure.transitions]
-    missed, unresolved = _missed(record, ways), unresolved_stops(record)
+    runs = [_transition_run(record, transition) for transition in structure.transitions]
+    missed, unresolved = _missed(record, runs), unresolved_stops(record)
     if record.diverged_at is not None:
         verdict = Verdict.DIVERGED
     elif record.doubt or unresolved or not balance.residual <= protocol.residual_limit:
@@ -329,19 +333,19 @@ def _outcome(record: Record) -> Outcome:
     else:
         verdict = _verdict(record.structure, missed)
     if not verdict.tells:
-        missed = next((way.driven for way in ways if way.driven is not None), None)
-    told = missed or next((way.driven for way in reversed(ways) if way.driven is not None), None)
-    way = None if told is None else _way_of(ways, told)
+        missed = next((run.driven for run in runs if run.driven is not None), None)
+    decisive = missed or next((run.driven for run in reversed(runs) if run.driven is not None), None)
+    run = None if decisive is None else _transition_run_of(runs, decisive)
     ending = Ending(
         verdict=verdict,
-        transition=None if way is None else way.transition,
-        reading=way.state.furthest if verdict.tells and way is not None and way.state is not None else None,
+        transition=None if run is None else run.transition,
+        reading=run.state.furthest if verdict.tells and run is not None and run.state is not None else None,
         time=record.diverged_at,
         residual=balance.residual if record.diverged_at is None else None,
         why=record.doubt or unresolved or _why(record, verdict, missed),
     )
-    holds = {way.transition.state: way.holds if verdict.tells else None for way in ways}
-    led_to = {way.transition.state: way.state for way in ways}
+    holds = {run.transition.state: run.holds if verdict.tells else None for run in runs}
+    led_to = {run.transition.state: run.state for run in runs}
     states = {
         state.name: led_to[state.name] if state.name in led_to else _named_state(record, state)
         for state in structure.states
@@ -352,7 +356,7 @@ def _outcome(record: Record) -> Outcome:
         holds=holds,
         states=states,
         state_names={state.name: _called(state, states[state.name], holds) for state in structure.states},
-        transitions={way.transition.name: _transition(record, way, holds) for way in ways},
+        transitions={run.transition.name: _transition(record, run, holds) for run in runs},
         stages=tuple(_stage(record, end, tells=verdict.tells) for end in record.stages),
         energy_balance=balance,
         name=record.design.name,
@@ -362,7 +366,7 @@ def _outcome(record: Record) -> Outcome:
 
 
 def early_goal(record: Record, end: StageEnd) -> str:
-    """What to say where a driven stage's goal, a bound, holds at its first step; else empty."""
+    """Return a warning if the goal of a driven stage, a bound, is met at its first step; else an empty text."""
     if (
         end.goal_time is None
         or not stage_drives(end.stage)
@@ -374,12 +378,12 @@ def early_goal(record: Record, end: StageEnd) -> str:
 
 
 def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
-    """Why a stage missed its goal, where the words of its transition would mislead."""
+    """Return why a stage missed its goal where the wording of its transition would mislead; else an empty text."""
     if missed is None or verdict not in (Verdict.MOVING, Verdict.NOT_HELD):
         return ""
     if missed.stage.wait and missed.goal_time is None:
         limit, wait = show_value(missed.stage.time_limit, "s"), show_duration(missed.stage.wait)
-        where = f'in the stage "{missed.stage.name}", where it was to wait {wait}'
+        where = f'in the stage "{missed.stage.name}", which waits {wait} at rest'
         return f"did not come to rest within {limit} (time_limit) {where}"
     if verdict is Verdict.NOT_HELD:
         return early_goal(record, missed)
@@ -388,61 +392,61 @@ def _why(record: Record, verdict: Verdict, missed: StageEnd | None) -> str:
     return ENDING_TEXTS["moving, torque rises"] if missed.at_rest else ""
 
 
-def _way(record: Record, transition: Transition) -> _Way:
+def _transition_run(record: Record, transition: Transition) -> _TransitionRun:
     structure, number = record.structure, transition.stage
     if number is None or number >= len(record.stages):
-        return _Way(transition=transition, driven=None, state=None, holds=False)
+        return _TransitionRun(transition=transition, driven=None, state=None, holds=False)
     driven = record.stages[number]
     names = structure.stage_states
     named = next((place for place in range(number, len(names)) if names[place] == transition.state), number)
     end = record.stages[named] if _sound(record, named) else driven if _sound(record, number) else None
     rest_state = state_of(structure, transition.state)
     state = None if end is None else _state(record, end, transition.state)
-    own = goal_of(structure, driven.stage.until)
-    asked = _same_goal(own, goal_of(structure, transition.goal))
-    reached = driven.goal_time is not None or own.kind != "bounds"
+    stage_goal = goal_of(structure, driven.stage.until)
+    ends_transition = _same_goal(stage_goal, goal_of(structure, transition.goal))
+    reached = driven.goal_time is not None or stage_goal.kind != "bounds"
     holds = False
     if state is not None and rest_state is not None:
-        # a stage that was not to end at a bound does not say whether it was reached, but what it left does
-        kept = goal_of(structure, transition.released if asked else rest_state.goal)
+        # a stage that does not end at a bound cannot reach it, so its final state decides
+        kept = goal_of(structure, transition.released if ends_transition else rest_state.goal)
         holds = reached and _within(state.coordinates, kept)
-        # what held before the drive did anything is not its doing
+        # a goal that was met before the drive acted is not an effect of the drive
         holds = holds and not early_goal(record, driven)
-    return _Way(transition=transition, driven=driven, state=state, holds=holds)
+    return _TransitionRun(transition=transition, driven=driven, state=state, holds=holds)
 
 
-def _way_of(ways: list[_Way], end: StageEnd) -> _Way | None:
-    """The transition that a stage drives, or whose goal ends it."""
+def _transition_run_of(runs: list[_TransitionRun], end: StageEnd) -> _TransitionRun | None:
+    """Return the transition that a stage drives, or whose goal ends the stage."""
     drives = stage_drives(end.stage)
-    for way in ways:
-        if way.driven is end:
-            return way
-    return next((way for way in ways if way.transition.goal == end.stage.until or way.transition.drive in drives), None)
+    for run in runs:
+        if run.driven is end:
+            return run
+    return next((run for run in runs if run.transition.goal == end.stage.until or run.transition.drive in drives), None)
 
 
-def _missed(record: Record, ways: list[_Way]) -> StageEnd | None:
-    """The stage whose goal was missed, or lost when released; None where there is none."""
-    for way in ways:
-        if way.driven is not None and not way.holds:
-            return way.driven
+def _missed(record: Record, runs: list[_TransitionRun]) -> StageEnd | None:
+    """Return the first stage whose goal was missed or lost when released; None if there is none."""
+    for run in runs:
+        if run.driven is not None and not run.holds:
+            return run.driven
     last = record.stages[-1]
-    asked = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
-    return last if last.goal_time is None and asked else None
+    has_goal = last.stage.wait or goal_of(record.structure, last.stage.until).kind == "bounds"
+    return last if last.goal_time is None and has_goal else None
 
 
 def _verdict(structure: Structure, missed: StageEnd | None) -> Verdict:
-    """What a run that is to be trusted came to, by the stage whose goal it missed."""
+    """Return the verdict of a reliable run from the stage whose goal it missed."""
     if missed is None:
         return Verdict.REACHED
     if missed.goal_time is not None:
         return Verdict.NOT_HELD
-    # less than all of its torque says nothing of where it sticks
+    # a run counts as stuck only if its drives have reached their full strength
     risen = all(missed.end - missed.start >= drive_of(structure, name).rise for name in stage_drives(missed.stage))
     return Verdict.STUCK if missed.at_rest and risen and not missed.at_goal else Verdict.MOVING
 
 
 def _named_state(record: Record, state: RestState) -> State | None:
-    """A state that no transition leads to, at the end of the stage that is named by it."""
+    """Return a state that no transition leads to, at the end of the stage that names it."""
     names = record.structure.stage_states
     number = names.index(state.name) if state.name in names else len(names)
     return _state(record, record.stages[number], state.name) if _sound(record, number) else None
@@ -460,32 +464,32 @@ def _within(coordinates: Array, bounds: StageGoal) -> bool:
 
 
 def _same_goal(one: StageGoal, other: StageGoal) -> bool:
-    """Whether two goals ask for the same, however they are called."""
-    alike = np.array_equal(one.least, other.least) and np.array_equal(one.most, other.most)
-    return one.kind == other.kind and alike
+    """Return whether two goals have the same bounds, even if their names differ."""
+    same_bounds = np.array_equal(one.least, other.least) and np.array_equal(one.most, other.most)
+    return one.kind == other.kind and same_bounds
 
 
 def _sound(record: Record, stage: int) -> bool:
-    """Whether a stage took place without diverging."""
+    """Return whether a stage took place without diverging."""
     return len(record.stages) > stage and (record.diverged_at is None or stage < len(record.stages) - 1)
 
 
 def _state(record: Record, end: StageEnd, name: str) -> State:
     snapped = bool(stage_drives(end.stage)) and end.goal_time is not None
-    # a stage that ends in the middle of the snap is no rest to average over
+    # a stage that ends at its goal ends in motion, so its end is not averaged
     start = end.end if snapped else max(end.start, end.end - record.design.protocol.window)
     if end.stage.until == "rest" and end.goal_time is not None:
-        start = max(start, end.goal_time)  # before, it moved
-    # half a step either way, for times are multiples of the timestep up to rounding
+        start = max(start, end.goal_time)  # it still moved before
+    # half a step either way, because times are multiples of the timestep up to rounding
     half = float(record.design.protocol.timestep) / 2
-    # as numbers, for a mask is searched through by every series that it is laid on
+    # as row numbers, because applying a mask to every series takes longer
     window = np.flatnonzero((record.time >= start - half) & (record.time <= end.end + half))
     distances = record.series.get("distance")
     coordinates = goal_coordinates(
         record.structure, record.series["hinge_angle"][window], None if distances is None else distances[window]
     )
     readings = {}
-    # what is watched, and what the goals of transitions bound without being watched: hinges by their role
+    # the measures, and groups of hinges by role that goals of transitions bound without being measures
     watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
     for each in dict.fromkeys(watched):
         values = record.measured(each)[window]
@@ -527,7 +531,7 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
 def _furthest(
     structure: Structure, state: str, readings: Mapping[str, Reading]
 ) -> tuple[float | None, Literal["angle", "distance"]]:
-    """What reads furthest from the goal of a state, and whether that is an angle."""
+    """Return the reading furthest from the goal of a state, and its kind."""
     for transition in structure.transitions:
         if transition.state == state and transition.measure in readings:
             mean = readings[transition.measure].mean
@@ -537,13 +541,13 @@ def _furthest(
     return None, "angle"
 
 
-def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> TransitionOutcome | None:
-    end, transition = way.driven, way.transition
+def _transition(record: Record, run: _TransitionRun, holds: Mapping[str, bool | None]) -> TransitionOutcome | None:
+    end, transition = run.driven, run.transition
     if end is None:
         return None
     succeeded = bool(holds[transition.state])
     drive = drive_of(record.structure, transition.drive)
-    released = way.state is not None and way.state.time > end.end
+    released = run.state is not None and run.state.time > end.end
     return TransitionOutcome(
         strength=drive.strength,
         succeeded=succeeded,
@@ -556,7 +560,7 @@ def _transition(record: Record, way: _Way, holds: Mapping[str, bool | None]) -> 
 
 
 def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] | None:
-    """What a transition's measure reads furthest from its goal before and after a release that ends in no state."""
+    """Return the readings furthest from a transition's goal before and after a release that ends in no named state."""
     names, number = record.structure.stage_states, transition.stage
     after = (number or 0) + 1
     if number is None or not _sound(record, after) or names[after] or stage_drives(record.stages[after].stage):
@@ -566,7 +570,7 @@ def _sprung_back(record: Record, transition: Transition) -> tuple[float, float] 
 
 
 def _largest_force(record: Record, drive: Drive, end: StageEnd) -> float | None:
-    """The largest force on all points that a drive displaces in a stage, N; None where it displaces none."""
+    """Return the largest total force on the points that a drive displaces in a stage, N; None if it displaces none."""
     if "motor_force" not in record.series:
         return None
     motors = zip(record.structure.motors, drive.shares, strict=True)
@@ -591,7 +595,7 @@ def _stage(record: Record, end: StageEnd, *, tells: bool) -> StageOutcome:
 
 
 def _work(record: Record, end: StageEnd) -> float:
-    """Work of the motors over a stage, J."""
+    """Return the work of the motors over a stage, J."""
     before, after = (int(np.argmin(np.abs(record.time - moment))) for moment in (end.start, end.end))
     work = record.series["motor_work"]
     return sum((float(last - first) for first, last in zip(work[before], work[after], strict=True)), 0.0)

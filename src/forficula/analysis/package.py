@@ -1,4 +1,4 @@
-"""How much room a structure takes: height, width and area of the smallest slab and box around a shape."""
+"""Packaged size of a structure: height, width and area of the smallest slab and box around a shape."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from forficula.dynamics import Record
 from forficula.serial import Metres, SquareMetres, Written
 from forficula.structure import Structure, goal_coordinates, goal_of, state_of
 
-_FLAT = 1e-9  # of the size of a shape: what is thinner has no inside
-_ALIKE = 1e-9  # of unit vectors
-_ROUNDING = 1e-9  # s, of times that are multiples of the timestep
+_FLAT = 1e-9  # share of the size of a shape: thinner shapes have no volume
+_ALIKE = 1e-9  # tolerance of unit vectors
+_ROUNDING = 1e-9  # s, tolerance of times that are multiples of the timestep
 
 
 @dataclass(frozen=True, kw_only=True)
 class Package:
-    """The room that a shape takes. Panels that pass through each other take less than they would.
+    """Packaged size of a shape. It is too small where panels pass through each other.
 
     Attributes:
-        height: of the thinnest slab that it fits between, m.
-        width: of the narrowest strip across that slab, m.
+        height: of the thinnest slab that contains the shape, m.
+        width: of the narrowest strip in the plane of the slab, m.
         length: along that strip, m.
-        area: of its convex outline, seen square to the slab, m^2.
-        upwards: unit vector square to the slab, (3,).
+        area: of the convex outline, seen perpendicular to the slab, m^2.
+        upwards: unit vector perpendicular to the slab, (3,).
         across: unit vector across the strip, (3,).
-        area_ratio: that area by the one at the start of the run.
+        area_ratio: area divided by the area at the start of the run.
     """
 
     height: Metres
@@ -42,11 +42,11 @@ class Package:
 
 
 def package_of(places: Array, radius: float) -> Package:
-    """The package of balls of one radius around places, m, (place, 3).
+    """Compute the packaged size of balls of one radius around positions, m, (place, 3).
 
-    Between two parallel planes as near to each other as can be, a convex body touches one with a face or both with an
-    edge (Houle and Toussaint 1988, doi 10.1109/34.6790): those directions are tried, and in the plane, alike, those of
-    the sides of the outline.
+    In the thinnest slab, a convex body touches one plane with a face, or both planes with an edge (Houle and Toussaint
+    1988, doi 10.1109/34.6790), so these directions are tried. In the plane, the directions of the sides of the outline
+    are tried for the same reason.
     """
     places = np.unique(places, axis=0)
     upwards = _thinnest(places)
@@ -71,7 +71,7 @@ def package_of(places: Array, radius: float) -> Package:
 
 
 def _thinnest(places: Array) -> Array:
-    """The direction along which places reach least far, (3,)."""
+    """Return the direction in which the extent of positions is least, (3,)."""
     centred = places - places.mean(axis=0)
     _, sizes, axes = np.linalg.svd(centred, full_matrices=False)
     if len(sizes) < 3 or sizes[2] <= _FLAT * sizes[0]:
@@ -92,11 +92,10 @@ def _thinnest(places: Array) -> Array:
 
 
 def packages(record: Record) -> dict[str, tuple[float, Package]]:
-    """When every state that the protocol names was over, s, and the package then, of those that held.
+    """Compute, for each named state that held, the time of its end, s, and the packaged size at that time.
 
-    Of what blew up, or is a line, none.
-
-    Balls have the radius of the thickest bar, or half the thickness of the thickest plate or facet.
+    A run that diverged, and a structure on a line, have none. The balls have the radius of the thickest bar, or half
+    the thickness of the thickest plate or facet.
     """
     structure, found = record.structure, dict[str, tuple[float, Package]]()
     named = [(end.end, name) for end, name in zip(record.stages, structure.stage_states, strict=False) if name]
@@ -107,13 +106,13 @@ def packages(record: Record) -> dict[str, tuple[float, Package]]:
         row = min(int(np.searchsorted(record.time, time - _ROUNDING)), len(record.time) - 1)
         places = _places(record, row)
         if _spread_out(places) and _holds(record, name, row):
-            each = package_of(places, _radius(structure))
-            found[name] = (float(record.time[row]), replace(each, area_ratio=each.area / begin))
+            package = package_of(places, _radius(structure))
+            found[name] = (float(record.time[row]), replace(package, area_ratio=package.area / begin))
     return found
 
 
 def _holds(record: Record, name: str, row: int) -> bool:
-    """Whether a structure is in a state in a row of a record; true of a state without bounds."""
+    """Return whether a structure is in a state in a row of a record; true for a state without bounds."""
     state = state_of(record.structure, name)
     if state is None:
         return True
@@ -126,12 +125,12 @@ def _holds(record: Record, name: str, row: int) -> bool:
 
 
 def open_package(record: Record) -> Package:
-    """The package of a structure as it begins."""
+    """Compute the packaged size at the start of a run."""
     return package_of(_places(record, 0), _radius(record.structure))
 
 
 def smallest_package(record: Record) -> tuple[str, float, Package] | None:
-    """The name, the time, s, and the package of the state with the least area; None where there is no state."""
+    """Return name, time, s, and packaged size of the state with the least area; None without states."""
     found = packages(record)
     if not found:
         return None
@@ -140,19 +139,19 @@ def smallest_package(record: Record) -> tuple[str, float, Package] | None:
 
 
 def _spread_out(places: Array) -> bool:
-    """Whether places do not lie on a line."""
+    """Return whether positions do not all lie on a line."""
     sizes = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
     return len(sizes) > 1 and bool(sizes[1] > _FLAT * sizes[0])
 
 
 def _radius(structure: Structure) -> float:
-    """Half of what the thickest part is across, m."""
+    """Return half the thickness of the thickest part, m."""
     bars, plates = ([each.diameter for each in structure.bars], [each.thickness for each in structure.plates])
     return max([*bars, *plates, *(each.thickness for each in structure.facets)], default=0.0) / 2
 
 
 def _places(record: Record, row: int) -> Array:
-    """Where the structure is in a row of a record: its own points, and nodes of membranes, m, (place, 3)."""
+    """Return positions of the structure's points and membrane nodes in a row of a record, m, (place, 3)."""
     own = [number for number, point in enumerate(record.structure.points) if point.role != "ground"]
     places = record.series["point_position"][row, own]
     if "membrane_position" in record.series:

@@ -1,4 +1,4 @@
-"""Whether a timestep resolves the stops, guard tendons and contacts that a run met."""
+"""Check that the timestep resolves the stops, guard tendons and contacts that a run met."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from forficula.quantities import show_value
 
 
 def unresolved_stops(record: Record) -> str:
-    """Return why a run's timestep is too long for the stops that it met, or for its contacts; else an empty text."""
+    """Return why the timestep is too long for the stops or contacts that a run met; empty if it is short enough."""
     structure, timestep = record.structure, float(record.design.protocol.timestep)
     met = [("stop_work", "stops.time_constant", structure.stops, STEPS_TO_TIME_CONSTANT)]
     if structure.contact is not None:
         met.append(("contact_work", "contact.time_constant", structure.contact.stops, STEPS_TO_CONTACT))
     for series, key, stops, steps in met:
         longest = stops.time_constant / steps
-        # to rounding, as a timestep of exactly this is written
+        # tolerate rounding, because a timestep of exactly this value is allowed
         if np.any(record.series[series]) and timestep > (1 + 1e-9) * longest:
             return (
                 f"protocol.timestep of {show_value(timestep, 's')} does not resolve {key} of"

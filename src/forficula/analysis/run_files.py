@@ -1,4 +1,4 @@
-"""The files that hold a run: what was chosen, what happened, what it came to."""
+"""The files of a run: its design, its record and the summary of its outcome."""
 
 from __future__ import annotations
 
@@ -19,14 +19,16 @@ _DESIGN, _RECORD, _SUMMARY = "design.toml", "record.nc", "summary.json"
 def write_run_files(
     record: Record, outcome: Outcome, folder: Path, *, kept: Record | None = None, key: str | None = None
 ) -> None:
-    """Write design, record and summary of a run, one after another: for all or none, into a folder of `replacing_all`.
+    """Write design, record and summary of a run, one after another.
+
+    To write all files or none, pass a folder of `replacing_all`.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        folder: that is there.
-        kept: the same with some of its rows, to be written in its place; the summary is that of all rows.
-        key: of the run among those of a study, which its summary then has, too.
+        record: of the run.
+        outcome: of the run.
+        folder: existing folder.
+        kept: thinned record to write instead of the full one; the summary is always of all rows.
+        key: of the run among those of a study, to be written into the summary.
 
     Raises:
         InputError: a file cannot be written.
@@ -45,7 +47,7 @@ def read_run(folder: Path) -> Record:
     if not folder.is_dir():
         what = "a file" if folder.exists() else "no such folder"
         raise InputError(f"{folder}: need the folder of a run, as forficula run writes it, got {what}")
-    clear_leftovers(folder)  # a run that was killed may have set the record aside
+    clear_leftovers(folder)  # a killed run may have moved the record to a temporary name
     path = folder / _RECORD
     if not path.is_file():
         raise InputError(f"{folder}: holds no run: {_RECORD} is missing; write it with forficula run --out {folder}")
@@ -53,7 +55,7 @@ def read_run(folder: Path) -> Record:
 
 
 def holds_run(folder: Path, key: str) -> bool:
-    """Whether the run with this key is there, as these versions write it."""
+    """Return whether a folder contains the run with this key, written by the present versions."""
     try:
         written = json.loads((folder / _SUMMARY).read_text("utf-8"))
         same = written["key"] == key and written["versions"] == versions()
@@ -63,7 +65,7 @@ def holds_run(folder: Path, key: str) -> bool:
 
 
 def remove_run(folder: Path) -> None:
-    """Remove the files of a run, where there is one; what else lies there stays."""
+    """Remove the files of a run, if there is one; other files in the folder stay."""
     if (folder / _SUMMARY).is_file():
-        for name in (_DESIGN, _RECORD, _SUMMARY):  # the summary last: a folder without one is not ours
+        for name in (_DESIGN, _RECORD, _SUMMARY):  # summary last: it marks a folder as one of a run
             (folder / name).unlink(missing_ok=True)

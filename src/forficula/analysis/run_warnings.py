@@ -1,4 +1,4 @@
-"""What a person should know of a run that only the run itself tells."""
+"""Warnings about a run that follow from its record and not from its design alone."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from forficula.dynamics import Record, energy_balance
 from forficula.quantities import show_value
 from forficula.structure import goal_of, hinge_bounds
 
-_FAR_FASTER = 100.0  # than the tests of a material: two decades, over which a polymer's modulus can change much
+_FAR_FASTER = 100.0  # times the strain rate of the tests: a polymer's modulus can change much over two decades
 _LINEAR = 0.2  # true strain up to which membranes count as linearly elastic
 _CRUSHED = -0.499  # Green's strain; -0.5 is a length of 0
-_TRIFLE = 0.5 / 220  # of a structure's size: half a millimetre of the reference wing
+_TRIFLE = 0.5 / 220  # share of a structure's size: half a millimetre in the reference wing
 TARGET = "target"
-# that a sentence names
+# number of creases that a sentence names
 _NAMED = 4
 
 
 def run_warnings(record: Record) -> list[str]:
-    """What a person should know of a run that only the run itself tells, one sentence each."""
+    """Return the warnings about a run, one sentence each."""
     early = [early_goal(record, end) for end in record.stages]
     return [
         *filter(None, early),
@@ -41,22 +41,22 @@ def run_warnings(record: Record) -> list[str]:
 
 
 def _missed(record: Record) -> list[str]:
-    """Of creases that were to go to their targets and are not there."""
+    """Warn of creases that did not reach their targets."""
     missed = missed_targets(record)
     bounded = np.isfinite(goal_of(record.structure, TARGET).least) if missed else np.zeros(0)
     return [missed_text(missed, int(bounded.sum()))] if missed else []
 
 
 def _broken(record: Record) -> list[str]:
-    """Of parts that bear more than their material withstands."""
+    """Warn of parts whose stress exceeds the strength of their material."""
     if record.structure.strength is None:
         return []
     over = [
         peak for peak in strain_peaks(record) if peak.stress and peak.withstood and abs(peak.stress) > peak.withstood
     ]
     return [
-        f"{peak.part} bears {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.stressed_at:.3g} s, more than the"
-        f" {(peak.withstood or 0.0) / 1e6:.3g} MPa that its material withstands (facet.strength)"
+        f"{peak.part} reaches a stress of {abs(peak.stress or 0.0) / 1e6:.3g} MPa at {peak.stressed_at:.3g} s, more"
+        f" than the strength of its material, {(peak.withstood or 0.0) / 1e6:.3g} MPa (facet.strength)"
         for peak in over
     ]
 
@@ -79,75 +79,77 @@ def _stretched_membranes(record: Record) -> list[str]:
 
 
 def _crossing_facets(record: Record) -> list[str]:
-    """Of the facets that are the first to pass through each other, and how many others do."""
+    """Warn of the first two facets that pass through each other, with the number of further pairs."""
     found = facets_that_cross(record)
     if not found:
         return []
     names, more = " and ".join(found[0].names), len(found) - 1
     others = f", and {more} more pair{'s' * (more > 1)} later" if more else ""
     kind = "plates" if record.structure.plates else "facets"
-    return [f"{names} pass through each other from {found[0].time:.3g} s{others}: {kind} do not touch each other"]
+    return [
+        f"{names} pass through each other from {found[0].time:.3g} s{others}: contact between {kind} is not modelled"
+    ]
 
 
 def _crossing_panels(record: Record) -> list[str]:
-    """Of the panels that pass furthest through each other, where that is more than a trifle."""
+    """Warn of the two panels that pass furthest through each other, unless the depth is negligible."""
     found = panel_crossing(record)
     if found is None or found.depth <= _TRIFLE * record.structure.span:
         return []
-    told = (
+    crossing = (
         f"{' and '.join(found.names)} pass through each other by {show_value(found.depth, 'm')} at {found.time:.3g} s"
     )
     if record.structure.contact is None:
-        return [f"{told}: nothing keeps them apart, which protocol.contact = true does"]
-    return [f"{told}, more than contact should let through: with a shorter timestep it holds better"]
+        return [f"{crossing}: contact is switched off; protocol.contact = true keeps panels apart"]
+    return [f"{crossing}, more than contact should allow: a shorter timestep reduces the depth"]
 
 
 def _giving_contacts(record: Record) -> list[str]:
-    """Of contacts that gave more energy than may be missing from a balance."""
+    """Warn of contacts that supplied more energy than may be missing from the balance."""
     if "contact_work" not in record.series or record.diverged_at is not None:
         return []
     balance = energy_balance(record)
     given = -(balance.contacts or 0.0)
     if not given > record.design.protocol.residual_limit * balance.exchanged:
         return []
-    share = f"{100 * given / balance.exchanged:.2g} % of what was exchanged" if balance.exchanged else "from nothing"
+    share = f", {100 * given / balance.exchanged:.2g} % of the exchanged energy," if balance.exchanged else ""
     return [
-        f"contacts gave {show_value(given, 'J')}, {share}, but real contacts only take energy: the timestep does not"
-        " resolve them, and this energy counts as missing"
+        f"contacts supplied {show_value(given, 'J')}{share} although real contacts only dissipate energy: the timestep"
+        " does not resolve them, and the energy balance counts this energy as missing"
     ]
 
 
 def _fast_tendons(record: Record) -> list[str]:
-    """Of tendons that move far faster than the tests of their material.
+    """Warn of tendons whose strain rate is far above that of the tests of their material.
 
-    Those of one material count together; they are named where others are of another one.
+    Tendons of one material share a warning, which names them if other tendons have another material.
     """
     tendons, rates = record.structure.tendons, highest_strain_rates(record)
-    told = []
+    warnings = []
     for material in dict.fromkeys(tendon.material for tendon in tendons):
         if material is None or material.highest_strain_rate is None:
             continue
-        own = [number for number, tendon in enumerate(tendons) if tendon.material == material]
-        rate = float(np.fmax.reduce(rates[own]))
+        numbers = [number for number, tendon in enumerate(tendons) if tendon.material == material]
+        rate = float(np.fmax.reduce(rates[numbers]))
         if not rate > _FAR_FASTER * material.highest_strain_rate:
             continue
-        names = "" if len(own) == len(tendons) else f"{', '.join(tendons[number].name for number in own)}: "
-        told.append(
-            f"{names}taut tendons move at up to {rate:.3g} 1/s, {_rounded(rate / material.highest_strain_rate)} times"
-            f" the {material.highest_strain_rate:.3g} 1/s up to which {material.name or 'their law'} was measured: what"
-            " it says of losses and stiffness so fast is extrapolated"
+        names = "" if len(numbers) == len(tendons) else f"{', '.join(tendons[number].name for number in numbers)}: "
+        warnings.append(
+            f"{names}taut tendons reach a strain rate of {rate:.3g} 1/s,"
+            f" {_rounded(rate / material.highest_strain_rate)} times the {material.highest_strain_rate:.3g} 1/s up to"
+            f" which {material.name or 'their law'} was measured: their losses and stiffness are extrapolated"
         )
-    return told
+    return warnings
 
 
 def highest_strain_rates(record: Record) -> Array:
-    """The highest rates at which taut tendons are strained or let go, 1/s, (tendon,).
+    """Return the highest rates at which taut tendons lengthen or shorten, 1/s, (tendon,).
 
-    By the length that a law counts strain by, from one step to the next; of a record that does not say so, from one
-    kept row to the next, which shows less where rows are further apart than a move.
+    Rates are relative to the gauge length of the law and are taken from one step to the next. A record without these
+    rates gives them from one kept row to the next, which underestimates motions that are shorter than a row.
 
     Returns:
-        nan for a tendon that is not taut over two rows, and for all of a run that diverged.
+        nan for a tendon that is not taut in two consecutive rows, and for all tendons of a run that diverged.
     """
     tendons = record.structure.tendons
     if record.diverged_at is not None:
@@ -165,7 +167,7 @@ def highest_strain_rates(record: Record) -> Array:
 
 
 def _rounded(ratio: float) -> str:
-    """To two digits, without an exponent."""
+    """Return a ratio with two digits and without an exponent."""
     return f"{float(f'{ratio:.2g}'):.0f}"
 
 
@@ -174,10 +176,10 @@ class Missed:
     """A crease that is not at its target.
 
     Attributes:
-        label: what it is called.
-        angle: where it is, in its own sense, rad.
-        target: where it was to go, rad.
-        within: how near would have done, rad.
+        label: name of the crease in sentences.
+        angle: reached angle in the crease's own sense, rad.
+        target: target angle, rad.
+        within: tolerance of the target, rad.
     """
 
     label: str
@@ -187,10 +189,10 @@ class Missed:
 
 
 def missed_targets(record: Record) -> list[Missed]:
-    """Creases that were not at their targets when a stage that was to bring them there ended, the furthest first.
+    """Return creases that were not at their targets when the stage with this goal ended, the furthest first.
 
     Returns:
-        None of a run without such a stage, or in which it reached its goal.
+        The creases; empty for a run without such a stage, and for one in which the stage reached its goal.
     """
     ends = [end for end in record.stages if end.stage.until == TARGET]
     if not ends or ends[-1].goal_time is not None or record.diverged_at is not None:
@@ -206,18 +208,19 @@ def missed_targets(record: Record) -> list[Missed]:
 
 
 def missed_text(missed: list[Missed], creases: int) -> str:
-    """Which creases did not arrive, as a sentence without an end.
+    """Return which creases missed their targets, as a clause.
 
     Args:
-        missed: one or more.
-        creases: how many were to arrive.
+        missed: one or more creases.
+        creases: number of creases with a target.
     """
-    told = [
-        f"{each.label} at {np.degrees(each.angle):.4g} deg of {np.degrees(each.target):.4g} deg"
-        for each in missed[:_NAMED]
+    angles = [
+        f"{crease.label} at {np.degrees(crease.angle):.4g} deg instead of {np.degrees(crease.target):.4g} deg"
+        for crease in missed[:_NAMED]
     ]
     more = [f"{len(missed) - _NAMED} more"] if len(missed) > _NAMED else []
     return (
-        f"{len(missed)} of {creases} creases did not arrive within {np.degrees(missed[0].within):.3g} deg:"
-        f" {', '.join([*told, *more])}; there springs of creases, bending and stretching of facets balance"
+        f"{len(missed)} of {creases} creases did not reach their targets within {np.degrees(missed[0].within):.3g} deg:"
+        f" {', '.join([*angles, *more])}; at these angles crease springs and the bending and stretching of facets"
+        " balance"
     )

@@ -1,4 +1,4 @@
-"""By what the moments and times of a structure are measured: its strongest tendon, or its stiffest crease."""
+"""Scale of the moments and times of a structure: its strongest tendon, or its stiffest crease."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from forficula.quantities import Unit
 from forficula.serial import Key, Metres, NewtonMetres, Seconds, Written
 from forficula.structure import GROUND, Structure, ancestry, built_frames, built_points, hinge_groups, mass_of
 
-# N m and kg m^2: within, ratios of them are numbers
+# N m and kg m^2: range in which ratios neither overflow nor underflow
 _LEAST, _MOST = 1e-150, 1e150
-# of moments that differ by less the first counts: rounding does not choose
+# moments within this share count as equal and the first is taken, so that rounding does not decide
 _SAME = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scale:
-    """What turns about one hinge, and the elastic part across it that moves it.
+    """The part that turns about one hinge, and the elastic part that moves it.
 
     Attributes:
-        name: of that part: of a tendon, or of the hinge whose spring it is.
+        name: of the elastic part: of a tendon, or of the hinge that has the spring.
         hinge: number of the hinge.
         moment: k a b of a tendon, stiffness times both arms, or the stiffness of a hinge's spring, N m.
-        inertia: about the hinge, without its armature, kg m^2; 0 where nothing that weighs is free to turn.
-        weight_arm: mass of what turns times the distance of its centre from the hinge's axis, kg m.
-        reach: how far what turns there reaches from the hinge, m.
-        tendon: number of the tendon; None where the scale is a hinge's spring.
-        arms: a and b of the tendon, m; zeros without one.
+        inertia: about the hinge, without its armature, kg m^2; 0 if no part with mass is free to turn.
+        weight_arm: mass of the turning part times the distance of its centre from the hinge's axis, kg m.
+        reach: largest distance of the turning part from the hinge, m.
+        tendon: number of the tendon; None if the scale is a hinge's spring.
+        arms: a and b of the tendon, m; zeros without a tendon.
     """
 
     name: Annotated[str, Key("part")]
@@ -46,22 +46,22 @@ class Scale:
 
     @property
     def time(self) -> Seconds:
-        """The time t* = sqrt(inertia / moment) in which the part moves what turns, s; 0 where nothing does."""
+        """Return the time t* = sqrt(inertia / moment) of the elastic and the turning part, s; 0 without inertia."""
         return math.sqrt(self.inertia / self.moment)
 
 
 def scale_of(structure: Structure) -> Scale | None:
-    """The scale of a structure; of several tendons the strongest counts, and creases only where no tendon has a scale.
+    """Find the scale of a structure: its strongest tendon, or its stiffest crease if no tendon qualifies.
 
-    A tendon counts that lies across one hinge and pulls when it is hardly stretched. Its arms and its inertia are those
-    of bars square to the hinge, where there are bars: k a b of the closed forms of one tendon across one hinge, with
-    a moment of k a b sin(angle) where its resting length is 0.
+    A tendon qualifies if it lies across one hinge and pulls as soon as it is stretched. If the structure has bars, arms
+    and inertia are those of bars perpendicular to the hinge, as in the closed forms of one tendon across one hinge,
+    where the moment is k a b sin(angle) for a resting length of 0.
 
     Args:
         structure: SI.
 
     Returns:
-        None where neither a tendon nor a hinge's spring moves anything.
+        None if neither a tendon nor a hinge's spring moves a part.
     """
     crossings = [tendon.ideal or tendon.crossing for tendon in structure.tendons]
     number, moment = _largest(
@@ -90,19 +90,19 @@ def scale_of(structure: Structure) -> Scale | None:
 
 
 def _largest(moments: Sequence[float]) -> tuple[int, float]:
-    """The first of the largest numbers that can be computed with, and where it stands; 0 where there is none."""
+    """Return the index and the value of the first of the largest moments within the usable range; 0 if none is."""
     most = max((moment for moment in moments if _LEAST < moment < _MOST), default=0.0)
     number = next((place for place, moment in enumerate(moments) if (1 - _SAME) * most <= moment < _MOST), 0)
     return number, moments[number] if most else 0.0
 
 
 def _weighs(inertia: float) -> float:
-    """An inertia, or 0 for one that is none to compute with."""
+    """Return an inertia, or 0 if it is outside the usable range."""
     return inertia if _LEAST < inertia < _MOST else 0.0
 
 
 def _of_creases(structure: Structure) -> Scale | None:
-    """The scale of the stiffest spring in a hinge or a crease; facets that bend are none."""
+    """Return the scale of the stiffest spring in a hinge or a crease; bends of facets do not count."""
     groups = hinge_groups(structure)
     folds = [number for kind in ("hinges", "creases") for number in groups.get(kind, ())]
     place, moment = _largest([structure.hinges[number].stiffness for number in folds])
@@ -120,11 +120,12 @@ def _of_creases(structure: Structure) -> Scale | None:
 
 
 def _turning(structure: Structure, number: int) -> tuple[float, float, float]:
-    """Of what turns about a hinge as built: inertia, kg m^2, mass times its centre's distance, kg m, and reach, m.
+    """Compute inertia, kg m^2, weight arm, kg m, and reach, m, of the part that turns about a hinge as built.
 
-    About a joint turns all that hangs on its body. About a crease turn the two corners of its flaps, one against the
-    other as two bodies on one axle do: 1 / (1 / I1 + 1 / I2); what is held has no end of inertia. Of the two the one
-    with the smaller moment counts for the weight.
+    The weight arm is the mass times the distance of its centre from the axis. About a joint, its body and all bodies
+    that depend on it turn. About a crease, the two corners of its flaps turn against each other like two bodies on one
+    axle, with the inertia 1 / (1 / I1 + 1 / I2), where a held corner has infinite inertia. The weight arm is the
+    smaller one of both corners.
     """
     hinge, points = structure.hinges[number], built_points(structure)
     if hinge.flaps is None:
@@ -147,12 +148,12 @@ def _turning(structure: Structure, number: int) -> tuple[float, float, float]:
 
 
 def _about(structure: Structure, bodies: list[int], origin: Array, axis: Array) -> tuple[float, float]:
-    """Inertia of bodies about an axis as built, kg m^2, and their mass times their centre's distance from it, kg m."""
+    """Compute inertia of bodies about an axis as built, kg m^2, and mass times distance of their centre, kg m."""
     origins, frames = built_frames(structure)
     inertia, first = 0.0, np.zeros(3)
     for body in bodies:
-        mass, centre, own = mass_of(structure, body)
-        inertia += float(axis @ frames[body] @ own @ frames[body].T @ axis)
+        mass, centre, tensor = mass_of(structure, body)
+        inertia += float(axis @ frames[body] @ tensor @ frames[body].T @ axis)
         for weight, place in ((mass, centre), (structure.bodies[body].mass, np.zeros(3))):
             away = np.cross(axis, origins[body] + frames[body] @ place - origin)
             inertia, first = inertia + weight * float(away @ away), first + weight * away

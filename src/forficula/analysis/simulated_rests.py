@@ -1,4 +1,4 @@
-"""Where a run came to rest beside where statics says that it does."""
+"""Comparison of the resting shapes of a run with those of statics."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from forficula.statics.net.net_of import places as net_places
 
 
 def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, float]:
-    """By how much distances between points at rest differ at most in a run and in statics, m, by state.
+    """Compute by state the largest difference between distances of points in a run and in statics, m.
 
-    Distances are the same however the whole lies. Only states that end stages are compared, where the run deserved
-    their name.
+    Distances do not depend on the position and orientation of the structure. Only states at the ends of stages are
+    compared, and only if the run reached them.
 
     Args:
-        landscape: of the design that was run; of points that slide, or nothing is compared.
+        landscape: of the simulated design; without sliding points, nothing is compared.
         record: of the run.
     """
     places = record.series.get("point_position")
@@ -41,5 +41,5 @@ def rest_distances(landscape: EnergyLandscape, record: Record) -> Mapping[str, f
 
 
 def _apart(places: Array) -> Array:
-    """Distances of all points, m, (point, point)."""
+    """Return distances between all points, m, (point, point)."""
     return np.asarray(np.linalg.norm(places[:, None] - places[None], axis=2))

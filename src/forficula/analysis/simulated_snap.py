@@ -1,4 +1,4 @@
-"""How one hinge of a simulated structure snaps shut, to be read beside the closed form of one hinge alone."""
+"""Snap of one hinge of a simulated structure, to be compared with the closed form of a single hinge."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from forficula.statics import CrossedHinge, EnergyLandscape, fold_time, folding_
 from forficula.statics.tree.snap import FOLD_START
 from forficula.structure import Structure, Transition, crossing_tendons, goal_of, hinge_bounds, structure_of
 
-_ROWS = 200  # that a fold should have in a record
+_ROWS = 200  # wanted number of rows of a record during a fold
 
 
 @dataclass(frozen=True, kw_only=True)
 class SimulatedSnap:
-    """A fold of one hinge in a run. What did not happen is None.
+    """Fold of one hinge in a run. Values of events that did not happen are None.
 
     Attributes:
         folded_time: from the start to the angle that the protocol calls folded, s.
         fold_time: from the start to the fold limit, s.
-        largest_fold: how far it folded, rad past straight.
-        peak_speed: the largest mean speed between two rows of the record, while folding, rad/s.
-        sample_interval: between the rows, s.
+        largest_fold: largest angle past straight, rad.
+        peak_speed: largest mean speed between two rows of the record while folding, rad/s.
+        sample_interval: time between rows, s.
     """
 
     folded_time: float | None
@@ -40,18 +40,18 @@ class SimulatedSnap:
 
 
 def inner_tendon(structure: Structure) -> int | None:
-    """Number of the tendon that stands for those across one hinge each: the first that has others on either side.
+    """Return the number of the tendon that represents all tendons across one hinge: the second of them.
 
-    The first of all where there are fewer than three; None where there are none.
+    With fewer than three such tendons it is the first; None if there are none.
     """
     crossing = crossing_tendons(structure)
     return crossing[1] if len(crossing) > 2 else next(iter(crossing), None)
 
 
 def hinge_name(structure: Structure, tendon: int) -> str:
-    """What sentences call the hinge that a tendon lies across: by its label, with the tendon's in brackets.
+    """Return the name of the hinge that a tendon crosses: its label, with the tendon's label in brackets.
 
-    Where both have one label with a number, such as "vein 1", it is the "second hinge".
+    If both have the same label with a number, such as "vein 1", the name is "second hinge".
     """
     crossing, label = structure.tendons[tendon].crossing, _label(structure, tendon)
     assert crossing is not None
@@ -63,13 +63,13 @@ def hinge_name(structure: Structure, tendon: int) -> str:
 
 
 def inner_hinge(landscape: EnergyLandscape, tendon: int | None = None) -> CrossedHinge | None:
-    """The hinge that a tendon lies across; that of an inner one where none is given; None where there is none."""
+    """Return the hinge that a tendon, by default the inner one, lies across; None if there is none."""
     tendon = inner_tendon(landscape.structure) if tendon is None else tendon
     return next((each for each in landscape.hinges if each.tendon == tendon), None)
 
 
 def folding_transition(structure: Structure, hinge: int) -> Transition | None:
-    """The first transition whose goal bounds a hinge on the side to which it folds; None where none does."""
+    """Return the first transition whose goal bounds a hinge on its folding side; None if there is none."""
     up = folding_sense(structure.hinges[hinge]) < 0
     for transition in structure.transitions:
         least, most = hinge_bounds(structure, goal_of(structure, transition.goal))
@@ -79,9 +79,9 @@ def folding_transition(structure: Structure, hinge: int) -> Transition | None:
 
 
 def folded_angle(structure: Structure, hinge: int) -> float | None:
-    """How far past straight a hinge counts as folded, rad: what the first transition that folds it asks of it.
+    """Return the angle past straight at which a hinge counts as folded, rad: the goal of the first folding transition.
 
-    None where no transition does.
+    It is None if no transition folds the hinge.
     """
     folding = folding_transition(structure, hinge)
     if folding is None:
@@ -91,13 +91,13 @@ def folded_angle(structure: Structure, hinge: int) -> float | None:
 
 
 def fold_limit(structure: Structure, hinge: int) -> float:
-    """How far past straight a hinge can fold, rad."""
+    """Return the largest angle past straight to which a hinge can fold, rad."""
     stops = structure.hinges[hinge]
     return min(stops.upper if folding_sense(stops) < 0 else -stops.lower, math.pi)
 
 
 def finely_sampled(design: Design) -> Design:
-    """The design with rows so close to each other that the snap of one hinge can be timed; the motion is the same."""
+    """Return the design with a sample interval short enough to time the snap of one hinge; the motion is the same."""
     structure = structure_of(design)
     predicted = min((time for each in ideal_hinges(structure) if (time := fold_time(each)) is not None), default=None)
     interval = design.protocol.sample_interval
@@ -108,12 +108,12 @@ def finely_sampled(design: Design) -> Design:
 
 
 def folding_rows(record: Record, hinge: int) -> Flags:
-    """Which rows of a record come before anything opens a hinge again, (row,)."""
+    """Return which rows of a record come before a drive opens a hinge again, (row,)."""
     return np.asarray(record.time <= opening_time(record, hinge))
 
 
 def opening_time(record: Record, hinge: int) -> float:
-    """When the first stage begins whose drive makes another transition than that which folds a hinge, s; else inf."""
+    """Return the start of the first stage that drives another transition than the fold of a hinge, s; inf if none."""
     folding = folding_transition(record.structure, hinge)
     if folding is None:
         return math.inf
@@ -122,17 +122,17 @@ def opening_time(record: Record, hinge: int) -> float:
 
 
 def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | None:
-    """Time the fold of a hinge, from where it last passes the start of its predicted fold to where it first arrives.
+    """Time the fold of a hinge, from its last passing of the predicted start to its first arrival at the end.
 
-    Looks at all before another drive than the one that folds it; between rows the angle is taken as straight.
+    Only rows before another drive than the folding one are used. The angle is interpolated linearly between rows.
 
     Args:
-        record: what happened.
-        crossed: the hinge, whose fold starts a little past where its tendon is longest, or at the overbend stop where
-            that is farther.
+        record: of the run.
+        crossed: the hinge. Its fold starts a little past the angle at which its tendon is longest, or at the overbend
+            stop if that is further.
 
     Returns:
-        None where the run diverged.
+        None if the run diverged.
     """
     if record.diverged_at is not None:
         return None
@@ -154,7 +154,7 @@ def simulated_snap(record: Record, crossed: CrossedHinge) -> SimulatedSnap | Non
 
 
 def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | None:
-    """From the last passing of the start before the first arrival at the end, s; None where there is none."""
+    """Return the time from the last passing of the start to the first arrival at the end, s; None without arrival."""
     arrivals = _passes(time, fold, end)
     if not len(arrivals) or start >= end:
         return None
@@ -164,14 +164,14 @@ def _snap_time(time: Array, fold: Array, start: float, end: float) -> float | No
 
 
 def _passes(time: Array, fold: Array, angle: float) -> Array:
-    """When a folding hinge passes an angle, s."""
+    """Return the times at which a folding hinge passes an angle, s."""
     rows = np.flatnonzero((fold[:-1] < angle) & (fold[1:] >= angle))
     share = (angle - fold[rows]) / (fold[rows + 1] - fold[rows])
     return np.asarray(time[rows] + share * (time[rows + 1] - time[rows]))
 
 
 def simulation_summary(record: Record, crossed: CrossedHinge | None) -> dict[str, Any]:
-    """What a run says of the snap of one hinge, beside its prediction, as plain data with units in its keys."""
+    """Return the snap of one hinge in a run, and its prediction, as plain data with units in the keys."""
     structure, outcome = record.structure, measure(record)
     verdict: dict[str, Any] = {"status": outcome.status, "advice": outcome.advice}
     if crossed is None:
@@ -207,6 +207,6 @@ def _label(structure: Structure, tendon: int) -> str:
 
 
 def _numbered(structure: Structure, tendon: int) -> tuple[str, int | None]:
-    """The word and the number that a tendon is called by, such as "vein" and 1; None where it has another name."""
+    """Return word and number of a tendon's label, such as "vein" and 1; the number is None for another label."""
     word, _, number = _label(structure, tendon).rpartition(" ")
     return word, int(number) if word and number.isdigit() else None

@@ -1,4 +1,4 @@
-"""How thick a tendon of a material must be to have a stiffness."""
+"""Thickness of a tendon of a material for a given stiffness."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from forficula.material.law.softening import spring_stress
 from forficula.quantities import show_quantity
 from forficula.structure import Structure, built_lengths, structure_of
 
-# as a design's, m
+# limits of lengths, as for a design, m
 _SHORTEST, _LONGEST = 1e-12, 1e12
 
 
 @dataclass(frozen=True, kw_only=True)
 class TendonSize:
-    """A tendon that has a stiffness.
+    """Cross-section of a tendon with a given stiffness.
 
     Attributes:
         stiffness: N/m.
-        area: of its cross-section, if the stiffness is that of a small extension, m2.
-        mean_area: if it is the mean stiffness from slack to the built shape, m2; as `area` for a linear law, None where
-            that leaves the tendon slack.
+        area: cross-section for this stiffness at a small extension, m2.
+        mean_area: cross-section for this mean stiffness from slack to the built shape, m2; equal to `area` for a linear
+            law; None if the tendon is slack in the built shape.
     """
 
     stiffness: float
@@ -35,22 +35,22 @@ class TendonSize:
 
     @property
     def diameter(self) -> float:
-        """Of a round tendon of `area`, m."""
+        """Return the diameter of a round tendon with the cross-section `area`, m."""
         return math.sqrt(4 * self.area / math.pi)
 
 
 @dataclass(frozen=True, kw_only=True)
 class TendonSizes:
-    """The tendons of one length.
+    """Tendon sizes for one length.
 
     Attributes:
         length: of the unstretched tendon, m.
-        why: whose length it is.
-        flat_strain: of the longest tendon of that resting length in the built shape, or of all where none has it; < 0
-            where it is slack.
-        beyond: whether that is more than the law was measured for; None where the law does not say.
-        sizes: by stiffness, as asked.
-        whole: what sentences call the structure.
+        why: origin of the length, in words.
+        flat_strain: strain in the built shape of the longest tendon with this resting length, or of the longest of all
+            tendons if none has it; < 0 if it is slack.
+        beyond: whether this strain exceeds the range in which the law was measured; None if the law has no range.
+        sizes: one per requested stiffness, in their order.
+        whole: name of the structure in sentences.
     """
 
     length: float
@@ -64,16 +64,16 @@ class TendonSizes:
 def size_tendons(
     design: AnyDesign, law: MaterialLaw, stiffnesses: Sequence[float], *, length: float | None = None
 ) -> tuple[TendonSizes, ...]:
-    """Size tendons of a material by the stiffness that they need, A = k L / E.
+    """Compute the size of tendons of a material from the stiffness that they need, A = k L / E.
 
     Args:
-        design: whose built shape stretches them.
+        design: the design whose built shape stretches the tendons.
         law: of the material.
         stiffnesses: N/m, > 0.
-        length: of the tendon, m; where it is not given, that of the specimens behind the law, if it is known.
+        length: of the tendon, m; by default that of the specimens behind the law, if it is known.
 
     Returns:
-        For that length, and for each resting length of the design's tendons that is another one > 0.
+        Sizes for that length, and for every other resting length > 0 of the design's tendons.
 
     Raises:
         InputError: no tendons, a stiffness or length that is not > 0, neither length, a modulus that is absent or
@@ -85,18 +85,18 @@ def size_tendons(
     lengths = list(_lengths(structure, law, length))
     if not lengths:
         raise InputError("length: is missing: the design's tendon.rest_length is 0, and strain is extension by length")
-    for each, why in lengths:
-        if not _SHORTEST <= each <= _LONGEST:
-            shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, each)]
+    for candidate, why in lengths:
+        if not _SHORTEST <= candidate <= _LONGEST:
+            shown = [show_quantity(bound, LENGTH) for bound in (_SHORTEST, _LONGEST, candidate)]
             raise InputError(f"length: need >= {shown[0]} and <= {shown[1]}, got {shown[2]}, {why}")
-    return tuple(_sizes(structure, law, stiffnesses, each, why) for each, why in lengths)
+    return tuple(_sizes(structure, law, stiffnesses, candidate, why) for candidate, why in lengths)
 
 
 def _flat_length(structure: Structure, length: float) -> float:
-    """Of the longest tendon in the built shape, m: of those with a resting length, or of all where none has it."""
+    """Return the length in the built shape of the longest tendon with a resting length, or of all if none has it, m."""
     built = built_lengths(structure)
-    own = [math.isclose(tendon.gauge_length, length, rel_tol=1e-9) for tendon in structure.tendons]
-    return float((built[own] if any(own) else built).max(initial=0.0))
+    matching = [math.isclose(tendon.gauge_length, length, rel_tol=1e-9) for tendon in structure.tendons]
+    return float((built[matching] if any(matching) else built).max(initial=0.0))
 
 
 def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Iterator[tuple[float, str]]:
@@ -107,16 +107,16 @@ def _lengths(structure: Structure, law: MaterialLaw, given: float | None) -> Ite
     names: dict[float, list[str]] = {}
     for tendon in structure.tendons:
         names.setdefault(tendon.gauge_length, []).append(tendon.name)
-    for own, tendons in names.items():
-        if own > 0 and (first is None or not math.isclose(own, first, rel_tol=1e-9)):
+    for rest_length, tendons in names.items():
+        if rest_length > 0 and (first is None or not math.isclose(rest_length, first, rel_tol=1e-9)):
             which = "" if len(names) == 1 else f", {', '.join(tendons)}"
-            yield own, f"resting length of {structure.name}{which}"
+            yield rest_length, f"resting length of {structure.name}{which}"
 
 
 def _sizes(
     structure: Structure, law: MaterialLaw, stiffnesses: Sequence[float], length: float, why: str
 ) -> TendonSizes:
-    """Sizes of tendons of a length, the longest of which the built shape stretches to another one."""
+    """Compute sizes of tendons of one length, with the strain of the longest of them in the built shape."""
     areas = [area_for(law, length=length, stiffness=each) for each in stiffnesses]
     strain = _flat_length(structure, length) / length - 1
     share = _mean_share(law, strain - law.residual_strain)
@@ -130,7 +130,7 @@ def _sizes(
 
 
 def _mean_share(law: MaterialLaw, strain: float) -> float | None:
-    """The spring's secant modulus at a strain of its own by that at small strain; None where it is slack."""
+    """Return the secant modulus at a strain divided by the modulus at small strain; None if the tendon is slack."""
     if strain <= 0:
         return None
     moduli = known_moduli(law)

@@ -1,4 +1,4 @@
-"""What a wait does to a structure: what its tendons pull before and after, and whether it goes on from there."""
+"""Effect of a waiting time on a structure: forces of its tendons before and after it, and the next transition."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from forficula.dynamics import Record
 from forficula.quantities import Unit, show_duration, show_value
 from forficula.serial import Joules, Key, Seconds, Written
 
-# of the largest pull of the run: a tendon that pulls less is slack
+# share of the largest pull of the run below which a tendon counts as slack
 _SLACK = 1e-3
 
 
@@ -23,15 +23,15 @@ class Storage:
     """A stage that waited.
 
     Attributes:
-        stage: its number.
-        name: its name.
-        state: the state that it waited in, by name; "" where none has one.
-        time: how long it waited, s.
-        clock: since it first rested, s, (row,), one row before every leap and at the end.
-        pulls: of every tendon, N, (row, tendon); None where none has Maxwell branches.
-        slack: whether no tendon pulls from its beginning to its end.
-        lost: energy that Maxwell branches turned into heat, J.
-        membrane: energy that the membrane holds at the end, which has no law of creep, J; 0 where there is none, nan in
+        stage: number of the stage.
+        name: name of the stage.
+        state: name of the state in which it waited; "" if that has no name.
+        time: duration of the wait, s.
+        clock: time since the structure first rested, s, (row,), one row before every skipped interval and at the end.
+        pulls: force of every tendon, N, (row, tendon); None if no tendon has Maxwell branches.
+        slack: whether no tendon pulls at the beginning and at the end of the wait.
+        lost: energy that Maxwell branches dissipated, J.
+        membrane: energy stored in the membrane at the end, J; its creep is not modelled; 0 without a membrane, nan in
             a sparse record.
     """
 
@@ -47,29 +47,29 @@ class Storage:
 
     @property
     def pull_before(self) -> Annotated[Array | None, Unit("N")]:
-        """What every tendon pulls when the wait begins, N, (tendon,)."""
+        """Return the force of every tendon at the start of the wait, N, (tendon,)."""
         return None if self.pulls is None else self.pulls[0]
 
     @property
     def pull_after(self) -> Annotated[Array | None, Unit("N")]:
-        """What every tendon pulls when the wait is over, N, (tendon,)."""
+        """Return the force of every tendon at the end of the wait, N, (tendon,)."""
         return None if self.pulls is None else self.pulls[-1]
 
     @property
     def weakened(self) -> Annotated[float | None, Key("pull_lost")]:
-        """The share of all tendons' pull that is lost; None where there is none to lose."""
+        """Return the share of the total force of tendons that was lost; None if there was no force."""
         if self.pulls is None or self.slack:
             return None
         return float(1 - self.pulls[-1].sum() / self.pulls[0].sum())
 
 
 def storages(record: Record) -> tuple[Storage, ...]:
-    """The stages that waited to their end, in order."""
+    """Return the stages that completed their wait, in order."""
     found, waited, states = [], record.series.get("waited"), record.structure.stage_states
     for number, end in enumerate(record.stages):
         if waited is None or not end.stage.wait or end.goal_time is None:
             continue
-        # every leap begins at the last row with less waited, and steps go on from the first row with more
+        # a skipped interval begins at the last row before `waited` grows, and steps continue at the next row
         rows = np.flatnonzero((record.time >= end.start) & (record.time <= end.end))
         last = rows[np.append(np.diff(waited[rows]) > 0, True)]
         clock = record.time[last] + waited[last]
@@ -92,29 +92,30 @@ def storages(record: Record) -> tuple[Storage, ...]:
 
 
 def storage_texts(record: Record, outcome: Outcome) -> list[str]:
-    """What every wait did, in a sentence or two each."""
-    return [_told(record, outcome, each) for each in storages(record)]
+    """Return the effect of every wait, in one to three sentences each."""
+    return [_storage_text(record, outcome, storage) for storage in storages(record)]
 
 
-def _told(record: Record, outcome: Outcome, storage: Storage) -> str:
-    # what was not reached, or lost, is no state
+def _storage_text(record: Record, outcome: Outcome, storage: Storage) -> str:
+    # a state that was not reached, or was lost, is not named
     missed = outcome.holds.get(storage.state, True) is not True
     where = f'in the stage "{storage.name}"' if missed or not storage.state else storage.state
     after = f"After {show_duration(storage.time)} {where}"
     weakened = storage.weakened
     if storage.pulls is None:
-        first = f"{after} it is as before: none of its tendons has Maxwell branches, and nothing else creeps."
+        first = f"{after} it is unchanged: none of its tendons has Maxwell branches, and no other part creeps."
     elif weakened is None:
-        first = f"{after} its tendons, which are slack there, have lost nothing that holds it."
+        first = f"{after} the holding force is unchanged, because its tendons are slack in this state."
     else:
         pulls = [show_value(float(storage.pulls[row].sum()), "N") for row in (-1, 0)]
         word = "less" if weakened >= 0 else "more"
         first = (
-            f"{after} its tendons pull {100 * abs(weakened):.3g} % {word}, {pulls[0]} instead of {pulls[1]}, and what"
-            f" holds it there is {word} by as much where it rests at its stops; {show_value(storage.lost, 'J')} went."
+            f"{after} its tendons pull {100 * abs(weakened):.3g} % {word}: {pulls[0]} instead of {pulls[1]}. Where it"
+            f" rests on its stops, the holding torque is {word} by the same share. Maxwell branches dissipated"
+            f" {show_value(storage.lost, 'J')}."
         )
     if record.structure.membranes and np.isfinite(storage.membrane):
-        first = f"{first} Its membrane, which does not creep here, holds {show_value(storage.membrane, 'J')}."
+        first = f"{first} Its membrane, whose creep is not modelled, stores {show_value(storage.membrane, 'J')}."
     then = next(
         (each for each in record.structure.transitions if each.stage is not None and each.stage > storage.stage), None
     )

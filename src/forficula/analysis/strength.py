@@ -1,4 +1,4 @@
-"""What a run asks of its parts: the largest strains and stresses of bars, sheets and tendons, and of creases."""
+"""Largest strains and stresses of bars, sheets and tendons in a run, and the largest fold angle of its creases."""
 
 from __future__ import annotations
 
@@ -19,13 +19,14 @@ class Peak:
 
     Attributes:
         kind: of the parts, such as "bars".
-        strain: of largest size, stretching positive.
-        stress: of largest size, Pa; None where the part has no cross-section or law to tell it by. Of bars it is that
-            of the largest strain, of a membrane it may be elsewhere: a sheet that is pulled two ways bears more.
+        strain: strain of largest magnitude, positive for stretching.
+        stress: stress of largest magnitude, Pa; None if the part has no cross-section or no law for it. For bars it is
+            the stress at the largest strain. In a membrane it may be elsewhere, because stretching in two directions
+            increases the stress.
         part: name of the part.
         time: of the largest strain, s.
         stressed_at: time of the largest stress, s.
-        withstood: stress that its material withstands, Pa; None where it is not told.
+        withstood: strength of the material, Pa; None if it is not given.
     """
 
     kind: Annotated[str, Written.NEVER]
@@ -39,7 +40,7 @@ class Peak:
 
 @dataclass(frozen=True, kw_only=True)
 class FoldPeak:
-    """The furthest that a crease was folded in a run, in its own sense.
+    """Largest fold angle of all creases in a run, in the crease's own sense.
 
     Attributes:
         angle: rad.
@@ -53,10 +54,10 @@ class FoldPeak:
 
 
 def strain_peaks(record: Record) -> tuple[Peak, ...]:
-    """The largest strains of bars, membranes and tendons at the rows of a record, of those that the structure has.
+    """Find the largest strains of bars, membranes and tendons in the rows of a record.
 
     Returns:
-        None of a run that diverged.
+        One peak per kind of part that the structure has; empty for a run that diverged.
     """
     if record.diverged_at is not None:
         return ()
@@ -65,7 +66,7 @@ def strain_peaks(record: Record) -> tuple[Peak, ...]:
 
 
 def fold_peak(record: Record) -> FoldPeak | None:
-    """The crease that was folded furthest; None of a structure without creases, and of a run that diverged."""
+    """Find the crease with the largest fold angle; None for a structure without creases and for a diverged run."""
     creases = hinge_groups(record.structure).get("creases", ())
     if not creases or record.diverged_at is not None:
         return None
@@ -79,7 +80,7 @@ def fold_peak(record: Record) -> FoldPeak | None:
 
 
 def _bars(record: Record) -> Peak | None:
-    """Axial strain by the resting length, and the stress over the cross-section."""
+    """Return the peak of axial strain relative to the resting length, and of stress in the cross-section."""
     springs = record.structure.springs
     if not springs or "spring_force" not in record.series:
         return None
@@ -100,14 +101,14 @@ def _bars(record: Record) -> Peak | None:
 
 
 def membrane_peaks(record: Record) -> list[Peak]:
-    """The largest principal strain of every membrane's triangles, and their largest principal stress.
+    """Find the largest principal strain and the largest principal stress in the triangles of every membrane.
 
-    Green's strain of a flat triangle is E = (F^T F - 1) / 2 with F from its sides as built to those of now, and the
-    stress of a Saint Venant-Kirchhoff sheet in plane stress Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
-    Nonlinear Solid Mechanics, equation 6.151, with the stress across the sheet 0).
+    Green's strain of a flat triangle is E = (F^T F - 1) / 2, where F maps its sides as built to its present sides. The
+    stress of a Saint Venant-Kirchhoff sheet in plane stress is Y / (1 - nu^2) ((1 - nu) E + nu tr(E)) (Holzapfel 2000,
+    Nonlinear Solid Mechanics, equation 6.151, with zero stress across the sheet).
 
     Returns:
-        None of a run that diverged, and of a record without the positions of the membranes' nodes.
+        One peak per membrane; empty for a diverged run and for a record without positions of membrane nodes.
     """
     if record.diverged_at is not None or "membrane_position" not in record.series:
         return []
@@ -137,12 +138,12 @@ def membrane_peaks(record: Record) -> list[Peak]:
 
 
 def _sides(corners: Array) -> Array:
-    """Two sides of triangles from their first corners, m, (..., 2, 3)."""
+    """Return two sides of triangles from their first corners, m, (..., 2, 3)."""
     return np.asarray(corners[..., 1:, :] - corners[..., :1, :])
 
 
 def _in_plane(sides: Array) -> Array:
-    """Two sides of triangles in axes of their planes, as columns, m, (..., 2, 2)."""
+    """Return two sides of triangles in axes of their planes, as columns, m, (..., 2, 2)."""
     lengths = np.linalg.norm(sides, axis=-1)
     along = np.sum(sides[..., 0, :] * sides[..., 1, :], axis=-1) / lengths[..., 0]
     across = np.linalg.norm(np.cross(sides[..., 0, :], sides[..., 1, :]), axis=-1) / lengths[..., 0]
@@ -151,20 +152,20 @@ def _in_plane(sides: Array) -> Array:
 
 
 def _largest(principal: Array) -> tuple[float, int]:
-    """The value of largest size of principal ones, (row, triangle, 2), and its row."""
+    """Return the principal value of largest magnitude of (row, triangle, 2), and its row."""
     place = np.unravel_index(int(np.argmax(np.abs(principal))), principal.shape)
     return float(principal[place]), int(place[0])
 
 
 def _plane_stress(law: MembraneLaw, principal: Array) -> Array:
-    """The principal stresses, Pa, of principal strains, (..., 2)."""
+    """Return the principal stresses, Pa, for principal strains, (..., 2)."""
     nu = law.poisson_ratio
     both = principal.sum(axis=-1, keepdims=True)
     return np.asarray(law.youngs_modulus / (1 - nu**2) * ((1 - nu) * principal + nu * both))
 
 
 def _tendons(record: Record) -> Peak | None:
-    """Extension by the length that a law counts strain by; no stress, for a tendon's force is what its law tells."""
+    """Return the peak of tendon extension divided by the gauge length, without a stress: the law gives the force."""
     tendons = record.structure.tendons
     gauges = np.array([tendon.gauge_length for tendon in tendons])
     known = np.flatnonzero(gauges > 0)
@@ -183,6 +184,6 @@ def _tendons(record: Record) -> Peak | None:
 
 
 def _furthest(values: Array) -> tuple[int, int]:
-    """Row and column of the value of largest size."""
+    """Return row and column of the value of largest magnitude."""
     row, column = np.unravel_index(int(np.argmax(np.abs(values))), values.shape)
     return int(row), int(column)

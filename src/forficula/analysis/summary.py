@@ -1,4 +1,4 @@
-"""The outcome of a run as `summary.json` has it."""
+"""The outcome of a run in the form of `summary.json`."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ class StateSummary:
         tendon_length: of every tendon, m.
         tendon_energy: of every tendon, J.
         membrane_energy: J.
-        others: readings of measures, each with the lowest and the highest; energies of springs, where the structure has
-            some; and, in runs with second runs, the numerical uncertainty of every quantity.
+        others: readings of measures, each with the lowest and the highest; energies of springs, if the structure has
+            any; and, in runs with second runs, the numerical uncertainty of every quantity.
     """
 
     time: Seconds
@@ -60,7 +60,7 @@ class StateSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class TransitionSummary:
-    """A transition, such as folding. One that was not tried has the drive that it would have had, and nothing else.
+    """A transition, such as folding. A transition that was not tried has only its drive.
 
     Attributes:
         drive: strength of the drive: a torque, a force, a displacement or a rest angle.
@@ -83,12 +83,12 @@ class TransitionSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class PackageSummary:
-    """The room that the smallest state takes, and that of every state.
+    """Packaged size of the smallest state, and of every state.
 
     Attributes:
-        state: name of the smallest.
-        smallest: its room.
-        states: rooms by the names of the states.
+        state: name of the smallest state.
+        smallest: packaged size of the smallest state.
+        states: packaged sizes by the names of the states.
     """
 
     state: str
@@ -117,22 +117,22 @@ class Summary:
         design: name of the design.
         status: the outcome in a few words.
         verdict: the outcome in a word.
-        residual: largest share of the energy that is missing in the balance.
-        advice: what to try, in a sentence; empty where nothing is known to help.
+        residual: largest share of the exchanged energy that is missing in the balance.
+        advice: what to change, in a sentence; empty if nothing is known to help.
         confirmation: comparison with second runs.
         holds: by name of a state, whether it was reached and held when released.
-        states: by name; null where the protocol did not get there.
+        states: by name; null for a state that the protocol did not get to.
         transitions: by name.
         stages: by name, in order.
         largest_strains: by kind of parts.
-        furthest_fold: the crease that was folded furthest.
-        branch: which way a sheet left its flat state.
-        package: the room that states take.
-        storage: what waits did to the tendons.
+        furthest_fold: the crease with the largest fold angle.
+        branch: branch that a sheet followed out of its flat state.
+        package: packaged sizes of the states.
+        storage: effect of waiting times on the tendons.
         crossing: how far panels pass through each other.
         energy_balance: over the whole run.
-        closure_gap: by how much the loops of bodies are open in the end, m.
-        groups: dimensionless groups; null where nothing elastic folds.
+        closure_gap: gap of the loops of bodies at the end, m.
+        groups: dimensionless groups; null without an elastic part that folds.
         diverged_at: when the run diverged, s.
         warnings: warnings, one sentence each.
         design_hash: hash of all values of the design.
@@ -167,11 +167,11 @@ class Summary:
 
 
 def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str | None = None) -> dict[str, Any]:
-    """Return the outcome of a run as plain data, as `summary.json` has it.
+    """Return the outcome of a run as plain data in the form of `summary.json`.
 
     Args:
-        record: what happened.
-        outcome: what it means.
+        record: of the run.
+        outcome: of the run.
         versions: of the packages that computed it.
         key: of the run among those of a study.
     """
@@ -213,7 +213,7 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
 
 
 def drive_strength(structure: Structure, drive: Drive) -> dict[str, WithUnit]:
-    """Return the strength of a drive under the name of what it is: a torque, force, displacement or rest angle."""
+    """Return the strength of a drive by its kind: a torque, force, displacement or rest angle."""
     unit = drive_unit(structure, drive)
     return {_STRENGTHS[unit]: WithUnit(drive.strength, unit)}
 
@@ -247,7 +247,7 @@ def _transition(structure: Structure, transition: Transition, outcome: Outcome) 
 
 @dataclass(frozen=True, kw_only=True)
 class _StateNumbers:
-    """A quantity of a state that has a key of its own.
+    """A quantity of a state with its own key.
 
     Attributes:
         name: the key without its unit, such as "tendon_energy".

@@ -1,4 +1,4 @@
-"""What a run came to, as data, and the sentences that say so."""
+"""Verdict of a run, as data, and the sentences that express it."""
 
 from __future__ import annotations
 
@@ -11,66 +11,70 @@ from forficula.structure import Transition, Wording
 
 
 class Verdict(StrEnum):
-    """What a run came to."""
+    """Verdict of a run."""
 
-    REACHED = "reached"  # every goal
-    MOVING = "moving"  # the time limit ended a stage short of its goal while it still moved, or its torque still rose
+    REACHED = "reached"  # every goal was reached
+    MOVING = "moving"  # a stage ended short of its goal while the structure still moved, or its torque still rose
     STUCK = "stuck"  # at rest short of a goal
     NOT_HELD = "not held"  # a goal was reached under torque, and lost when released
-    DIVERGED = "diverged"  # numbers that are no longer finite, or a hinge far beyond its stop
-    UNDECIDED = "undecided"  # another one at half the timestep, or from a slightly different start
-    UNTRUSTED = "untrusted"  # too much energy is missing for anything to be said
+    DIVERGED = "diverged"  # values are not finite, or a hinge is far beyond its stop
+    UNDECIDED = "undecided"  # the outcome differs at half the timestep, or from a slightly different start
+    UNTRUSTED = "untrusted"  # too much energy is missing for a reliable outcome
     NOT_BUILT = "not built"
 
     @property
     def tells(self) -> bool:
-        """Whether it says something of the structure, rather than of the computation."""
+        """Return whether the verdict is conclusive: about the structure and not about the computation."""
         return self in (Verdict.REACHED, Verdict.MOVING, Verdict.STUCK, Verdict.NOT_HELD)
 
 
 SETTLED = "settled"
-# why a run at the shortest timestep that was tried is not to be trusted though its energy balances
+# why a run at the shortest timestep tried is unreliable although its energy balance closes
 UNSETTLED = "its outcome still changes with the timestep"
-# The only definition of these sentences: pages get them as data and fill in the same fields. A key is a verdict, or a
-# verdict with more that is known; "done", "doing", "verb" and "stays" are of a transition's wording.
+# The only definition of these sentences: pages receive them as data and fill in the same fields. A key is a verdict,
+# or a verdict with a detail; the fields "done", "doing", "verb" and "stays" come from a transition's wording.
 ENDING_TEXTS = {
     "settled": SETTLED,
     "reached": "{done}",
     "moving": "still {doing}",
     "moving, limit": "still moving when its time to {verb} was over",
     "moving, reading": "still moving at {reading} when its time to {verb} was over",
-    "moving, too short": "at its goal for too short a time when its stage was over",
-    "moving, torque rises": "at rest under a torque that still rose when its stage was over",
+    "moving, too short": "at its goal when its stage ended, but not for long enough",
+    "moving, torque rises": "at rest while its torque was still rising when its stage ended",
     "stuck": "did not {verb}",
     "stuck, under way": "stuck on the way",
     "stuck, reading": "stuck at {reading}",
     "not held": "did not stay {stays}",
-    "not held, early": 'the goal of stage "{stage}" holds before it begins',
+    "not held, early": 'the goal of stage "{stage}" is already met before the stage begins',
     "diverged": "diverged",
     "diverged, time": "diverged at t = {time} s",
     "undecided": "undecided",
     "undecided, why": "undecided: {why}",
-    "untrusted": "not to be trusted",
-    "untrusted, why": "not to be trusted: {why}",
+    "untrusted": "unreliable",
+    "untrusted, why": "unreliable: {why}",
     "not built": "cannot be built",
     "not built, why": "cannot be built: {why}",
 }
 
 
+# outcome words of earlier versions, which stored tables of studies may contain
+FORMER_WORDS = {"not to be trusted": Verdict.UNTRUSTED}
+
+
 @dataclass(frozen=True, kw_only=True)
 class Ending:
-    """What a run came to, with its numbers.
+    """Verdict of a run with the numbers that belong to it.
 
     Attributes:
-        verdict: in a word.
-        transition: that it speaks of, the last one that was reached or the one that was missed; None of a protocol that
-            drives nothing, and where nothing ran.
-        reading: of the transition's measure, furthest from its goal, at the end of its stages, rad or m; None where
-            there is none, or where nothing is to be trusted.
-        time: when it diverged, s, or None.
-        residual: of the energy balance; None where nothing ran, or the run diverged.
-        why: there is nothing to run, it is not to be trusted whatever the residual, it did not rest at its goal, or
-            that held before; mostly empty.
+        verdict: of the run.
+        transition: transition that decided it: the missed one, or the last one if all were reached; None for a protocol
+            without drives, and if nothing ran.
+        reading: reading of the transition's measure furthest from its goal at the end of its stages, rad or m; None
+            without a measure, or if the run is unreliable.
+        time: when the run diverged, s, or None.
+        residual: of the energy balance; None if nothing ran, or if the run diverged.
+        why: reason why nothing could run, the run is unreliable whatever its residual, it did not rest at its goal, or
+            the goal was met before; mostly empty.
     """
 
     verdict: Verdict
@@ -82,12 +86,12 @@ class Ending:
 
     @property
     def goal(self) -> str:
-        """Name of the transition that it speaks of, or "none"."""
+        """Return the name of the deciding transition, or "none"."""
         return "none" if self.transition is None else self.transition.name
 
 
 def ending_text(ending: Ending) -> str:
-    """What became of a structure, in a few words."""
+    """Return the outcome of a run in a few words."""
     match ending.verdict:
         case Verdict.DIVERGED:
             if ending.time is None:
@@ -96,7 +100,7 @@ def ending_text(ending: Ending) -> str:
         case Verdict.UNDECIDED | Verdict.UNTRUSTED if ending.why:
             return ENDING_TEXTS[f"{ending.verdict}, why"].format(why=ending.why)
         case Verdict.UNTRUSTED if ending.residual is not None:
-            share = f"{100 * ending.residual:.2g} %" if ending.residual < 1 else "more than was exchanged"
+            share = f"{100 * ending.residual:.2g} %" if ending.residual < 1 else "more than the exchanged energy"
             return ENDING_TEXTS["untrusted, why"].format(why=f"the energy balance misses {share}")
         case Verdict.NOT_BUILT:
             return ENDING_TEXTS["not built, why"].format(why=ending.why)
@@ -115,18 +119,18 @@ def ending_text(ending: Ending) -> str:
 
 
 def ending_word(ending: Ending) -> str:
-    """What became of a structure, without its numbers: what many have in common."""
+    """Return the outcome of a run without its numbers, so that equal outcomes have equal words."""
     wording = None if ending.transition is None else ending.transition.wording
     return verdict_word(ending.verdict, wording, under_way=_on_the_way(ending))
 
 
 def verdict_word(verdict: Verdict, wording: Wording | None, *, under_way: bool = False) -> str:
-    """The word of a verdict on a transition.
+    """Return the word of a verdict on a transition.
 
     Args:
-        verdict: on it.
-        wording: of the transition; None where there is none.
-        under_way: whether it had begun for good.
+        verdict: on the transition.
+        wording: of the transition; None without a transition.
+        under_way: whether the structure had left its first state for good.
     """
     if not verdict.tells:
         return ENDING_TEXTS[verdict]

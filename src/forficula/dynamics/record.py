@@ -1,4 +1,4 @@
-"""What a run leaves: time series with units, and when each stage of the protocol began and ended."""
+"""Record of a run: time series with units, and start and end of each stage of the protocol."""
 
 from __future__ import annotations
 
@@ -30,71 +30,69 @@ if TYPE_CHECKING:
     import xarray
 
 
-# name: (dimensions after time, unit, what it is)
+# name: (dimensions after time, unit, meaning)
 VARIABLES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "hinge_angle": (("hinge",), "rad", "angle of the hinge in its own sense, 0 as built"),
     "tendon_length": (("tendon",), "m", "length of the tendon"),
     "tendon_energy": (("tendon",), "J", "energy of the tendon's spring"),
     "membrane_energy": ((), "J", "stretch energy of the membrane"),
     "kinetic_energy": ((), "J", "kinetic energy of bodies and hinges"),
-    "gravitational_energy": ((), "J", "weight of the bodies by their height"),
+    "gravitational_energy": ((), "J", "gravitational energy of the bodies, weight times height"),
     "motor_power": (("motor",), "W", "power of the motor"),
     "motor_work": (("motor",), "J", "work of the motor since the start"),
     "hinge_damping_work": ((), "J", "work of the hinges' damping since the start"),
     "elastic_damping_work": ((), "J", "work of the tendons' and the membrane's damping since the start"),
     "stop_work": ((), "J", "work of the hinges' stops, length limits and rigid couplings since the start"),
-    "point_position": (("point", "axis"), "m", "named points on bodies"),
-    "membrane_position": (("node", "axis"), "m", "nodes of the membrane"),
+    "point_position": (("point", "axis"), "m", "position of the named point on a body"),
+    "membrane_position": (("node", "axis"), "m", "position of the membrane's node"),
 }
 # variables of records with dry friction, contacts, springs in hinges, displacements, elastic couplings, measured
-# distances, Maxwell branches, tendons that yield or let go, and in air or water
+# distances, Maxwell branches, tendons that yield or are clamped, and in air or water
 SOMETIMES: dict[str, tuple[tuple[str, ...], str, str]] = {
     "friction_work": ((), "J", "work of the hinges' dry friction since the start"),
-    "contact_work": ((), "J", "work of contacts and their friction since the start; of rigid couplings then, too"),
+    "contact_work": ((), "J", "work of contacts, their friction and rigid couplings since the start"),
     "hinge_energy": (("hinge",), "J", "energy of the hinge's spring"),
-    "hinge_rest_angle": (("hinge",), "rad", "where the hinge's spring rests, which a drive moves"),
-    "motor_force": (("motor",), "N", "force on all points that the motor displaces together, along its way"),
+    "hinge_rest_angle": (("hinge",), "rad", "rest angle of the hinge's spring, which a drive changes"),
+    "motor_force": (("motor",), "N", "total force on the points that the motor displaces, in its direction"),
     "spring_force": (("spring",), "N", "force of the spring, pulling positive"),
     "spring_energy": (("spring",), "J", "energy of the spring"),
-    "coupling_energy": (("coupling",), "J", "energy of the spring between the joints; none of a rigid coupling"),
-    "distance": (("measure",), "m", "distance that is watched"),
+    "coupling_energy": (("coupling",), "J", "energy of the spring between the joints; 0 for a rigid coupling"),
+    "distance": (("measure",), "m", "measured distance"),
     "branch_energy": (("tendon",), "J", "energy of the tendon's Maxwell branches"),
     "branch_damping_work": ((), "J", "work of the dampers in the tendons' Maxwell branches since the start"),
-    "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows where it yields"),
+    "tendon_rest_length": (("tendon",), "m", "resting length of the tendon, which grows when it yields"),
     "yield_work": ((), "J", "work of the tendons' yielding since the start"),
-    "closure_work": ((), "J", "work of what closes loops of bodies since the start, which should be none"),
+    "closure_work": ((), "J", "work of closures of loops of bodies since the start, ideally 0"),
     "closure_gap": ((), "m", "widest gap of the creases that close loops since the start"),
     "drag_work": ((), "J", "work of the drag of air or water since the start"),
     "letting_go_work": (
         (),
         "J",
-        "work that tendons which let go are spared, where their branches act on slack or would push",
+        "work saved by clamping tendons whose branches would push or act while slack",
     ),
     "tendon_pull": (("tendon",), "N", "pull of the tendon's spring and Maxwell branches"),
-    "waited": ((), "s", "time at rest since the start that was not stepped, beside the time"),
+    "waited": ((), "s", "time at rest since the start that was skipped without stepping, not part of time"),
 }
-# of the file; others are refused
+# of the file; other formats are rejected
 _FORMAT = 2
-
-
-# how netCDF names the scale of a dimension without coordinates
+# netCDF's name of the scale of a dimension without coordinates
 _NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. {:10d}"
-# what comes before the checksum at the end of a record; readers of HDF5 pass over what follows its last byte
+# precedes the checksum at the end of a record; readers of HDF5 ignore bytes after its end
 _SEAL = b"\nforficula sha256 "
 
 
 @dataclass(frozen=True, kw_only=True)
 class StageEnd:
-    """How a stage went.
+    """Result of a stage.
 
     Attributes:
-        stage: what was asked.
+        stage: section of the protocol.
         start: s.
         end: s.
-        goal_time: when the goal was reached, s; None where it was not, or where the goal was the time.
-        at_rest: whether every hinge was slower at its end than what counts as rest.
-        at_goal: whether the goal held at its end, for however short a time.
-        waited: how long it was at rest without being stepped, s, beside the time from start to end.
+        goal_time: when the goal was reached, s; None if it was not reached, or if the goal was a time.
+        at_rest: whether every hinge was slower at the end than the speed that counts as rest.
+        at_goal: whether the goal was met at the end, even for a short time.
+        waited: time at rest that was skipped without stepping, s, not part of the time from start to end.
     """
 
     stage: StageSection
@@ -108,15 +106,15 @@ class StageEnd:
 
 @dataclass(frozen=True, kw_only=True)
 class NumericalCheck:
-    """Outcome of a second run of the same design, in which only the computation differs.
+    """Outcome of a second run of the same design that differs only numerically.
 
     Attributes:
-        name: what differs, such as "half the timestep".
+        name: the difference, such as "half the timestep".
         timestep: of that run, s.
         verdict: of that run, in a word.
-        goal: name of the transition of which the verdict speaks, or "none".
+        goal: name of the transition that decided the verdict, or "none".
         status: the verdict in a few words.
-        holds: by state, whether that run reached it and kept it when released; None where it does not say.
+        holds: by state, whether that run reached it and kept it when released; None if it is not known.
         values: times and works of transitions and numbers of states of that run by name, in SI, (number,) each.
     """
 
@@ -131,22 +129,22 @@ class NumericalCheck:
 
 @dataclass(frozen=True, kw_only=True)
 class Record(Displayed):
-    """What a run leaves.
+    """Record of a run.
 
     Attributes:
-        design: what ran.
-        structure: what was built of it, SI.
+        design: the simulated design.
+        structure: structure of the design, SI.
         time: s, (time,): at the sample interval and at the end of every stage.
         series: an array for every name of `VARIABLES`, SI, (time, ...), and for those of `SOMETIMES` that it has.
         stages: the stages that took place, in order.
-        diverged_at: when it diverged, s, or None.
-        doubt: why it is not to be trusted, beside what its energy balance says; mostly empty.
-        kinetic_peak: when the kinetic energy was largest, s, and how large, J, of all steps, not only those of `time`;
-            None where not every step was looked at.
-        checks: second runs of the same design, against which its verdict and its numbers are held.
-        strain_rates: highest rates at which taut tendons are strained or let go, from one step to the next and by the
-            length that a law counts strain by, 1/s, (tendon,); nan for one that is never taut. None where no law says
-            up to which rate it was measured.
+        diverged_at: when the run diverged, s, or None.
+        doubt: why the run is unreliable apart from its energy balance; mostly empty.
+        kinetic_peak: time, s, and value, J, of the largest kinetic energy of all steps, not only those of `time`; None
+            if not every step was recorded.
+        checks: second runs of the same design, with which the verdict and the numbers are compared.
+        strain_rates: highest rates at which taut tendons lengthen or shorten from one step to the next, relative to the
+            gauge length of the law, 1/s, (tendon,); nan for a tendon that is never taut; None if no law has a highest
+            measured rate.
     """
 
     design: Design
@@ -161,19 +159,19 @@ class Record(Displayed):
     strain_rates: Array | None = None
 
     def __repr__(self) -> str:
-        """What ran, how long, through which stages."""
+        """Return the design, the duration and the stages."""
         names = ", ".join(end.stage.name for end in self.stages)
         return f"<Record of {self.design.name}: {len(self.time)} rows over {show_duration(self.time[-1])}: {names}>"
 
     def angles(self, role: str) -> Array:
-        """Angles of the hinges of a role, in their own senses, rad, (time, hinge)."""
+        """Return the angles of the hinges of a role, in their own senses, rad, (time, hinge)."""
         return self.series["hinge_angle"][:, list(hinges_of(self.structure, role))]
 
     def measured(self, name: str) -> Array:
-        """What a measure reads: angles, rad, (time, reading), or a distance, m, (time, 1).
+        """Return the readings of a measure: angles, rad, (time, reading), or a distance, m, (time, 1).
 
         Raises:
-            InputError: there is no such measure, nor hinges of a role of that name.
+            InputError: there is neither a measure nor a role of hinges of that name.
         """
         measure = measure_of(self.structure, name)
         if measure is None:
@@ -186,19 +184,19 @@ class Record(Displayed):
 
     @property
     def work(self) -> Array:
-        """Work of all motors since the start, J, (time,)."""
+        """Return the work of all motors since the start, J, (time,)."""
         motors = self.series["motor_work"]
-        # one after another, as the account adds them up
+        # summed in order, as in the energy balance
         return sum((motors[:, motor] for motor in range(motors.shape[1])), np.zeros(len(self.time)))
 
     @cached_property
     def triangles(self) -> Indices:
-        """The mesh of all membranes, (triangle, 3), indices of nodes."""
+        """Return the mesh of all membranes, (triangle, 3), as indices of nodes."""
         return joined_mesh(self.structure.membranes).triangles
 
     @cached_property
     def data(self) -> xarray.Dataset:
-        """The series with their dimensions, coordinates and units."""
+        """Return the series with their dimensions, coordinates and units."""
         import xarray
 
         built = self.structure
@@ -227,10 +225,10 @@ class Record(Displayed):
 
 
 def save_record(record: Record, path: str | os.PathLike[str]) -> None:
-    """Write a record as netCDF, its design and stages with it, and a checksum of all that at the end.
+    """Write a record as netCDF, with its design, its stages and a checksum at the end.
 
     Raises:
-        InputError: it cannot be written.
+        InputError: the file cannot be written.
     """
     nothing = float("nan")
     data = record.data.assign(
@@ -241,7 +239,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         stage_goal_time=(
             "stage",
             [nothing if end.goal_time is None else end.goal_time for end in record.stages],
-            {"units": "s", "long_name": "when the stage's goal was reached, nan where it was not"},
+            {"units": "s", "long_name": "when the stage's goal was reached, nan if it was not"},
         ),
         stage_at_goal=("stage", np.array([end.at_goal for end in record.stages], dtype=np.int8)),
         stage_at_rest=("stage", np.array([end.at_rest for end in record.stages], dtype=np.int8)),
@@ -264,18 +262,18 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
 
 
 def _seal(content: bytes) -> bytes:
-    """What ends a record: the SHA-256 of every byte before.
+    """Return the end of a record: the SHA-256 of every byte before it.
 
-    Of the file and not of its arrays, so that HDF5 never sees a damaged one: it does not stand them. That takes 1 ms.
+    The checksum is of the file and not of its arrays, because HDF5 cannot handle damaged files. It takes 1 ms.
     """
     return _SEAL + hashlib.sha256(content).hexdigest().encode() + b"\n"
 
 
 def _netcdf(data: xarray.Dataset) -> bytes:
-    """A dataset as netCDF-4, which is HDF5 whose dimensions are scales (netCDF file format specification, appendix C).
+    """Return a dataset as netCDF-4: HDF5 with dimension scales (netCDF file format specification, appendix C).
 
-    By h5py, five times as fast as by xarray: a study writes a hundred of them. In memory, for on a full disk HDF5 fails
-    in ways that cannot be caught, down to a crash.
+    h5py is five times as fast as xarray, and a study writes a hundred records. The file is written in memory, because
+    HDF5 on a full disk fails in ways that cannot be caught, including a crash.
     """
     import h5py
 
@@ -304,14 +302,14 @@ def load_record(path: str | os.PathLike[str]) -> Record:
         path: of its file, or of the folder of a run.
 
     Raises:
-        InputError: no such file, not such a file, or not the bytes that were written.
+        InputError: there is no such file, it is not a record, or it is damaged.
     """
     import h5py
 
     path = as_path(path, "the folder of a run, or its record.nc")
     path = path / "record.nc" if path.is_dir() else path
     try:
-        content = read_bytes(path, math.inf)  # as large as its run was long
+        content = read_bytes(path, math.inf)  # its size grows with the duration of the run
     except InputError as error:
         raise InputError(f"{shown_path(path)}: {error}") from None
     whole, seal, checksum = content.rpartition(_SEAL)
@@ -323,7 +321,7 @@ def load_record(path: str | os.PathLike[str]) -> Record:
             f"{path}: not a record of forficula any more: damaged since it was written; run its design again"
         )
     try:
-        # by h5py, ten times as fast as by xarray: a study reads a hundred of them
+        # h5py is ten times as fast as xarray, and a study reads a hundred records
         with h5py.File(io.BytesIO(whole)) as file:
             written = int(np.squeeze(file.attrs.get("format", 1)))
             if written == _FORMAT:
@@ -338,10 +336,10 @@ def load_record(path: str | os.PathLike[str]) -> Record:
 
 
 def as_record(run: object) -> Record:
-    """A record, or that of a run's folder or file.
+    """Return a record, or read it from a run's folder or file.
 
     Raises:
-        InputError: it is none, or cannot be read.
+        InputError: the argument is not a record, or it cannot be read.
     """
     if isinstance(run, Record):
         return run
@@ -351,7 +349,7 @@ def as_record(run: object) -> Record:
 
 
 def _read(file: Any) -> Record:
-    """The record that an open file holds."""
+    """Return the record in an open file."""
     design = design_from_text(file.attrs["design"])
     ends = [file[f"stage_{name}"][()] for name in ("start", "end", "goal_time", "at_rest", "at_goal")]
     waits = file["stage_waited"][()] if "stage_waited" in file else np.zeros(len(ends[0]))
@@ -387,10 +385,10 @@ def _check(written: Mapping[str, Any]) -> NumericalCheck:
 
 
 def versions() -> dict[str, str]:
-    """Versions of what a number depends on."""
+    """Return the versions of the packages that numbers depend on."""
     return {name: _version(name) for name in ("forficula", "mujoco", "numpy")}
 
 
-@cache  # looking one up takes milliseconds
+@cache  # a look-up takes milliseconds
 def _version(name: str) -> str:
     return metadata.version(name)

@@ -1,4 +1,4 @@
-"""What is kept of one structure's way: rows at the sample interval, and the work done between them."""
+"""Recording of one structure's motion: rows at the sample interval, and the work done between them."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from forficula.dynamics.stepping.steps import EngineState, Steps
 
 @dataclass(frozen=True, kw_only=True)
 class Chunk:
-    """Some steps of many structures, of each within one stage.
+    """Some steps of many structures; those of each structure are within one stage.
 
     Attributes:
         steps: of all structures, in their models' units.
-        first: number of the step that each structure starts with, (structure,).
-        begins: whether the stage begins with it, (structure,).
-        taken: how many of each structure's steps count, (structure,).
-        account: by name the work since the start before each step, J, and the powers in it, W, (structure, step).
+        first: number of the first step of each structure, (structure,).
+        begins: whether the stage begins with this step, (structure,).
+        taken: number of each structure's steps that count, (structure,).
+        account: by name, the work since the start before each step, J, and the powers in it, W, (structure, step).
     """
 
     steps: Steps
@@ -38,7 +38,7 @@ class Chunk:
 
 @dataclass(frozen=True, kw_only=True)
 class _Rows:
-    """States that are kept, (row, ...), in the model's units, and the account until then, SI."""
+    """Kept states, (row, ...), in the model's units, and work and power until then, SI."""
 
     number: Indices
     angle: Array
@@ -46,15 +46,15 @@ class _Rows:
     account: Mapping[str, Array]
 
 
-# some of them, where copies would take long
+# a slice of rows, to avoid copies
 _Part = tuple[_Rows, slice]
 
 
 class Recorder:
-    """Keeps what a record needs of one structure's way."""
+    """Recorder of one structure's motion."""
 
     def __init__(self, model: Model, sparse: bool) -> None:
-        """Start with nothing kept; sparse, only what the states at the ends of stages need will be."""
+        """Start without rows; if sparse, only rows that the states at the ends of stages need will be kept."""
         self.model = model
         self._sparse = sparse
         protocol = model.design.protocol
@@ -62,11 +62,11 @@ class Recorder:
         longest = NEVER * self._timestep
         self._window = round(min(protocol.window, longest) / self._timestep)
         self.interval = max(1, round(min(protocol.sample_interval, longest) / self._timestep))  # steps
-        # the rows of each stage so far, from its first on, in parts
+        # the rows of each stage so far, in parts
         self._stages: list[list[_Part]] = []
-        # the most kinetic energy before any step, in the model's units, and that step's number
+        # number of the step with the largest kinetic energy before it, and that energy, in the model's units
         self._peak = (0, -np.inf)
-        # how fast tendons change that a law was measured for up to some rate, in model units a step, (tendon,)
+        # largest change of length of taut tendons in a step, in the model's units, (tendon,), if laws have a rate limit
         materials = [tendon.material for tendon in model.structure.tendons]
         tested = [material is not None and material.highest_strain_rate is not None for material in materials]
         self._fastest = None if sparse or not any(tested) else np.full(len(tested), np.nan)
@@ -74,7 +74,7 @@ class Recorder:
         self._leaps = any(stage.wait for stage in protocol.stages)
 
     def fork(self, model: Model) -> Recorder:
-        """A recorder of another structure that has gone the same way so far."""
+        """Return a recorder for another structure, which has had the same motion so far."""
         other = Recorder(model, self._sparse)
         other._stages = [[*parts] for parts in self._stages]
         other._peak, other._last = self._peak, self._last
@@ -82,7 +82,7 @@ class Recorder:
         return other
 
     def add(self, rows: _Rows, mine: slice, chunk: Chunk, place: int) -> None:
-        """Keep some rows, of one structure of the chunk; the first is its stage's first if the stage begins there."""
+        """Keep some rows of one structure of the chunk; the first row begins the stage if the stage begins there."""
         if chunk.begins[place]:
             if self._stages:
                 self._close_stage()
@@ -97,13 +97,13 @@ class Recorder:
             while len(parts) > 2 and parts[2][0].number[parts[2][1].start] <= oldest:
                 del parts[1]
 
-    def see_kinetic(self, number: int, energy: float) -> None:
-        """Take notice of a kinetic energy, in the model's units, before the step of a number."""
+    def update_kinetic_peak(self, number: int, energy: float) -> None:
+        """Update the peak with the kinetic energy before a step, in the model's units."""
         if energy > self._peak[1]:
             self._peak = number, energy
 
-    def see_tendons(self, chunk: Chunk, place: int) -> None:
-        """Take notice of how fast taut tendons are strained or let go, from one step of a chunk to the next."""
+    def update_strain_rates(self, chunk: Chunk, place: int) -> None:
+        """Update the highest rates at which taut tendons lengthen or shorten with the steps of a chunk."""
         if self._fastest is None:
             return
         model, steps, taken = self.model, chunk.steps, int(chunk.taken[place])
@@ -119,7 +119,7 @@ class Recorder:
             )
         change = np.where(taut[1:] & taut[:-1], np.abs(np.diff(length, axis=0)), np.nan)
         self._fastest = np.fmax(self._fastest, np.fmax.reduce(change, axis=0, initial=np.nan))
-        # a wait between two chunks leaps over time
+        # a wait between two chunks skips time
         self._last = None if self._leaps or not len(length) else (length[-1].copy(), taut[-1])
 
     def record(
@@ -131,15 +131,15 @@ class Recorder:
         stages: tuple[StageEnd, ...],
         diverged_at: float | None,
     ) -> Record:
-        """The record, its last row being the state that the structure ended in.
+        """Return the record; its last row is the final state of the structure.
 
         Args:
-            step: how many steps it took.
-            start: what it started in.
-            end: what it ended in.
-            account: the work since the start, J, and the powers in the last state, W.
-            stages: that took place.
-            diverged_at: when it diverged, s, or None.
+            step: number of steps.
+            start: first state.
+            end: final state.
+            account: the work since the start, J, and the powers in the final state, W.
+            stages: stages that took place.
+            diverged_at: when the structure diverged, s, or None.
         """
         recorded = self._stages[-1][0][0].derived
         last = _Rows(
@@ -169,31 +169,31 @@ class Recorder:
         )
 
     def _strain_rates(self) -> Array | None:
-        """The highest rates of strain of taut tendons, 1/s, (tendon,); None where they were not looked at."""
+        """Return the highest strain rates of taut tendons, 1/s, (tendon,); None if they were not recorded."""
         if self._fastest is None:
             return None
         gauge = [tendon.gauge_length or np.nan for tendon in self.model.structure.tendons]
         return np.asarray(self.model.units.length * self._fastest / self._timestep / gauge)
 
     def _kinetic_peak(self) -> tuple[float, float] | None:
-        """When the kinetic energy was largest, s, and how large, J; None where it was not looked at at every step."""
+        """Return time, s, and value, J, of the largest kinetic energy; None if not every step was recorded."""
         number, energy = self._peak
         if not np.isfinite(energy):
             return None
         return float(number * self._timestep), float(self.model.units.energy * energy)
 
     def _doubt(self, account: Mapping[str, float]) -> str:
-        """Why the run is not to be trusted, where closures opened by more than a thousandth of the structure's size."""
+        """Return why the run is unreliable if closures opened by more than a thousandth of the structure's size."""
         gap, span = account.get("closure_gap", 0.0), self.model.structure.span
         if gap <= LARGEST_GAP * span:
             return ""
         return APART_TEXT.format(share=f"{gap / span:.2g}")
 
     def _works(self, account: Mapping[str, Array]) -> dict[str, Array]:
-        """The account, with the works and powers of all motors as one array each, (row, motor)."""
+        """Return works and powers, those of all motors as one array each, (row, motor)."""
         series = dict(account)
         if not any(stage.wait for stage in self.model.design.protocol.stages):
-            # one beside it waits
+            # another structure waits, but not this one
             series.pop("waited", None)
         motors = range(len(self.model.structure.motors))
         for name, of_motor in (
@@ -210,7 +210,7 @@ class Recorder:
         return series
 
     def _energies_at_ends(self, start: EngineState, end: EngineState, count: int) -> dict[str, Array]:
-        """The energies that sparse rows lack, J, (row,): there at the start and at the end, nan between."""
+        """Return the energies that sparse rows lack, J, (row,): known at the start and at the end, nan between."""
         energies: dict[str, Array] = {}
         for place, state in ((0, start), (-1, end)):
             derived = {name: values[None] for name, values in state.derived.items()}
@@ -219,27 +219,27 @@ class Recorder:
         return energies
 
     def _close_stage(self) -> None:
-        """Copy the stage's rows together, so that they do not hold the chunks of all structures in memory."""
+        """Copy the stage's rows into one part, so that the chunks of all structures can be freed."""
         parts = self._stages[-1]
         parts[:] = [_joined(parts)]
 
 
 def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
-    """Keep the states of a chunk's structures at their sample intervals and where stages begin."""
+    """Keep the states of a chunk's structures at their sample intervals and at the beginning of stages."""
     steps, step = chunk.steps, np.arange(chunk.steps.after.shape[1])
     number = chunk.first[:, None] + step
     if "energy" in steps.kept:
         kinetic = np.where(step < chunk.taken[:, None], steps.derived["energy"][..., 1], -np.inf)
-        kinetic[~np.isfinite(kinetic)] = -np.inf  # of what blows up
+        kinetic[~np.isfinite(kinetic)] = -np.inf  # diverging structures
         for place, most in enumerate(kinetic.argmax(axis=1).tolist()):
-            recorders[place].see_kinetic(int(number[place, most]), float(kinetic[place, most]))
+            recorders[place].update_kinetic_peak(int(number[place, most]), float(kinetic[place, most]))
     for place, recorder in enumerate(recorders):
-        recorder.see_tendons(chunk, place)
+        recorder.update_strain_rates(chunk, place)
     interval = np.array([recorder.interval for recorder in recorders])
     kept = (number % interval[:, None] == 0) & (step < chunk.taken[:, None])
-    # where a stage begins, even one whose first step blows up
+    # also the beginning of a stage, even if its first step diverges
     kept |= chunk.begins[:, None] & (step == 0)
-    # for all structures at once: a few calls do the work of thousands
+    # for all structures at once, which replaces thousands of calls by a few
     structure, before = np.nonzero(kept)
     inner = {name: steps.states(structure, before, place) for name, place in steps.inner.items()}
     rows = _Rows(
@@ -254,7 +254,7 @@ def keep(recorders: Sequence[Recorder], chunk: Chunk) -> None:
 
 
 def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, before: Indices) -> Array:
-    """Angles of all hinges in the states that are kept, in own senses, rad, (row, hinge)."""
+    """Return the angles of all hinges in the kept states, in own senses, rad, (row, hinge)."""
     positions = steps.states(structure, before, slice(1, 1 + steps.positions))
     if steps.angles is None:
         return np.asarray(np.array([each.model.folds.senses for each in recorders])[structure] * positions)
@@ -267,7 +267,7 @@ def _angles(recorders: Sequence[Recorder], steps: Steps, structure: Indices, bef
 
 
 def _joined(parts: Sequence[_Part]) -> _Part:
-    """Rows one after another, in memory of their own."""
+    """Return rows one after another, copied."""
     first, _ = parts[0]
     rows = _Rows(
         number=np.concatenate([rows.number[mine] for rows, mine in parts]),

@@ -1,7 +1,7 @@
-"""Binder et al. 2025: what they say of their 60 tendons, claim by claim, beside what a search finds.
+"""Binder et al. 2025: claims of the paper about its 60 tendons, compared with the results of a search.
 
-The paper's lengths, masses and times are lost, so its counts, orderings and the shape of its maps are compared, never
-its times or energies.
+The paper does not report its lengths, masses and times. Its counts, orderings and the shape of its maps are therefore
+compared, but never its times or energies.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from forficula.analysis import Ending, Verdict, ending_word
+from forficula.analysis import FORMER_WORDS, Ending, Verdict, ending_word
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.reproduction.reproduction import Claim, Reproduction
@@ -27,34 +27,41 @@ if TYPE_CHECKING:
 FOLDED = "folded"
 # the paper's largest torques, and the step of its search, N m
 _FOLD_TORQUE, _UNFOLD_TORQUE, _TORQUE_STEP = 0.5, 1.0, 0.1
-# how many of the paper's 60 tendons fold with at most these, and how many of them open again
+# numbers of the paper's 60 tendons that fold with at most these torques, and of those that open again
 _FOLDS, _OPENS = 32, 13
 # the paper's tendons, in N/m and m
 _STIFFNESSES = tuple(1e3 * each for each in range(1, 7))
 _REST_LENGTHS = tuple(1e-2 * each for each in range(10))
-# of the flat energy: what is less is no more than what has not yet come to rest
+# share of the flat energy: smaller energies remain because a state is not completely at rest
 _EQUAL = 1e-3
-# "much less", as the paper has it, is taken for less than half
+# "much less" in the paper is interpreted as less than half
 _MUCH_LESS = 0.5
-_LOST = "The paper's lengths and masses are lost, and ours are chosen."
-_GEOMETRY = "Hub radius, sector angle and margin move the boundary; the paper's are lost, and ours are chosen."
+_LOST = "The paper does not report its lengths and masses; those of the simulation are chosen."
+_GEOMETRY = (
+    "The boundary depends on hub radius, sector angle and margin, which the paper does not report; those of the"
+    " simulation are chosen."
+)
 _OTHER_TENDONS = "The study does not have the paper's 60 tendons, or no fold torques up to 50 N cm."
-_ABSENT = "The study does not have the tendons that this is about."
-_UNKNOWN = "The outcome of some is not known: they need a shorter timestep."
+_ABSENT = "The study does not have the tendons of this claim."
+_UNKNOWN = "The outcome of some tendons is unknown: they need a shorter timestep."
 _UNDECIDED = ending_word(Ending(verdict=Verdict.UNDECIDED))
-_SAYS_NOTHING = [
-    ending_word(Ending(verdict=verdict))
-    for verdict in Verdict
-    if not verdict.tells and verdict is not Verdict.UNDECIDED
+_INCONCLUSIVE = [
+    *(
+        ending_word(Ending(verdict=verdict))
+        for verdict in Verdict
+        if not verdict.tells and verdict is not Verdict.UNDECIDED
+    ),
+    *FORMER_WORDS,
 ]
 _NONE_OPENS = "No tendon of the study folds and opens again."
+_NO_ERROR = "The paper attributes its one {} to a numerical error; none occurs in the simulation."
 
 
 def check(study: Study) -> None:
-    """Refuse a study other than a search for both least torques over tendon stiffness and resting length.
+    """Reject a study that is not a search for both least torques over tendon stiffness and resting length.
 
     Raises:
-        InputError: the study asks for something else, or has other factors.
+        InputError: the study computes something else, or has other factors.
     """
     dims = ["sample"] if study.sampled else [factor.dimension for factor in study.factors]
     _check(dims, searched=study.search is not None, opens=study.search is not None and study.search.second is not None)
@@ -68,20 +75,20 @@ def _check(dims: Iterable[str], *, searched: bool, opens: bool) -> None:
             f" {given or 'nothing'}"
         )
     if not opens:
-        raise InputError("the paper searched for the least torques that open, too, got a search without unfold torques")
+        raise InputError("the paper also searched for the least torques that open, got a search without unfold torques")
 
 
 def claims(table: Dataset) -> list[Claim]:
-    """All claims, in the paper's order: one tendon, folding, unfolding, energies and works.
+    """Compare all claims, in the paper's order: one tendon, folding, unfolding, energies and works.
 
-    What the runs of some tendons do not say is not known of all of them. Tendons whose verdict depends on the timestep
-    count both ways in counts, and are left out of the other claims.
+    If the runs of some tendons are inconclusive, claims about all tendons are undecided. Tendons whose verdict depends
+    on the timestep give a range of counts, and are left out of the other claims.
 
     Args:
         table: of the search for the least torques over tendon stiffness and resting length.
 
     Raises:
-        InputError: the table is of a study that asks for something else, or has other factors.
+        InputError: the table is of a study that computes something else, or has other factors.
     """
     _check(
         [str(dim) for dim in table["outcome"].dims],
@@ -95,7 +102,7 @@ def claims(table: Dataset) -> list[Claim]:
         fold_torque=_FOLD_TORQUE,
         unfold_torque=_UNFOLD_TORQUE,
     )
-    unknown = np.isin(search.values("outcome").astype(str), _SAYS_NOTHING)
+    unknown = np.isin(search.values("outcome").astype(str), _INCONCLUSIVE)
     rows = [
         _tendon_energy(search, 60, 0, "more than 35 J", lambda energy: energy > 35),
         _tendon_energy(search, 10, 0, "about 6 J", lambda energy: round(energy) == 6),
@@ -122,7 +129,7 @@ def claims(table: Dataset) -> list[Claim]:
 def _row(
     claim: str, paper: str, ours: str, agrees: bool | np.bool_ | None, why: str = "", mark: str = "paper"
 ) -> Claim:
-    """A row; the reason is kept where the two differ only."""
+    """Return a claim; the reason is kept only if paper and simulation differ."""
     verdict = None if agrees is None else bool(agrees)
     return Claim(claim=claim, paper=paper, ours=ours, agrees=verdict, why="" if verdict else why, mark=mark)
 
@@ -130,7 +137,7 @@ def _row(
 def _tendon_energy(
     search: TendonSearch, stiffness: float, rest_length: float, paper: str, rule: Callable[[float], bool]
 ) -> Claim:
-    """The energy of one tendon when flat: the wing's by its number of tendons, which are alike."""
+    """Compare the energy of one tendon when flat: that of the wing divided by its number of equal tendons."""
     claim = f"energy of one tendon when flat, k = {stiffness:g} N/cm, l0 = {rest_length:g} cm"
     place, veins = search.at(stiffness, rest_length), search.table.attrs.get("tendons")
     if place is None or not veins:
@@ -153,16 +160,16 @@ def _count_that_open(search: TendonSearch) -> Claim:
 
 
 def _count(search: TendonSearch, count: int, paper: int, why: str, outcome: str) -> tuple[str, bool | None, str]:
-    """A count in words, whether it is the paper's, and why not; `outcome` is the variable that tells what is known."""
+    """Return a count in words, whether it equals the paper's, and why not; `outcome` names the outcome variable."""
     ours = f"{count} of {search.folds.size}"
-    unknown = np.isin(search.values(outcome).astype(str), _SAYS_NOTHING)
+    unknown = np.isin(search.values(outcome).astype(str), _INCONCLUSIVE)
     if unknown.any():
-        return f"{ours}; not known of {search.names(unknown)}", None, _UNKNOWN
+        return f"{ours}; unknown for {search.names(unknown)}", None, _UNKNOWN
     undecided = search.values(outcome).astype(str) == _UNDECIDED
     if search.whole and undecided.any():
         most = count + int(undecided.sum())
-        told = f"{count} to {most} of {search.folds.size}; undecided: {search.names(undecided)}"
-        return told, count <= paper <= most, why
+        ours = f"{count} to {most} of {search.folds.size}; undecided: {search.names(undecided)}"
+        return ours, count <= paper <= most, why
     return (ours, count == paper, why) if search.whole else (ours, None, _OTHER_TENDONS)
 
 
@@ -173,10 +180,10 @@ def _long_tendons(search: TendonSearch) -> Claim:
         return _row(claim, paper, "not in the study", None, _ABSENT)
     folds = [place for place in places if search.folds[place]]
     ours = "; ".join(search.name(place) for place in folds) or "none"
-    # tests/reproduction/test_binder2025.py holds this reason against the model
+    # tests/reproduction/test_binder2025.py checks this reason with the model
     why = (
-        "A tendon of 9 cm is slack beyond about 70 deg, and there inertia carries the hinges on; with ten times the"
-        " hinge damping chosen here, the wing of 10 N/cm is still there after its second under 50 N cm."
+        "A tendon of 9 cm is slack beyond about 70 deg, where inertia carries the hinges on. With ten times the hinge"
+        " damping of the simulation, the wing of 10 N/cm is still there after its second under 50 N cm."
     )
     return _row(claim, paper, ours, not folds, why)
 
@@ -187,14 +194,14 @@ def _least_torque(search: TendonSearch) -> Claim:
     least = float(torque.min())
     if not math.isfinite(least):
         return _row(claim, paper, "none folds", False)
-    there = np.isclose(torque, least)
-    # a refined search finds less than the step of the paper's grid that it belongs to
+    easiest = np.isclose(torque, least)
+    # a refined search finds a smaller value than the corresponding step of the paper's grid
     step = math.ceil(least / _TORQUE_STEP - 1e-6)
     soft = np.isclose(search.stiffness, 1e3)
     if not search.covers:
-        return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(there)}", None, _OTHER_TENDONS)
-    agrees = step == 2 and bool(there[soft].any())
-    return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(there)}", agrees, _GEOMETRY)
+        return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(easiest)}", None, _OTHER_TENDONS)
+    agrees = step == 2 and bool(easiest[soft].any())
+    return _row(claim, paper, f"{100 * least:.4g} N cm, at {search.names(easiest)}", agrees, _GEOMETRY)
 
 
 def _fastest(search: TendonSearch) -> Claim:
@@ -226,8 +233,8 @@ def _least_work(search: TendonSearch) -> Claim:
     torque = search.values("least_fold_torque")
     same_torque = all(np.isclose(torque[place], torque[other]) for other in papers if other is not None)
     why = (
-        "The least torque is the same here as at 7 and 8 cm; the work is that torque times the angle through which the"
-        " veins turn before the wing is folded, and that is less here."
+        "The least torque is the same as at 7 and 8 cm. The work is that torque times the angle through which the veins"
+        " turn before the wing is folded, and this angle is smaller in the simulation at this length."
     )
     return _row(claim, paper, ours, place in papers, why if same_torque else "")
 
@@ -243,7 +250,7 @@ def _large_torque(search: TendonSearch) -> Claim:
     if not (search.whole and large and tried.all()):
         why = "The study did not fold all of the paper's 60 tendons with 500 N cm."
         return _row(claim, paper, ours, None, why, mark="derived")
-    why = "" if failed.any() else "The paper takes its one failure for a numerical error; none occurs here."
+    why = "" if failed.any() else _NO_ERROR.format("failure")
     return _row(claim, paper, ours, failed.sum() == 1, why, mark="derived")
 
 
@@ -260,27 +267,27 @@ def _outlier(search: TendonSearch) -> Claim:
             paper,
             ours,
             None,
-            "The study does not have the paper's 60 tendons, or did not fold them with 500 N cm, too.",
+            "The study does not have the paper's 60 tendons, or did not also fold them with 500 N cm.",
         )
-    why = "" if stuck.any() else "The paper takes its outlier for a numerical error; none occurs here."
+    why = "" if stuck.any() else _NO_ERROR.format("outlier")
     return _row(claim, paper, ours, stuck.sum() == 1, why)
 
 
 def _folded_at_large_torque(search: TendonSearch) -> tuple[NDArray[np.str_], bool, Mask, Mask]:
-    """How each tendon folded before it was to open, whether with 500 N cm, which were tried, which say nothing."""
+    """Return the outcome of folding each tendon, whether with 500 N cm, and which were tried or are inconclusive."""
     torque = float(search.table["reference_outcome"].attrs.get("torque", math.nan))
     outcome = search.values("reference_outcome").astype(str)
-    unknown = np.isin(outcome, _SAYS_NOTHING)
+    unknown = np.isin(outcome, _INCONCLUSIVE)
     tried = ~np.isin(outcome, ["", "nan", "None"]) & ~unknown
     return outcome, bool(np.isclose(torque, 5.0)), tried, unknown
 
 
 def _first_to_open(search: TendonSearch) -> Claim:
-    """Of those that fold: whoever opens, so do all that are longer at its stiffness and all softer ones as long."""
+    """Check that with a tendon that opens, all longer ones of its stiffness and all softer ones of its length open."""
     claim, paper = "those that open first", "long l0 and small k"
     if not search.opens.any():
         return _row(claim, paper, "none opens", None, _NONE_OPENS)
-    # a tendon that never folds was not asked to open, and tells nothing
+    # a tendon that never folds was not driven to open, so it does not count
     longer = _holds_from_first(search.opens, search.folds)
     softer = _holds_from_first(search.opens[::-1].T, search.folds[::-1].T)
     shortest = [
@@ -292,7 +299,7 @@ def _first_to_open(search: TendonSearch) -> Claim:
 
 
 def _holds_from_first(holds: Mask, counts: Mask) -> bool:
-    """Whether along each row it holds for all that count from the first one for which it does."""
+    """Return whether a condition holds in each row for all counted entries after the first one that satisfies it."""
     return all(row[can][np.argmax(row[can]) :].all() for row, can in zip(holds, counts, strict=True) if row[can].any())
 
 
@@ -321,7 +328,7 @@ def _unfold_work(search: TendonSearch) -> Claim:
 
 
 def _ordering(claim: str, paper: str, larger: Array, smaller: Array) -> Claim:
-    """Whether one is larger wherever both are known."""
+    """Compare two quantities: whether one is larger wherever both are known."""
     found = np.isfinite(larger) & np.isfinite(smaller)
     if not found.any():
         return _row(claim, paper, "none opens", None, _NONE_OPENS)
@@ -337,7 +344,7 @@ def _residual_energy(search: TendonSearch) -> Claim:
     if not found.any():
         return _row(claim, paper, "none folds", None)
     ours = f"in {int(left.sum())} of {int(found.sum())}" + (f": {search.names(left)}" if left.any() else "")
-    # where a tendon keeps some, so do all shorter ones of its stiffness
+    # if a tendon keeps some energy, so do all shorter ones of its stiffness
     return _row(claim, paper, ours, left.any() and _holds_from_first(left[:, ::-1], found[:, ::-1]))
 
 

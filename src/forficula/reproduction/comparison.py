@@ -1,4 +1,4 @@
-"""A paper's claims beside what a study finds, and why they differ where known."""
+"""Comparison of a paper's claims with the results of a study, with reasons for known differences."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _NAMED = {paper.name: paper for paper in (BINDER2025,)}
 
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
-    """A study beside the paper that it reproduces.
+    """Comparison of a study with the paper that it reproduces.
 
     Attributes:
-        paper: what it is set beside.
-        claims: one row a claim, in the paper's order.
+        paper: the paper.
+        claims: one row per claim, in the paper's order.
     """
 
     paper: Reproduction
@@ -31,10 +31,10 @@ class Comparison:
 
 
 def check_reproduction(study: Study) -> None:
-    """Refuse a study that names a paper and does not ask what that claims; to be called before it runs.
+    """Reject a study that names a paper but cannot be compared with its claims; call this before the study runs.
 
     Raises:
-        InputError: there is no such paper, or the study asks for something else, or has other factors.
+        InputError: there is no such paper, the study computes something else, or it has other factors.
     """
     paper = named_reproduction(study.reproduces)
     if paper is not None and not study.choices:
@@ -42,18 +42,18 @@ def check_reproduction(study: Study) -> None:
 
 
 def compare(study: Study, table: Dataset) -> Comparison | None:
-    """Put what a study finds beside what the paper reports that it reproduces.
+    """Compare the results of a study with the claims of the paper that it reproduces.
 
     Args:
-        study: what was asked.
-        table: what came out.
+        study: the study.
+        table: its results.
 
     Returns:
-        None where the study names no paper, or varies its factors one at a time: then all but one of its tables are of
-        other wings than the paper's.
+        None if the study names no paper, or if it varies its factors one at a time, because all but one of its tables
+        are then of other wings than the paper's.
 
     Raises:
-        InputError: there is no such paper, or the study asks for something else, or has other factors.
+        InputError: there is no such paper, the study computes something else, or it has other factors.
     """
     paper = named_reproduction(study.reproduces)
     if paper is None or study.choices:
@@ -62,18 +62,18 @@ def compare(study: Study, table: Dataset) -> Comparison | None:
 
 
 def comparison_markdown(comparison: Comparison) -> str:
-    """The claims as a table in Markdown, with the count of those that agree above it."""
+    """Return the claims as a table in Markdown, preceded by the number of claims that agree."""
     paper, rows = comparison.paper, comparison.claims
-    told = [row.agrees for row in rows if row.agrees is not None]
-    words = {True: "yes", False: "no", None: "cannot tell"}
+    decided = [row.agrees for row in rows if row.agrees is not None]
+    words = {True: "yes", False: "no", None: "unknown"}
     lines = [
-        f"# {paper.short} beside this study",
+        f"# {paper.short} compared with this study",
         "",
         f"Source: {paper.authors}, {paper.published}.",
-        f"{sum(told)} of {len(told)} claims agree"
-        + (f"; {len(rows) - len(told)} cannot be told from this table." if len(told) < len(rows) else "."),
+        f"{sum(decided)} of {len(decided)} claims agree"
+        + (f"; {len(rows) - len(decided)} cannot be decided from this table." if len(decided) < len(rows) else "."),
         "",
-        "| claim | paper | here | agrees | why |",
+        "| claim | paper | study | agrees | why |",
         "|---|---|---|---|---|",
     ]
     for row in rows:
@@ -84,7 +84,7 @@ def comparison_markdown(comparison: Comparison) -> str:
 
 
 def named_reproduction(name: str | None) -> Reproduction | None:
-    """Find the paper that a study or a design names under `reproduces`; None where it names none.
+    """Return the paper that a study or a design names under `reproduces`; None if it names none.
 
     Raises:
         InputError: there is no such paper.

@@ -14,18 +14,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Reproduction:
-    """A paper: how it is cited, what it claims, and which part of a wing its figures show.
+    """A paper: its citation, its claims, and the part of a wing that its figures show.
 
     Attributes:
-        name: by which the file of a study or a design names it under `reproduces`.
-        short: the paper in a title.
-        authors: by their family names.
-        published: where and when.
-        tendon: number of the hinge that folds, from 0, whose tendon its figures of one tendon show.
-        hinge: number of the hinge that folds, from 0, that its figures of one hinge show.
-        fold_count: how many of its wings fold; None where it does not say.
-        check: refuses a study that does not ask what the claims are about, by an InputError, before it runs.
-        claims: all of its claims beside the table of such a study, in the paper's order.
+        name: name under `reproduces` in the file of a study or a design.
+        short: short citation for titles.
+        authors: family names.
+        published: journal, volume, year and DOI.
+        tendon: number of the folding hinge, from 0, whose tendon the paper's figures of one tendon show.
+        hinge: number of the folding hinge, from 0, that the paper's figures of one hinge show.
+        fold_count: number of its wings that fold; None if the paper does not report it.
+        check: raises an InputError, before it runs, for a study that cannot be compared with the claims.
+        claims: compares all claims, in the paper's order, with the table of a study.
     """
 
     name: str
@@ -41,15 +41,15 @@ class Reproduction:
 
 @dataclass(frozen=True, kw_only=True)
 class Claim:
-    """One claim of a paper beside what a study finds.
+    """One claim of a paper, compared with the result of a study.
 
     Attributes:
-        claim: what is compared.
-        paper: what the paper reports.
-        ours: what the study's table says.
-        agrees: None where the table does not have what it takes to tell.
-        why: a sentence on the difference, empty where there is none or it is not known.
-        mark: where the paper's value comes from: "paper", or "derived" from what it says.
+        claim: the compared quantity.
+        paper: value in the paper.
+        ours: value in the study.
+        agrees: whether both agree; None if the study does not have the necessary results.
+        why: a sentence on the reason of a difference; empty without a difference, or if the reason is unknown.
+        mark: origin of the paper's value: "paper" if it is reported, "derived" if it follows from reported values.
     """
 
     claim: str

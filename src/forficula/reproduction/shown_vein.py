@@ -1,4 +1,4 @@
-"""Which part stands for all where only one is shown: that of the paper which a design reproduces, if it names one."""
+"""Choice of the tendon and the hinge that figures show as an example: those of the reproduced paper, if any."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from forficula.structure import crossing_tendons, structure_of
 
 
 def shown_tendon(design: Design) -> int | None:
-    """Number of the tendon that a landscape shows, from 0: an inner one where no paper names a hinge that one crosses.
+    """Return the number of the tendon that a landscape shows, from 0: the paper's, or an inner one.
 
     Returns:
-        None where no tendon lies across one hinge.
+        None if no tendon lies across one hinge.
 
     Raises:
-        InputError: the design names a paper that there is not, or cannot be built.
+        InputError: the design names an unknown paper, or it cannot be built.
     """
     paper, structure = named_reproduction(design.reproduces), structure_of(design)
     tendons = {
@@ -30,13 +30,13 @@ def shown_tendon(design: Design) -> int | None:
 
 
 def shown_hinge(design: Design) -> int | None:
-    """Number of the hinge that a convergence study shows, from 0, among those of the first measure that folds.
+    """Return the number of the hinge that a convergence study shows, from 0, among those of the first folding measure.
 
     Returns:
-        None where the design leaves it open.
+        None if the design names no paper.
 
     Raises:
-        InputError: the design names a paper that there is not.
+        InputError: the design names an unknown paper.
     """
     paper = named_reproduction(design.reproduces)
     return None if paper is None else paper.hinge

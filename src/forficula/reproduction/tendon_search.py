@@ -1,4 +1,4 @@
-"""The tendons of a search for the least torques over stiffness and resting length, and which of them a paper has."""
+"""Results of a search for the least torques over tendon stiffness and resting length, and the tendons of a paper."""
 
 from __future__ import annotations
 
@@ -17,21 +17,22 @@ if TYPE_CHECKING:
 Mask = NDArray[np.bool_]
 
 FACTORS = ("tendon_stiffness", "tendon_rest_length")
-# tendons in words, of many
+# largest number of tendons that a text names
 AS_MANY = 4
 
 
 @dataclass(frozen=True, kw_only=True)
 class TendonSearch:
-    """The table's arrays, (stiffness, rest length), SI; nan and False where there is none.
+    """Arrays of the table, (stiffness, rest length), SI; nan and False for missing values.
 
     Attributes:
+        table: of the search.
         stiffness: N/m, (stiffness,).
         rest_length: m, (rest length,).
-        folds: whether a torque folds that is not above the paper's largest.
-        opens: whether, besides, a torque opens that is not above the paper's largest.
-        covers: whether the paper's tendons are among these, tried with torques up to its largest.
-        whole: whether, besides, there are no others.
+        folds: whether a torque up to the paper's largest one folds.
+        opens: whether it folds and a torque up to the paper's largest one opens it.
+        covers: whether the search includes the paper's tendons with torques up to the paper's largest.
+        whole: whether it covers the paper's tendons and has no others.
     """
 
     table: Dataset
@@ -43,21 +44,21 @@ class TendonSearch:
     whole: bool
 
     def values(self, name: str) -> Array:
-        """A variable over stiffness and rest length."""
+        """Return a variable over stiffness and rest length."""
         return np.asarray(self.table[name].transpose(*FACTORS, ...).values)
 
     def at(self, stiffness: float, rest_length: float) -> tuple[int, int] | None:
-        """Place of a tendon, given in N/cm and cm, or None where the study does not have it."""
+        """Return the indices of a tendon, given in N/cm and cm; None if the study does not have it."""
         row = np.flatnonzero(np.isclose(self.stiffness, 100 * stiffness))
         column = np.flatnonzero(np.isclose(self.rest_length, rest_length / 100, atol=1e-9))
         return (int(row[0]), int(column[0])) if len(row) and len(column) else None
 
     def name(self, place: Sequence[int]) -> str:
-        """A tendon in words."""
+        """Return a tendon in words."""
         return f"k = {self.stiffness[place[0]] / 100:.4g} N/cm, l0 = {100 * self.rest_length[place[1]]:.4g} cm"
 
     def names(self, where: Mask) -> str:
-        """Tendons in words, the first few of many."""
+        """Return tendons in words, at most the first few."""
         places = np.argwhere(where)
         more = f" and {len(places) - AS_MANY} more" if len(places) > AS_MANY else ""
         return "; ".join(self.name(place) for place in places[:AS_MANY]) + more
@@ -71,14 +72,14 @@ def read_search(
     fold_torque: float,
     unfold_torque: float,
 ) -> TendonSearch:
-    """Take what claims are about from the table of a search over tendon stiffness and resting length.
+    """Read the results that claims need from the table of a search over tendon stiffness and resting length.
 
     Args:
         table: with both least torques over `FACTORS`.
         stiffnesses: of the paper's tendons, N/m.
         rest_lengths: of the paper's tendons, m.
-        fold_torque: the paper's largest, N m.
-        unfold_torque: likewise.
+        fold_torque: the paper's largest fold torque, N m.
+        unfold_torque: the paper's largest unfold torque, N m.
     """
     stiffness, rest_length = (np.asarray(table[name].values, dtype=float) for name in FACTORS)
     fold, unfold = (

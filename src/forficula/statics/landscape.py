@@ -1,6 +1,6 @@
-"""The energy landscape of a design: states, transitions between them, and what each state withstands.
+"""The energy landscape of a design: stable states, transitions between them, and the loads that each state withstands.
 
-Two solvers find it, which check each other: `forficula.statics.tree_landscape` for bodies on joints, in reduced
+Two solvers compute it and check each other: `forficula.statics.tree_landscape` for bodies on joints, in reduced
 coordinates, and `forficula.statics.net.net_landscape` for nets, in the coordinates of their nodes.
 """
 
@@ -33,18 +33,18 @@ from forficula.structure import Drive, Structure
 
 @dataclass(frozen=True, kw_only=True)
 class Rest:
-    """Where a structure rests without drives, after a part of its protocol.
+    """Resting shape of a structure without drives, after a part of its protocol.
 
     Attributes:
-        name: of the state that a protocol names, such as "flat"; where it is none, what the protocol calls that.
+        name: of the named state, such as "flat", or the protocol's name for having missed it.
         angles: of all hinges, in their own senses, rad, (hinge,).
         energy: J.
-        stored: the same by what stores it: "tendons", "springs", "couplings", "membranes" with length limits, "weight";
-            what the structure does not have is left out.
-        stable: whether it came to rest and no small push drives it on.
+        stored: energy by the part that stores it: "tendons", "springs", "couplings", "membranes" with length limits,
+            "weight"; parts that the structure does not have are left out.
+        stable: whether it came to rest and no small push drives it away.
         within: whether it is within the bounds of the state.
-        same_as: name of the first state before it that rests at the same angles; empty where none does.
-        shape: of a net; None of a tree, whose angles say all.
+        same_as: name of the first earlier state that rests at the same angles; empty if there is none.
+        shape: of a net; None for a tree, whose angles define its shape.
     """
 
     name: str
@@ -65,7 +65,7 @@ class Pass:
         ends: numbers of the states.
         barriers: energies to climb from either end, J.
         energy: of the saddle, J.
-        shape: of a net at the saddle; None of a tree, whose saddles are in its fold path.
+        shape: of a net at the saddle; None for a tree, whose saddles are in its fold path.
     """
 
     ends: tuple[int, int]
@@ -80,13 +80,13 @@ class LeastTorque:
 
     Attributes:
         name: of the transition.
-        drive: that makes it.
-        least: size of the torque, N m; None where not even the largest that was tried makes the transition, or where
-            the structure does not rest in the state from which the transition starts.
-        span: the least and the largest of these torques for a structure whose hinges are shifted at random by about
-            0.3 deg where it begins to snap; the largest is inf where one is not made at all. None where none is made.
+        drive: drive of the transition.
+        least: size of the torque, N m; None if not even the largest torque tried makes the transition, or if the
+            structure does not rest in the state from which the transition starts.
+        span: least and largest of these torques for structures whose hinges are shifted at random by about 0.3 deg at
+            the start of the snap; the largest is inf if one of them does not make the transition; None if none does.
         inertial_help: a snap after which inertia may make the transition with less than the least torque, which is then
-            an upper bound; None where the slow path has no such snap.
+            an upper bound; None if the slow path has no such snap.
     """
 
     name: str
@@ -101,9 +101,9 @@ class NetSurvey:
     """Net of a landscape, and the extent of the search for its states.
 
     Attributes:
-        net: whose shapes are in states, passes and courses.
-        built: how the net can move as built; None for a net too large.
-        search: for stable states. The search is seeded: there may be more states.
+        net: net of the shapes in states, passes and courses.
+        built: mobility of the net as built; None for a net that is too large.
+        search: seeded search for stable states; there may be more states than it found.
     """
 
     net: Net
@@ -117,22 +117,22 @@ class EnergyLandscape(Displayed):
 
     Attributes:
         design: the design.
-        structure: what is built of it.
-        rests: where it rests when let go from where the protocol starts it, and after each transition.
-        states: stable states, along the one way to fold from its start to its end, or of a net by rising energy; empty
-            for a tree that has no one way to fold.
+        structure: structure of the design.
+        rests: where it rests when released from the start of the protocol, and after each transition.
+        states: stable states, along the single folding path from its start to its end, or of a net by rising energy;
+            empty for a tree without a single folding path.
         passes: between neighbouring states.
-        courses: what slowly growing drives do: those of the protocol's transitions, and for nets all others, too.
-        remarks: sentences on what does not exist, and what to know of the rest.
-        hinges: every hinge that one tendon lies across, by tendon; with the hinge's spring.
-        fold_path: the structure along its fold; None where rigid panels have no one way to fold.
-        levels: energies of independent hinges, ideal ones where there are such, none to all of them folded, J,
-            (folding hinge + 1,); None where those of single hinges do not add up.
-        partial_folds: let go with some hinges folded.
-        hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,); nan where it never
-            does, or is folded.
-        tips: resistance to a load at the tips; None where there is no one way to fold.
-        net: of points that slide, and of plates in loops or free; None for a tree of bodies on joints.
+        courses: effects of slowly growing drives: of the protocol's transitions, and for nets of all other drives.
+        remarks: sentences on missing results and on limits of the others.
+        hinges: every hinge that one tendon lies across, by tendon, with the hinge's spring.
+        fold_path: the structure along its fold; None if rigid panels have no single folding path.
+        levels: energies with none to all of the independent hinges folded, J, (folding hinge + 1,), of ideal hinges if
+            there are any; None if the energies of single hinges do not add up.
+        partial_folds: resting shapes after release with some hinges folded.
+        hinge_barriers: energy to climb until one hinge of the first state folds alone, J, (hinge,); nan if it never
+            does, or if it is folded already.
+        tips: resistance to a load at the tips; None without a single folding path.
+        net: survey of sliding points, or of plates that are in loops or free; None for a tree of bodies on joints.
     """
 
     design: Design
@@ -151,50 +151,50 @@ class EnergyLandscape(Displayed):
     net: NetSurvey | None = None
 
     def __repr__(self) -> str:
-        """Where it rests, with energies."""
+        """Return the resting states with their energies."""
         rests = ", ".join(f"{each.name} {show_value(each.energy, 'J')}" for each in self.rests)
         return f"<EnergyLandscape of {self.design.name}: {rests or f'{len(self.remarks)} remarks'}>"
 
     @property
     def hinge(self) -> HingeLandscape | None:
-        """The first ideal hinge, with both bars square to its axis; None where there are no bars to be so."""
+        """Return the first ideal hinge, with both bars perpendicular to its axis; None without bars."""
         return next((each.ideal for each in self.hinges if each.ideal is not None), None)
 
     @property
     def tendons(self) -> tuple[HingeLandscape, ...]:
-        """Every hinge that one tendon lies across, about its true axis, by tendon."""
+        """Return every hinge that one tendon lies across, about its true axis, by tendon."""
         return tuple(each.own for each in self.hinges)
 
     @property
     def least_torques(self) -> Mapping[str, float | None]:
-        """Sizes of the least slowly growing torques of a tree's transitions, N m, by transition; see `LeastTorque`."""
+        """Return the least slowly growing torque of each transition of a tree, N m; see `LeastTorque`."""
         return {each.name: each.least for each in self.courses if isinstance(each, LeastTorque)}
 
     @property
     def easiest_barrier(self) -> float | None:
-        """Energy to climb until one hinge of the first state folds alone, J.
+        """Return the least energy to climb until one hinge of the first state folds alone, J.
 
-        None where none does, or where it does not rest there.
+        It is None if no hinge folds alone, or if the structure does not rest in the first state.
         """
         known = self.hinge_barriers[np.isfinite(self.hinge_barriers)]
         return float(known.min()) if len(known) and self.rests[0].within else None
 
     @property
     def fold_barrier(self) -> float | None:
-        """Energy to climb along the fold from its first state, J; None where one of its ends is no stable state."""
+        """Return the energy to climb along the fold from its first state, J; None if one of its ends is not stable."""
         return _fold_barrier(self, back=False)
 
     @property
     def unfold_barrier(self) -> float | None:
-        """Energy to climb back along the fold, J; None where one of its ends is no stable state."""
+        """Return the energy to climb back along the fold, J; None if one of its ends is not stable."""
         return _fold_barrier(self, back=True)
 
 
 def stable_states(landscape: EnergyLandscape) -> tuple[StableState | NetState, ...]:
-    """The stable states of a structure: along its fold, from camber to folded, or of a net by rising energy.
+    """Return the stable states of a structure: along its fold, from camber to folded, or of a net by rising energy.
 
     Raises:
-        InputError: it is a tree that has no one way to fold.
+        InputError: the structure is a tree without a single folding path.
     """
     if landscape.net is None:
         rigid_fold(landscape.structure)
@@ -202,24 +202,24 @@ def stable_states(landscape: EnergyLandscape) -> tuple[StableState | NetState, .
 
 
 def fold_states(landscape: EnergyLandscape) -> tuple[StableState, ...]:
-    """The stable states along a fold; none where there is no one way to fold."""
+    """Return the stable states along a fold; empty without a single folding path."""
     return tuple(state for state in landscape.states if isinstance(state, StableState))
 
 
 def net_states(landscape: EnergyLandscape) -> tuple[NetState, ...]:
-    """The stable states of a net; none of a tree."""
+    """Return the stable states of a net; empty for a tree."""
     return tuple(state for state in landscape.states if isinstance(state, NetState))
 
 
 def net_courses(landscape: EnergyLandscape) -> tuple[Course, ...]:
-    """What slowly growing drives do to a net; none of a tree."""
+    """Return the courses of a net under slowly growing drives; empty for a tree."""
     return tuple(course for course in landscape.courses if isinstance(course, Course))
 
 
 def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
-    """Energy to climb from one stable state to another, over the saddles that are known, J.
+    """Compute the energy to climb from one stable state to another over the known saddles, J.
 
-    Along a fold all hinges move together. A structure may climb less where one hinge goes before the others: see
+    Along a fold all hinges move together. The barrier may be lower if one hinge moves before the others: see
     `EnergyLandscape.hinge_barriers`.
 
     Args:
@@ -228,11 +228,11 @@ def barrier(landscape: EnergyLandscape, start: str, end: str) -> float:
         end: name of another, such as "folded".
 
     Returns:
-        Up to the highest saddle between them, on the way whose highest saddle is lowest; 0 where it is downhill all
-        along.
+        Energy from the start to the highest saddle on the path whose highest saddle is lowest; 0 if the path leads only
+        downhill.
 
     Raises:
-        InputError: there is no stable state of that name, or no known saddles lead from one to the other.
+        InputError: there is no stable state of that name, or no known saddles connect both states.
     """
     states = stable_states(landscape)
     numbers = {state.name: number for number, state in enumerate(states)}
@@ -255,22 +255,22 @@ def _number_of(landscape: EnergyLandscape, numbers: Mapping[str, int], name: str
 
 
 def _lowest_top(landscape: EnergyLandscape, first: int, last: int) -> float | None:
-    """The highest energy on the way from one state to another whose highest energy is lowest; None without a way."""
+    """Return the highest energy on the path between two states for which it is lowest; None without a path."""
     tops = {first: landscape.states[first].energy}
-    # every round settles at least one state, as with the shortest ways of Bellman and Ford
+    # every round completes at least one state, as in the shortest paths of Bellman and Ford
     for _ in landscape.states:
-        for each in landscape.passes:
-            for here, there in (each.ends, each.ends[::-1]):
-                if here in tops:
-                    tops[there] = min(max(tops[here], each.energy), tops.get(there, np.inf))
+        for saddle in landscape.passes:
+            for start, end in (saddle.ends, saddle.ends[::-1]):
+                if start in tops:
+                    tops[end] = min(max(tops[start], saddle.energy), tops.get(end, np.inf))
     return tops.get(last)
 
 
 def fold_path_of(landscape: EnergyLandscape) -> FoldPath:
-    """The path of a structure along its fold.
+    """Return the path of a structure along its fold.
 
     Raises:
-        InputError: it has no one way to fold.
+        InputError: the structure has no single folding path.
     """
     rigid_fold(landscape.structure)
     assert landscape.fold_path is not None

@@ -1,4 +1,4 @@
-"""A landscape as `landscape.json` has it."""
+"""An energy landscape in the form of `landscape.json`."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ from forficula.structure import Structure, drive_unit, driven_motor
 
 @dataclass(frozen=True, kw_only=True)
 class StableSummary:
-    """A stable state on a curve of energy. A neutral state is a range up to the angle that is called far.
+    """A stable state on an energy curve. A neutral state is a range that ends at its far angle.
 
     Attributes:
         others: name and angles.
         kind: "stop", "minimum" or "neutral".
         energy: J.
-        holding_torque: that presses the structure onto a stop, N m.
+        holding_torque: torque that presses the structure onto a stop, N m.
     """
 
     others: Annotated[Mapping[str, WithUnit | str], Written.BESIDE]
@@ -54,7 +54,7 @@ class StableSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveSummary:
-    """Energy over an angle, the stable states and what they withstand.
+    """Energy over an angle, with stable states and the torques that they withstand.
 
     Attributes:
         energy: J.
@@ -92,21 +92,21 @@ class LandscapeSummary:
 
     Attributes:
         design: name of the design.
-        hinge: the first hinge with both bars square to its axis; null without such.
+        hinge: the first hinge with both bars perpendicular to its axis; null without such a hinge.
         tendons: every hinge that one tendon lies across.
-        wing: the structure along its fold; null where it has no one way to fold.
-        levels: energies of independent hinges, none to all of them folded, J.
-        partial_folds: let go with some hinges folded.
+        wing: the structure along its fold; null without a single folding path.
+        levels: energies with none to all of the independent hinges folded, J.
+        partial_folds: resting shapes after release with some hinges folded.
         rests: where the structure rests without drives.
         least_torques: least slowly growing torque of every transition, N m.
-        least_torque_ranges: least and largest of these torques of structures that are slightly shifted, N m.
+        least_torque_ranges: least and largest of these torques for slightly shifted structures, N m.
         inertial_help: a snap after which inertia may make a transition with less than the least slow torque.
         tips: stiffness of the tips.
-        remarks: what does not exist, and what to know of the rest.
-        net: states, saddles and courses of points that slide and of plates in loops.
+        remarks: sentences on missing results and on limits of the others.
+        net: states, saddles and courses of sliding points and of plates in loops.
         design_hash: hash of all values of the design.
         simulation: snap of one hinge in a run, beside its prediction; null without a run.
-        rests_apart: distances between the states of the run and of statics, m.
+        rests_apart: largest difference of distances between points in the states of the run and of statics, m.
         versions: of the packages that computed the landscape.
         figures: names of the figures in the folder.
     """
@@ -132,7 +132,7 @@ class LandscapeSummary:
 
 
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
-    """Return a landscape as plain data, as `landscape.json` has it."""
+    """Return a landscape as plain data in the form of `landscape.json`."""
     structure, hinge, path = landscape.structure, landscape.hinge, landscape.fold_path
     torques = [each for each in landscape.courses if isinstance(each, LeastTorque)]
     content = LandscapeSummary(
@@ -165,8 +165,8 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
 def _hinge(hinge: HingeLandscape) -> CurveSummary:
     """Return a hinge with its angles and moments in its own sense."""
 
-    def own(angle: ArrayLike | None) -> WithUnit:
-        # 0 keeps its sign
+    def in_own_sense(angle: ArrayLike | None) -> WithUnit:
+        # subtract from 0, so that 0 does not become -0
         return WithUnit(angle if hinge.sense > 0 or angle is None else 0.0 - np.asarray(angle), "rad")
 
     peak = hinge.peak_opening
@@ -179,7 +179,7 @@ def _hinge(hinge: HingeLandscape) -> CurveSummary:
         moment=hinge.sense * hinge.moment,
         stable_states=[
             StableSummary(
-                others={"angle": own(state.angle), "far_angle": own(state.far_angle)},
+                others={"angle": in_own_sense(state.angle), "far_angle": in_own_sense(state.far_angle)},
                 kind=state.kind,
                 energy=state.energy,
                 holding_torque=state.holding_torque,
@@ -188,13 +188,13 @@ def _hinge(hinge: HingeLandscape) -> CurveSummary:
         ],
         barrier=hinge.barrier,
         others={
-            "angle": own(hinge.angle),
+            "angle": in_own_sense(hinge.angle),
             **(spring if hinge.spring is not None else {}),
-            "barrier_angle": own(hinge.barrier_angle),
+            "barrier_angle": in_own_sense(hinge.barrier_angle),
             "holding_torque": WithUnit(hinge.holding_torque, "N m"),
             "peak_opening_torque": WithUnit(None if peak is None else peak.torque, "N m"),
-            "peak_opening_angle": own(None if peak is None else peak.angle),
-            "slack_angle": own(hinge.slack_angle),
+            "peak_opening_angle": in_own_sense(None if peak is None else peak.angle),
+            "slack_angle": in_own_sense(hinge.slack_angle),
             "time_scale": WithUnit(hinge.time_scale, "s"),
             "growth_rate": WithUnit(hinge.growth_rate, "1/s"),
             "fold_start": WithUnit(hinge.fold_start, "rad"),

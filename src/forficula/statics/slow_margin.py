@@ -1,4 +1,4 @@
-"""How much more torque a protocol has than its structures need when torques grow slowly."""
+"""Safety factor of a protocol's torques over the least torques that are sufficient when they grow slowly."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from forficula.statics.tree.quasi_static import (
 )
 from forficula.structure import Transition, drive_of
 
-# What does not move with the protocol's torque is tried with so many times it.
+# If the protocol's torque is not sufficient, torques up to this many times as large are tried.
 MORE = 10.0
 
 
 def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None = None) -> tuple[Array, ...]:
-    """The least slowly growing torques of every transition, to 1 %, up to ten times the protocol's.
+    """Compute the least slowly growing torques of every transition, to 1 %, up to ten times the protocol's torque.
 
-    Statics without inertia. In a simulation the least torque that makes a transition is no smooth function of the
-    design: swinging helps one structure and hinders the next.
+    The computation is static and without inertia. In a simulation the least torque of a transition is not a smooth
+    function of the design, because swinging helps one structure and hinders a similar one.
 
     Args:
-        designs: that differ in their tendons only.
-        names: of the transitions that are asked for; all if not given.
+        designs: designs that differ only in their tendons.
+        names: of the requested transitions; all by default.
 
     Returns:
-        By transition, each from where the one before leads, N m, nan where none makes it, the protocol does not try or
-        it is not asked for, (design,).
+        Torques by transition, each from the state to which the one before leads, N m, (design,); nan if no torque makes
+        the transition, or if the protocol does not drive it or it is not requested.
     """
     structures = ensemble_of(designs)
     transitions = structures.structure.transitions
@@ -42,7 +42,7 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
     wanted = [each.stage is not None and (names is None or each.name in names) for each in transitions]
     found = []
     for number, transition in enumerate(transitions):
-        # where a transition starts depends on those before it
+        # the start of a transition depends on the transitions before it
         tried = transition.stage is not None and any(wanted[number:])
         least = np.full(len(designs), np.nan)
         if tried:
@@ -56,10 +56,10 @@ def least_slow_torques(designs: Sequence[Design], names: Collection[str] | None 
 
 
 def _slow(structures: Ensemble, start: Array, transition: Transition) -> SlowTransition:
-    own = abs(drive_of(structures.structure, transition.drive).strength)
+    strength = abs(drive_of(structures.structure, transition.drive).strength)
     least, position = np.full(len(start), np.nan), start.copy()
-    # what the protocol's torque moves is found more finely without the larger ones
-    for most in (own, MORE * own) if own > 0 else ():
+    # the protocol's own torque is tried first, because a smaller range is resolved more finely
+    for most in (strength, MORE * strength) if strength > 0 else ():
         left = np.flatnonzero(np.isnan(least))
         if len(left):
             slow = least_slow_torque(structures.only(left), start[left], transition, most)
@@ -68,5 +68,5 @@ def _slow(structures: Ensemble, start: Array, transition: Transition) -> SlowTra
 
 
 def margin(torque: float, least: float) -> float | None:
-    """A torque by the least one; None where there is no such, or none is needed."""
+    """Return a torque divided by the least torque; None if no torque is sufficient, or none is needed."""
     return torque / least if least > 0 else None

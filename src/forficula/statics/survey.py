@@ -1,4 +1,4 @@
-"""What statics says of any structure: the one module that chooses the solver, of trees or of nets."""
+"""Energy landscape of any structure: the only module that chooses between the solvers for trees and for nets."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from forficula.statics.tree.quasi_static import at_goal, least_slow_torque, star
 from forficula.statics.tree_landscape import tree_landscape
 from forficula.structure import Structure, drive_of, goal_of, structure_of
 
-# up to how many times its own strength a drive is tried
+# largest multiple of its own strength with which a drive is tried
 _MORE = 4.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class SlowDrive:
-    """What a slowly growing drive must be for a transition.
+    """Least strength of a slowly growing drive for a transition.
 
     Attributes:
-        least: size of the least that makes it, in the drive's SI unit; None where none of those tried does.
-        largest_force: of a displacement on the way, N; None of other drives.
+        least: least sufficient size, in the drive's SI unit; None if none of the tried sizes is sufficient.
+        largest_force: largest force of a displacement on its path, N; None for other drives.
     """
 
     least: float | None
@@ -32,17 +32,17 @@ class SlowDrive:
 
 
 def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = lambda _: None) -> EnergyLandscape:
-    """Survey the statics of a design.
+    """Compute the energy landscape of a design.
 
-    What depends on the one way in which rigid panels fold is left out where there is none.
+    Results that need a single folding path of rigid panels are left out for a structure without one.
 
     Args:
-        design: what to build; its protocol says what counts as folded and as opened, and the largest fold torque.
-        points: places on every curve.
-        progress: is told what is worked out.
+        design: the design; its protocol defines which states count as folded and opened, and the largest fold torque.
+        points: number of points on every curve.
+        progress: called with the name of each step of the computation.
 
     Raises:
-        InputError: it cannot be built, or a transition does not say where it leads.
+        InputError: the design cannot be built, or a transition does not name its state.
     """
     design = as_design(design)
     structure = structure_of(design)
@@ -52,7 +52,7 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
 
 
 def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
-    """The least slowly growing drive of every transition, by name, each from where the one before leads."""
+    """Compute the least slowly growing drive of every transition, by name, each from the end of the one before."""
     if is_net(structure):
         courses = {each.name: each for each in slow_courses(structure)}
         return {
@@ -65,7 +65,7 @@ def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
 
 
 def _of_joints(structure: Structure) -> dict[str, SlowDrive]:
-    """Of bodies on joints in a tree, to 1 %."""
+    """Compute least drives of bodies on joints in a tree, to 1 %."""
     structures, found = ensemble([structure]), dict[str, SlowDrive]()
     before, held = start_state(structures), True
     for transition in structure.transitions:

@@ -1,4 +1,4 @@
-"""The energy landscape of bodies on joints in a tree, found in the coordinates of their hinges."""
+"""Energy landscape of bodies on joints in a tree, computed in the coordinates of their hinges."""
 
 from __future__ import annotations
 
@@ -37,23 +37,23 @@ from forficula.statics.tree.quasi_static import (
 from forficula.statics.tree.tip_stiffness import tip_stiffness
 from forficula.structure import Structure, Transition, drive_of, first_state, goal_of, state_of
 
-# torques tried on hinges that tendons cross, by the largest moment of a tendon against it
+# largest torque tried on hinges that tendons cross, as a multiple of the largest opposing moment of a tendon
 _MOST_OPENING = 4.0
-# by which hinges are shifted where a structure begins to snap, rad: not at all, and three times by about 0.3 deg
+# shifts of hinges at the start of a snap, rad: one case without, and three cases with about 0.3 deg
 _KICKS = (0.0, *[math.radians(0.3)] * 3)
-_STRAIGHT = math.radians(1)  # what counts as straight
-_ALIKE = 0.03  # torques that differ less, of themselves, are the same
-_SAME = math.radians(0.05)  # hinges that rest no farther apart do so at one place, to what tables show
+_STRAIGHT = math.radians(1)  # tolerance of straight
+_ALIKE = 0.03  # relative difference below which torques count as equal
+_SAME = math.radians(0.05)  # resting angles within this difference are equal in tables
 
 
 def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyLandscape:
-    """Survey the statics of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
+    """Compute the landscape of bodies on joints; see `forficula.statics.survey.energy_landscape`."""
     structures = ensemble([structure])
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
     peaks = [each.own.peak_opening.torque for each in hinges if each.own.peak_opening is not None]
-    rests, courses, said = _protocol(structures, start, max(peaks, default=0.0))
+    rests, courses, torque_remarks = _protocol(structures, start, max(peaks, default=0.0))
     return EnergyLandscape(
         design=design,
         structure=structure,
@@ -68,7 +68,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
             *_friction_remarks(structure),
             *(() if path is None else path.remarks),
             *_start_remarks(structure, start.position[0]),
-            *said,
+            *torque_remarks,
         ),
         hinges=hinges,
         fold_path=path,
@@ -82,12 +82,12 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
 def _protocol(
     structures: Ensemble, start: Equilibria, peak: float
 ) -> tuple[tuple[Rest, ...], tuple[LeastTorque, ...], tuple[str, ...]]:
-    """Where a structure rests after each transition, the least torques that make them, and what to say of those.
+    """Compute where a structure rests after each transition, the least torques of transitions, and remarks on them.
 
     Args:
-        structures: of which the first case is taken.
-        start: where it rests first.
-        peak: the largest moment of a tendon against opening, N m.
+        structures: only the first case is used.
+        start: first resting shape.
+        peak: largest moment of a tendon against opening, N m.
     """
     structure = structures.structure
     rests = [_rest(structures, first_state(structure, [state.name for state in structure.states]), start)]
@@ -97,7 +97,7 @@ def _protocol(
         largest = _largest_torque(structures, transition, peak)
         slow, span, after = None, None, state_beyond(structures, transition)
         rests.append(_rest(structures, transition.state, after, rests))
-        # from where it does not rest nothing leads on
+        # no transition starts from a state in which the structure does not rest
         if held:
             several = structures.repeated(len(_KICKS))
             begins = np.tile(before.position, (len(_KICKS), 1))
@@ -123,7 +123,7 @@ def _protocol(
 
 
 def _passes(path: FoldPath) -> tuple[Pass, ...]:
-    """From each stable state along a fold to the next one, over the highest place between them."""
+    """Return the passes between consecutive stable states along a fold, over the highest energy between them."""
     places = [place for place, state in enumerate(path.states) if state.stable]
     passes = []
     for number, (low, high) in enumerate(pairwise(places)):
@@ -154,10 +154,10 @@ def _rest(structures: Ensemble, name: str, found: Equilibria, earlier: Sequence[
 
 
 def _largest_torque(structures: Ensemble, transition: Transition, peak: float) -> float:
-    """The largest torque tried for a transition, N m: the drive's; of one on hinges that tendons cross, more."""
+    """Return the largest torque tried for a transition, N m: the drive's, or more if tendons cross its hinges."""
     drive = drive_of(structures.structure, transition.drive)
-    own = abs(drive.strength)
-    return max(_MOST_OPENING * peak, own) if crosses(structures, drive) else own
+    strength = abs(drive.strength)
+    return max(_MOST_OPENING * peak, strength) if crosses(structures, drive) else strength
 
 
 def _help(structures: Ensemble, transition: Transition, found: SlowTransition | None) -> InertialHelp | None:
@@ -167,15 +167,15 @@ def _help(structures: Ensemble, transition: Transition, found: SlowTransition | 
 
 
 def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tuple[str, ...]:
-    """Remarks on the hinges of tendons: on the ideal ones, and on the true ones where these are slack at other angles.
+    """Return remarks on the hinges of tendons: ideal ones, and true ones if only one of both is always slack.
 
-    What holds for some tendons only is said with their names.
+    Remarks that apply only to some tendons begin with their names.
     """
     of: dict[str, list[str]] = {}
     for each in hinges:
         tendon, own, ideal = structure.tendons[each.tendon], each.own, each.ideal
         remarks = own.remarks if ideal is None else ideal.remarks
-        # where both are slack, the angles differ a little
+        # the same remark on both would differ slightly in its angles
         if ideal is not None and ideal.hinge.pulls != own.hinge.pulls:
             whose = structure.appearance.whole
             remarks = (*remarks, *(f"about the {whose}'s own hinge axes {remark}" for remark in own.remarks))
@@ -187,20 +187,20 @@ def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tup
 
 
 def _shared_remarks(structure: Structure) -> tuple[str, ...]:
-    """What the landscapes of single hinges leave out where more than one tendon acts on some of them."""
+    """Return remarks on tendons that the landscapes of single hinges leave out."""
     of: dict[int, list[str]] = {}
     for tendon in structure.tendons:
         if tendon.crossing is not None:
             of.setdefault(tendon.crossing.hinge, []).append(tendon.label or tendon.name)
     remarks = [
-        f"{', '.join(names)} lie across one hinge, {structure.hinges[hinge].label or structure.hinges[hinge].name}: its"
-        f" landscapes have one of them each, all else is of all"
+        f"{', '.join(names)} lie across one hinge, {structure.hinges[hinge].label or structure.hinges[hinge].name}:"
+        " each landscape of this hinge includes one of them; all other results include all of them"
         for hinge, names in of.items()
         if len(names) > 1
     ]
     across = [tendon.label or tendon.name for tendon in structure.tendons if tendon.crossing is None]
     if across and of:
-        remarks.append(f"the landscapes of single hinges leave out what lies across several: {', '.join(across)}")
+        remarks.append(f"the landscapes of single hinges leave out tendons across several hinges: {', '.join(across)}")
     return tuple(remarks)
 
 
@@ -209,8 +209,8 @@ def _friction_remarks(structure: Structure) -> tuple[str, ...]:
     if not largest:
         return ()
     return (
-        f"the landscape leaves out the dry friction of up to {show_quantity(largest, TORQUE)} of hinges: it holds"
-        " states more firmly, and torques that move them are larger",
+        f"the landscape ignores the dry friction of hinges of up to {show_quantity(largest, TORQUE)}: friction holds"
+        " states more firmly and increases the torques that move them",
     )
 
 
@@ -221,9 +221,8 @@ def _start_remarks(structure: Structure, angles: Array) -> tuple[str, ...]:
     if least >= -_STRAIGHT:
         return ()
     return (
-        f"let go flat, the compliant {structure.appearance.whole} does not stay so: a hinge goes to"
-        f" {math.degrees(least):.4g} deg;"
-        " its flat state, and what is said of it, is that",
+        f"released flat, the compliant {structure.appearance.whole} does not stay flat: a hinge moves to"
+        f" {math.degrees(least):.4g} deg; results for its flat state are for that shape",
     )
 
 
@@ -235,23 +234,25 @@ def slow_remarks(
     span: tuple[float, float] | None,
     helped: InertialHelp | None,
 ) -> tuple[str, ...]:
-    """What to say where no slowly growing torque makes a transition, or where inertia may make it with less.
+    """Return remarks if no slowly growing torque makes a transition, or if inertia may make it with less torque.
 
     Args:
-        structure: whose sentences.
-        transition: of which.
-        most: the largest torque tried, N m.
-        found: of one structure; None where it does not rest in the state that the transition starts from.
-        span: least and largest torque for structures shifted a little where they snap, N m; None where none makes it.
-        helped: a snap after which inertia may make it with less; None without such a snap.
+        structure: the structure.
+        transition: the transition.
+        most: largest torque tried, N m.
+        found: result for the structure; None if it does not rest in the state that the transition starts from.
+        span: least and largest torque of structures shifted slightly at their snaps, N m; None if none makes it.
+        helped: a snap after which inertia may make it with less torque; None without such a snap.
     """
     verb, does = transition.wording.verb, transition.wording.does
     makes = f"makes it {verb}" if " " in verb else f"{does} it"
     if found is None:
         before = _before(structure, transition)
-        return (f"no slowly growing torque {makes} from {before}: it does not rest {before}",)
+        return (f'no slowly growing torque {makes} from the state "{before}", because it does not rest in this state',)
     if found.torque[0] == 0:
-        return (f'no torque is needed to {verb}: the goal of "{transition.name}" holds where it rests before',)
+        return (
+            f'no torque is needed to {verb}: the goal of "{transition.name}" is already met in the state before it',
+        )
     spread: tuple[str, ...] = ()
     if span is not None and span[1] > (1 + _ALIKE) * span[0]:
         low, high = (show_quantity(torque, TORQUE) for torque in span)
@@ -261,7 +262,7 @@ def slow_remarks(
         further = f"to {high}" if math.isfinite(span[1]) else f"to more than {show_quantity(most, TORQUE)}"
         spread = (
             f"the least slow torque to {verb}{least} depends on small differences: with hinges shifted by 0.3 deg"
-            f" where the {whole} begins to snap, it takes {low} {further}, so inertia and imperfections decide",
+            f" where the {whole} begins to snap, it is {low} {further}, so inertia and imperfections decide",
         )
     if helped is not None:
         least, snap = (show_quantity(torque, TORQUE) for torque in (float(found.torque[0]), helped.torque))
@@ -281,11 +282,11 @@ def slow_remarks(
     )
     if spread:
         return spread
-    # what a run can do beyond it
-    inertia = f"{stopped}: it {does} by inertia or not at all, which a run tells"
+    # a run may still make it
+    inertia = f"{stopped}: it may still {verb} by inertia, which a run computes"
     return (f"no slowly growing torque up to {show_quantity(most, TORQUE)} {makes}{started}{inertia}",)
 
 
 def _before(structure: Structure, transition: Transition) -> str:
-    """Name of the state from which a transition starts, after the first one."""
+    """Return the name of the state from which a transition after the first one starts."""
     return structure.transitions[structure.transitions.index(transition) - 1].state

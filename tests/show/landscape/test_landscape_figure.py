@@ -217,7 +217,7 @@ def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
 def test_what_is_not_there_is_not_drawn(surveyed):
     assert list(landscape_drawings(surveyed("reference"))) == ["tendon", "wing", "levels"]
     assert list(landscape_drawings(surveyed("plates"))) == ["tendon", "rests", "levels"]
-    with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):
+    with pytest.raises(InputError, match="letter-fold: has no single folding path"):
         draw_fold_path(surveyed("plates"))
 
 

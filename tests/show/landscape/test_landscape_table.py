@@ -73,7 +73,7 @@ def test_a_simulation_that_diverged_or_stuck_is_told_with_what_to_try(surveyed):
     assert "The simulated wing: diverged at t = " in text
     assert "shorter timestep" in text
     stiff = run(load_design("binder2025", {"tendon.rest_length": "0 cm", "tendon.stiffness": "60 N/cm"}))
-    assert "The simulated wing: did not fold. Growing slowly, no torque up to 500 N cm" in printed(
+    assert "The simulated wing: did not fold. No slowly growing torque up to 500 N cm" in printed(
         surveyed("reference"), stiff
     )
 

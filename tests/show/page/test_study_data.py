@@ -99,7 +99,7 @@ def test_each_torque_has_its_own_reason_for_no_fold_time(study):
             assert (value is None) == (reason is not None) == (became != "folded")
             if reason is not None:
                 assert word(data, reason) == became
-    assert {"diverged", "not to be trusted", "still folding"} <= {each["word"] for each in data["words"]}
+    assert {"diverged", "unreliable", "still folding"} <= {each["word"] for each in data["words"]}
 
 
 def test_every_point_has_a_verdict_and_the_verdicts_are_counted(study):

@@ -92,10 +92,10 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     unsound = replace(short_run, series=series)
     outcome = measure(unsound)
     (remark, *_) = outcome_remarks(unsound, outcome)
-    assert remark.startswith("Not to be trusted: the energy balance misses ")
+    assert remark.startswith("Unreliable: the energy balance misses ")
     assert "Take a timestep of about " in remark
     sentence = outcome_sentence("wing", outcome)
-    assert sentence.startswith("wing: not to be trusted: the energy balance misses ")
+    assert sentence.startswith("wing: unreliable: the energy balance misses ")
 
 
 def test_a_wing_that_never_rests_is_told(short_run, short_outcome):

@@ -99,7 +99,7 @@ def test_the_values_of_the_base_are_told_from_those_that_were_changed():
     ("verdict", "outcome"),
     [
         ("diverged", "diverged"),
-        ("untrusted", "not to be trusted"),
+        ("untrusted", "unreliable"),
         ("not built", "cannot be built"),
     ],
 )

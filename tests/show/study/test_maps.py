@@ -52,7 +52,7 @@ ENDS = {
     "did not stay folded": ("did not stay folded", "not held"),
     "still moving": ("still folding", "moving"),
     "diverged": ("diverged", "diverged"),
-    "not to be trusted": ("not to be trusted", "untrusted"),
+    "unreliable": ("unreliable", "untrusted"),
     "cannot be built": ("cannot be built", "not built"),
     NOT_RUN: (NOT_RUN, "not built"),
 }
@@ -119,7 +119,7 @@ def many_ends():
     return planted(TWO, status)
 
 
-UNTRUSTED = "not to be trusted: the energy balance misses 12 %"
+UNTRUSTED = "unreliable: the energy balance misses 12 %"
 
 
 def doubtful():
@@ -285,7 +285,7 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
     table = doubtful()
     for figure in (draw_torque_maps(table), draw_work_maps(table), draw_energy_maps(table), draw_status_map(table)):
         assert colours(draw(figure)) > 10
-        assert {"diverged", "not to be trusted"} <= set(legend(figure))
+        assert {"diverged", "unreliable"} <= set(legend(figure))
         handles = {handle.get_label(): handle for handle in figure.legends[0].legend_handles}
         hatches = [handle.get_hatch() for handle in handles.values() if handle.get_hatch()]
         assert len(hatches) == len(set(hatches))
@@ -293,7 +293,7 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
             assert marked(axes).count(2) >= 2
     # by torque, too: two wings at three torques each
     figure = draw_first_times(table)
-    assert set(legend(figure)) == {"diverged", "not to be trusted", "still folding", "did not fold"}
+    assert set(legend(figure)) == {"diverged", "unreliable", "still folding", "did not fold"}
 
 
 def test_a_sample_that_is_not_to_be_trusted_is_not_a_dot_as_values_are():
@@ -306,19 +306,19 @@ def test_a_sample_that_is_not_to_be_trusted_is_not_a_dot_as_values_are():
 def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
     table = planted(TWO)
     table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan
-    table["fold_outcome_by_torque"][0, 1, 2] = "not to be trusted"
+    table["fold_outcome_by_torque"][0, 1, 2] = "unreliable"
     table["fold_outcome_by_torque"][0, 2, 1] = "diverged"
     figure = draw_first_times(table)
-    assert legend(figure) == ["diverged", "not to be trusted"]
+    assert legend(figure) == ["diverged", "unreliable"]
     assert marked(panels(figure)["tendon stiffness 10 N/cm"]) == [1, 1]
 
 
 def test_a_reference_not_to_be_trusted_has_the_hatch_of_that_whatever_the_torque():
     table = planted(TWO)
     table["least_unfold_torque"][0, 3] = table["least_unfold_torque"][1, 3] = np.nan
-    for place, word in (((0, 3), "not to be trusted"), ((1, 3), "diverged")):
+    for place, word in (((0, 3), "unreliable"), ((1, 3), "diverged")):
         table["outcome"][place] = table["reference_outcome"][place] = word
-    assert legend(draw_torque_maps(table)) == ["diverged", "not to be trusted"]
+    assert legend(draw_torque_maps(table)) == ["diverged", "unreliable"]
 
 
 def test_runs_that_did_not_fold_were_not_asked_to_open():

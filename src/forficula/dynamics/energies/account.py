@@ -1,4 +1,4 @@
-"""Work of torques, dampers and stops on many structures, added up step by step."""
+"""Work of motors, dampers, stops and contacts on many structures, summed step by step."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from forficula.dynamics.stepping.stepper import energy_of
 from forficula.dynamics.stepping.steps import EngineState, Steps
 from forficula.structure import Motor
 
-# steps for which a stop's force goes on changing fast: four of its time constants
+# steps during which a stop's force still changes fast: four of its time constants
 _JUMP = 8
 
 
 class Account:
-    """What was done on each of many structures of one topology since its start."""
+    """Work done on each of many structures of one topology since its start."""
 
     def __init__(self, models: Sequence[Model]) -> None:
-        """Start with nothing done."""
+        """Start with zero work."""
         self._models = models
         self._timestep = np.array([model.timestep for model in models])
         self._unit = np.array([model.units.energy for model in models])
@@ -32,10 +32,10 @@ class Account:
         )
         self._motors = models[0].structure.motors
         self._senses = np.array([model.folds.senses for model in models])
-        # what the motors of each were last set to
+        # last settings of the motors
         self._set = np.zeros((len(models), len(self._motors)))
         self._done: dict[str, Array] = {}
-        # motors whose forces depend on what they move, and their powers in the last step
+        # motors whose forces depend on the motion, and their powers in the last step
         self._by_engine = np.array(
             [
                 [motor.kind == "displacement" or np.isfinite(motor.no_load_speed) for motor in model.structure.motors]
@@ -44,44 +44,46 @@ class Account:
             dtype=bool,
         )
         self._powers = np.zeros((len(models), len(self._motors)))
-        # forces of those that displace points in the last step, N
+        # forces of motors that displace points in the last step, N
         self._displaces = np.array(
             [[motor.kind == "displacement" for motor in model.structure.motors] for model in models], dtype=bool
         )
         self._forces = np.full((len(models), len(self._motors)), np.nan)
         self._gaps, self._explicit = models[0].gaps, models[0].explicit
-        # where stops end the ranges of joints
-        self._stops = [np.array(each) for each in zip(*(joint_ranges(model) for model in models), strict=True)]
-        # in which of the last steps a hinge met its stop or left it
+        # positions of the stops of joints
+        self._stops = [np.array(ends) for ends in zip(*(joint_ranges(model) for model in models), strict=True)]
+        # in which of the last steps a hinge met or left its stop
         self._met = np.zeros((len(models), _JUMP), dtype=bool)
-        # what each has waited without steps, s, where some stage waits
+        # time that each structure has waited without steps, s, if some stage waits
         self._waits = any(stage.wait for model in models for stage in model.design.protocol.stages)
         self._waited = np.zeros(len(models))
-        # the widest gap of each so far, m
+        # the widest gap so far, m
         self._widest = np.zeros(len(models))
 
     def add(self, rows: Indices, steps: Steps, torques: Array, taken: Indices) -> dict[str, Array]:
-        """Add what some steps of some structures do, J.
+        """Add the work of some steps of some structures, J.
 
-        The engine changes the kinetic energy in a step by force times timestep times the mean of the velocities before
-        and after it, exactly where the inertia is constant: every work here is a force times that travel. (With the
-        later velocity alone, which is what turns the angles, the account would be out by a term of first order in the
-        timestep.) Steps of Runge and Kutta have another rule: a motor is set to the same all through a step and does
-        that times the way, to every order of the integration; for the others see `explicit_works`.
+        In a step, the engine changes the kinetic energy by force times timestep times the mean of the velocities before
+        and after the step, exactly if the inertia is constant. Every work is therefore a force times that travel. (With
+        the later velocity alone, which changes the angles, the balance would have an error of first order in the
+        timestep.) Steps of Runge and Kutta follow another rule: the setting of a motor is constant during a step, and
+        its work is the setting times the travel, to every order of the integration; for other forces see
+        `explicit_works`.
 
         Args:
-            rows: which structures.
-            steps: of these, in their models' units.
-            torques: what every motor is set to during each step, in the models' units, (row, step, motor).
-            taken: how many of the steps count, (row,).
+            rows: numbers of the structures.
+            steps: of these structures, in their models' units.
+            torques: settings of every motor during each step, in the models' units, (row, step, motor).
+            taken: number of the steps that count, (row,).
 
         Returns:
-            By name the work since the start before each step, J, the powers of the motors in it, W, and what they were
-            set to before it, in the models' units, (row, step); those of motors by `motor_work_name`,
-            `motor_power_name` and `motor_setting_name`; forces of those that displace points, N, by `motor_force_name`.
+            By name, the work since the start before each step, J, the powers of the motors in it, W, and their settings
+            before it, in the models' units, (row, step). Names of motors are those of `motor_work_name`,
+            `motor_power_name` and `motor_setting_name`; forces of motors that displace points, N, have the names of
+            `motor_force_name`.
         """
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
-        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up, whose later steps do not count
+        with np.errstate(over="ignore", invalid="ignore"):  # diverging structures, whose later steps do not count
             travel = (velocity[:, :-1] + velocity[:, 1:]) / 2 * self._timestep[rows, None, None]
             if self._explicit:
                 travel = np.diff(np.concatenate([steps.position_before[:, None], steps.position], axis=1), axis=1)
@@ -119,20 +121,20 @@ class Account:
         return before
 
     def wait(self, row: int, time: float, lost: float, spared: float) -> None:
-        """Add a leap of a structure at rest, of so long, s: what its branches lost and are spared, in model units."""
+        """Add a skipped interval of a structure at rest, s, with energies lost and saved by branches, model units."""
         self._waited[row] += time
         for name, work in (("branch_damping_work", -lost), ("letting_go_work", spared)):
             if name in self._done:
                 self._done[name][row] += self._unit[row] * work
 
     def total(self, row: int) -> dict[str, float]:
-        """The work on a structure since its start, J, and what it waited, s."""
+        """Return the work on a structure since its start, J, and the time it waited, s."""
         others = {"closure_gap": float(self._widest[row])} if len(self._gaps) else {}
         others |= {"waited": float(self._waited[row])} if self._waits else {}
         return {name: float(done[row]) for name, done in self._done.items()} | others
 
     def power(self, row: int, torques: Array, end: EngineState) -> dict[str, float]:
-        """Powers of the motors' torques (motor,) on a structure in a state, W; their settings, forces, N."""
+        """Return powers of the motors' torques (motor,) on a structure in a state, W; their settings; forces, N."""
         model, settings = self._models[row], self._set[row]
         if model.creases is None:
             along = [self._along(np.array([row]), end.velocity[None, None], motor)[0, 0] for motor in self._motors]
@@ -155,7 +157,7 @@ class Account:
         }
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a structure where another one is, which has gone the same way so far."""
+        """Copy the sums of another structure, which has had the same motion so far."""
         for done in (
             *self._done.values(),
             self._set,
@@ -170,7 +172,7 @@ class Account:
     def _driven(
         self, rows: Indices, steps: Steps, travel: Array, torques: Array, before_step: Array
     ) -> tuple[dict[str, Array], Array]:
-        """The work of motors, and of creases' damping where these are followed, (row, step)."""
+        """Return the work of motors, and of the damping of creases if there are any, (row, step)."""
         if steps.angles is None:
             work = {
                 motor_work_name(number): torques[:, :, number] * self._along(rows, travel, motor)
@@ -197,7 +199,7 @@ class Account:
         return work, of_creases
 
     def _add_taken(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array, of_creases: Array) -> None:
-        """Add what dampers, stops and contacts do in steps that the engine takes implicitly."""
+        """Add the work of dampers, stops and contacts in steps that the engine takes implicitly."""
         velocity = np.concatenate([steps.velocity_before[:, None], steps.velocity], axis=1)
         damping = self._damping[rows, None]
         # the engine takes hinge damping implicitly, at the velocity after the step
@@ -220,12 +222,12 @@ class Account:
             self._add_contacts(work, rows, steps, travel)
 
     def _along(self, rows: Indices, travel: Array, motor: Motor) -> Array:
-        """Sum of the travel of the hinges of a motor in their own senses, (row, step)."""
+        """Return the summed travel of the hinges of a motor in their own senses, (row, step)."""
         hinges = list(motor.hinges)
         return np.asarray(np.sum(self._senses[rows][:, None, hinges] * travel[:, :, hinges], axis=2))
 
     def _force(self, rows: Indices, motor: int, steps: Steps, taken: Indices) -> Array:
-        """Force in each step of a motor on points that it displaces, N, (row, step); nan where it displaces none."""
+        """Return the force of a motor on the points that it displaces, N, (row, step); nan if it displaces none."""
         forces = np.full(steps.position.shape[:2], np.nan)
         for place, row in enumerate(rows.tolist()):
             if self._displaces[row, motor]:
@@ -235,7 +237,7 @@ class Account:
         return forces
 
     def _add_branches(self, work: dict[str, Array], place: int, model: Model, steps: Steps, travel: Array) -> None:
-        """Add what the Maxwell branches of tendons take, and what keeps tendons that let go from pushing."""
+        """Add the losses of tendons' Maxwell branches, and the work of clamping tendons that must not push."""
         activations = steps.activation(place, travel.shape[1])
         if model.branches.size:
             lost = work.setdefault("branch_damping_work", np.zeros(travel.shape[:2]))
@@ -250,7 +252,7 @@ class Account:
                 work.setdefault("letting_go_work", np.zeros(travel.shape[:2]))[place] = spared
 
     def _add_contacts(self, work: dict[str, Array], rows: Indices, steps: Steps, travel: Array) -> None:
-        """Part what constraints do into the work of stops and that of contacts."""
+        """Divide the work of constraints into that of stops and that of contacts."""
         position = np.concatenate([steps.position_before[:, None], steps.position[:, :-1]], axis=1)
         stops = np.zeros(travel.shape[:2])
         for place, row in enumerate(rows.tolist()):
@@ -259,10 +261,10 @@ class Account:
         work["contact_work"], work["stop_work"] = work["stop_work"] - stops, stops
 
     def _add_stops(self, work: dict[str, Array], driven: Array, rows: Indices, steps: Steps, taken: Indices) -> None:
-        """Part what constraints do into the work of stops and that of closures.
+        """Divide the work of constraints into that of stops and that of closures.
 
-        The force of a stop jumps within the step in which a hinge meets it, or leaves it, and no rule for smooth forces
-        holds: over that and a few more steps stops do what nothing else does of the change of energy.
+        The force of a stop jumps within the step in which a hinge meets or leaves it, so no rule for smooth forces
+        applies. In that step and a few more, the change of energy that no other work explains is the work of stops.
         """
         low, high = (self._stops[end][rows, None] for end in (0, 1))
         position = np.concatenate([steps.position_before[:, None], steps.position], axis=1)
@@ -282,53 +284,53 @@ class Account:
             work["stop_work"][place, step] = after - before - others[place, step]
 
     def _widened(self, rows: Indices, steps: Steps, taken: Indices) -> Array:
-        """The widest gap of a closure up to the state before each step, m, (row, step)."""
+        """Return the widest gap of a closure up to the state before each step, m, (row, step)."""
         unit = np.array([self._models[row].units.length for row in rows.tolist()])
         assert steps.late is not None
-        ends = [each["ten_length"][:, :, self._gaps].max(axis=2) for each in (steps.derived, steps.late)]
-        each = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
-        widest = np.maximum.accumulate(np.maximum(each, self._widest[rows, None]), axis=1)
+        ends = [fields["ten_length"][:, :, self._gaps].max(axis=2) for fields in (steps.derived, steps.late)]
+        gaps = unit[:, None] * np.concatenate([ends[0][:, :1], ends[1]], axis=1)
+        widest = np.maximum.accumulate(np.maximum(gaps, self._widest[rows, None]), axis=1)
         self._widest[rows] = widest[np.arange(len(rows)), taken]
         return np.asarray(widest[:, :-1])
 
     def _added_up(self, name: str, rows: Indices, each: Array, taken: Indices) -> Array:
-        """Add steps to what was done, and say what that was before each of them, (row, step)."""
+        """Add the work of steps to a sum, and return the sum before each step, (row, step)."""
         done = self._done.setdefault(name, np.zeros(len(self._models)))
-        # one sum from the start on: it does not depend on where chunks end
+        # a single sum from the start, which does not depend on the ends of chunks
         total = np.cumsum(np.concatenate([done[rows, None], each], axis=1), axis=1)
         done[rows] = total[np.arange(len(rows)), taken]
         return np.asarray(total[:, :-1])
 
 
 def motor_work_name(motor: int) -> str:
-    """What the work of a motor, by number, is called in an account."""
+    """Return the name of the work of a motor in an account."""
     return f"motor{motor}_work"
 
 
 def motor_setting_name(motor: int) -> str:
-    """What the setting of a motor, by number, is called in an account."""
+    """Return the name of the setting of a motor in an account."""
     return f"motor{motor}_setting"
 
 
 def motor_power_name(motor: int) -> str:
-    """What the power of a motor, by number, is called in an account."""
+    """Return the name of the power of a motor in an account."""
     return f"motor{motor}_power"
 
 
 def motor_force_name(motor: int) -> str:
-    """What the force of a motor that displaces points, by number, is called in an account."""
+    """Return the name of the force of a motor that displaces points in an account."""
     return f"motor{motor}_force"
 
 
 def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array) -> dict[str, Array]:
-    """Works of dampers and of what stops or closes a structure in each step, (row, step), in the models' units.
+    """Compute the work of dampers, and of stops and closures, in each step, (row, step), in the models' units.
 
-    A damper of hinges takes the integral of its squared speed: by Simpson's rule, with the speed in the middle that the
-    cubic has which goes through both positions with both speeds, of fourth order. Of other forces powers are known at
-    both ends of a step, and the trapezoidal rule is of second order.
+    The work of hinge dampers is the integral of the squared speed, by Simpson's rule of fourth order. The speed at the
+    middle is that of the cubic through both positions with both speeds. Powers of other forces are known at both ends
+    of a step, so the trapezoidal rule of second order is used.
 
     Args:
-        steps: of structures that `Model.explicit` is true of.
+        steps: of structures for which `Model.explicit` is true.
         travel: of the joints in each step, (row, step, dof).
         damping: of the joints, (row, dof).
         timestep: (row,).
@@ -340,7 +342,7 @@ def explicit_works(steps: Steps, travel: Array, damping: Array, timestep: Array)
     at_start, at_end = steps.derived, steps.late
     works = {"hinge_damping_work": -step / 6 * damping * (before**2 + 4 * middle**2 + after**2)}
     for name, field in (("elastic_damping_work", "qfrc_damper"), ("stop_work", "qfrc_constraint")):
-        own = damping if field == "qfrc_damper" else 0.0
-        powers = (at_start[field] + own * before) * before + (at_end[field] + own * after) * after
+        implicit = damping if field == "qfrc_damper" else 0.0
+        powers = (at_start[field] + implicit * before) * before + (at_end[field] + implicit * after) * after
         works[name] = step / 2 * powers
     return {name: np.sum(work, axis=2) for name, work in works.items()}

@@ -1,4 +1,4 @@
-"""Moments of the creases of structures of one topology, side by side: springs, damping, and what motors do."""
+"""Moments of the creases of structures of one topology, side by side: springs, damping and motors."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ class CreaseMoments:
         senses: +1 or -1, (structure, crease).
         law: of the springs, arrays (structure, crease).
         damping: (structure, crease).
-        rests: by how much what a motor is set to moves each rest angle, (structure, motor, crease).
-        torques: by how much it turns each crease, (structure, motor, crease).
-        braking: by how much its size damps each crease, (structure, motor, crease).
+        rests: change of each rest angle per setting of a motor, (structure, motor, crease).
+        torques: torque on each crease per setting of a motor, (structure, motor, crease).
+        braking: damping of each crease per magnitude of a motor's setting, (structure, motor, crease).
     """
 
     senses: Array
@@ -34,19 +34,19 @@ class CreaseMoments:
     braking: Array
 
     def some(self, which: Indices) -> CreaseMoments:
-        """Of some of the structures, in a rising order."""
+        """Select structures by index, in ascending order."""
         if len(which) == len(self.senses):
             return self
         rows = {each.name: getattr(self, each.name)[which] for each in dataclasses.fields(self) if each.name != "law"}
         return CreaseMoments(law=self.law.some(which), **rows)
 
     def at(self, angles: Array, turning: Array, efforts: Array) -> tuple[Array, Array]:
-        """Moments in own senses and their slopes by the angle, (structure, crease).
+        """Compute moments in own senses and their derivatives by the angle, (structure, crease).
 
         Args:
             angles: in own senses, rad, (structure, crease).
             turning: speeds of the angles between the flaps, valleys positive, (structure, crease).
-            efforts: what their motors are set to, (structure, motor).
+            efforts: settings of the motors, (structure, motor).
         """
         rests, torques, braking = (
             np.einsum("rm,rmc->rc", each, gains)
@@ -57,7 +57,7 @@ class CreaseMoments:
 
 
 def crease_moments(models: Sequence[Model]) -> CreaseMoments:
-    """Lay what turns the creases of structures of one topology side by side; they have some."""
+    """Collect the laws and motors of creases of structures of one topology, which must have creases."""
     creases = [model.creases for model in models if model.creases is not None]
     unit = [np.eye(len(model.structure.motors)) for model in models]
     settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]

@@ -1,4 +1,4 @@
-"""Work that motors and dampers do on creases and nodes, step by step."""
+"""Work of motors and dampers on creases and nodes, step by step."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from forficula.structure import Motor, Structure
 def crease_works(
     model: Model, steps: Steps, place: int, travel: Array, efforts: Array, before: Array
 ) -> tuple[Array, Array]:
-    """Works on a structure with creases in some steps, in the model's units.
+    """Compute the works on a structure with creases in some steps, in the model's units.
 
-    A rest angle that goes on does the work by which it changes the energy of the spring, which is a square of it: the
-    mean moment of the spring, without what locks or stops the crease, times the way.
+    The work of a moving rest angle is the change of the energy of the spring. Because this energy is quadratic in the
+    rest angle, it equals the mean moment of the spring, without locking and stops, times the change of the rest angle.
 
     Args:
         model: of the structure.
-        steps: with its own.
-        place: which of them.
+        steps: of several structures.
+        place: index of the structure in the steps.
         travel: of its coordinates in each step, (step, dof).
-        efforts: what its motors are set to in each step, (step, motor).
-        before: alike, before each step.
+        efforts: settings of its motors in each step, (step, motor).
+        before: settings before each step, (step, motor).
 
     Returns:
-        Of every motor, (motor, step), and of the creases' damping, (step,).
+        Work of every motor, (motor, step), and of the creases' damping, (step,).
     """
     assert model.creases is not None
     assert steps.angles is not None
@@ -62,14 +62,14 @@ def crease_works(
                 works[-1] -= np.sum(model.braking(sizes) * speeds[block] * turned, axis=1)
                 works[-1] += engine_work(model, number, steps, place, travel)
             continue
-        own = np.zeros_like(efforts)
-        own[:, number] = efforts[:, number] - before[:, number]
-        works.append(-np.sum(moments * model.settings(own)[0], axis=1))
+        changes = np.zeros_like(efforts)
+        changes[:, number] = efforts[:, number] - before[:, number]
+        works.append(-np.sum(moments * model.settings(changes)[0], axis=1))
     return np.array(works).reshape(-1, len(travel)), damped
 
 
 def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Array) -> Array:
-    """Work in some steps of a motor's servos and brakes, whose forces the engine finds, (step,)."""
+    """Compute the work of a motor's servos and brakes, whose forces the engine computes, (step,)."""
     holds = np.flatnonzero(model.holds == motor)
     parts = np.concatenate([holds, holds - 1, np.flatnonzero(model.brakes == motor)])
     if not len(parts):
@@ -78,13 +78,13 @@ def engine_work(model: Model, motor: int, steps: Steps, place: int, travel: Arra
 
 
 def displacement_force(model: Model, motor: int, steps: Steps, place: int) -> Array:
-    """Force in some steps of a motor that displaces points, on all of them together and along its way, (step,)."""
+    """Return the total force of a motor on the points that it displaces, in its direction, (step,)."""
     holds = np.flatnonzero(model.holds == motor)
     return np.asarray(_engine_forces(steps, place, np.concatenate([holds, holds - 1])).sum(axis=1))
 
 
 def _engine_forces(steps: Steps, place: int, parts: Indices) -> Array:
-    """Forces of some of the engine's actuators in each step, (step, part)."""
+    """Return the forces of some of the engine's actuators in each step, (step, part)."""
     forces = steps.derived["actuator_force"][place][:, parts]
     if steps.late is None:
         return np.asarray(forces)
@@ -92,16 +92,16 @@ def _engine_forces(steps: Steps, place: int, parts: Indices) -> Array:
 
 
 def motor_travel(model: Model, position: Array, travel: Array) -> Array:
-    """How far small shifts of a structure's coordinates take what each motor acts on, (motor, ...).
+    """Compute the travel along each motor for small shifts of a structure's coordinates, (motor, ...).
 
     Args:
-        model: of the structure, in whose units it is.
-        position: from which they go, (..., dof).
-        travel: alike.
+        model: of the structure; all values are in its units.
+        position: start of the shifts, (..., dof).
+        travel: shifts of the coordinates, (..., dof).
 
     Returns:
-        The turn of the hinges of a torque, rad, by their gains; the way of a force's points; 0 for a rest angle or
-        a displacement.
+        Turn of the hinges of a torque, rad, weighted by their gains; displacement of a force's points along the force;
+        0 for a rest angle or a displacement.
     """
     along = np.zeros((len(model.structure.motors), *travel.shape[:-1]))
     for number, motor in enumerate(model.structure.motors):
@@ -119,7 +119,7 @@ def motor_travel(model: Model, position: Array, travel: Array) -> Array:
 
 
 def _pushed_on(structure: Structure, placement: Placement, motor: Motor, position: Array, travel: Array) -> Array:
-    """How far small shifts take points of plates along a force, (...)."""
+    """Compute the displacement of points of plates along a force for small shifts, (...)."""
     origins, frames = placement.poses(position)
     moves, turns = placement.rates(origins, frames, travel)
     bodies = [structure.points[point].body for point in motor.points]

@@ -1,7 +1,7 @@
-"""Creases in the engine: rows of a bending flex, which follow any law, torque and damping.
+"""Creases in the engine: rows of a bending flex that can represent any law, torque and damping.
 
-MuJoCo's bending of a flex is by edge and exact: a moment k sin(angle - r), without a jump anywhere. A row can be
-changed between steps, so that it has at any angle the moment and the slope that the crease has there.
+MuJoCo computes the bending of a flex edge by edge and exactly: a moment k sin(angle - r), continuous at every angle. A
+row can be changed between steps, so that at the present angle it has the moment and the slope of the crease.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ class EngineCreases:
     """The creases of a structure in the engine's model.
 
     Attributes:
-        rows: of each in the engine's flex_bending, (crease,); several a crease between plates that turn.
+        rows: rows in the engine's flex_bending, (crease,); several per crease between plates that turn.
         order: which of tail, head, left and right corner each of the four nodes of a row is, (row, 4); between plates
-            that turn, of start and end of a direction of the left one and of the right one.
+            that turn, which of start and end of a direction of the left and of the right plate.
         senses: +1 or -1, (crease,).
         law: of the springs and stops, arrays (crease,), in own senses and the model's units.
         damping: (crease,), in the model's units.
@@ -42,7 +42,7 @@ class EngineCreases:
 
 
 def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add the flex whose edges are the creases of a structure in a model's units; its rows are set later."""
+    """Add the flex whose edges are the creases of a structure, in the model's units; its rows are set later."""
     flaps = crease_flaps(structure)
     if not len(flaps):
         return
@@ -52,9 +52,9 @@ def add_creases(spec: mujoco.MjSpec, structure: Structure) -> None:
     points, corners = np.unique(flaps, return_inverse=True)
     corners = corners.reshape(-1, 6)
     triangles = {tuple(sorted(each)): each for each in corners[:, [1, 0, 2]][:, [1, 0, 2]].tolist()}
-    # counterclockwise, as the left one is; the right one runs the other way along the crease
-    for each in corners[:, [4, 3, 5]].tolist():
-        triangles.setdefault(tuple(sorted(each)), each)
+    # counterclockwise like the left triangle, so the right one runs in the opposite direction along the crease
+    for triangle in corners[:, [4, 3, 5]].tolist():
+        triangles.setdefault(tuple(sorted(triangle)), triangle)
     bodies = [structure.bodies[structure.points[point].body].name for point in points.tolist()]
     _add_flex(spec, bodies, np.zeros(3 * len(points)), np.ravel(list(triangles.values())))
 
@@ -67,9 +67,9 @@ def _add_flex(spec: mujoco.MjSpec, bodies: list[str], places: Array, triangles: 
 
 
 def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add four nodes for every row of a crease between plates: start and end of a direction of each, see `PRODUCTS`.
+    """Add four nodes for every row of a crease between plates: start and end of a direction of each plate.
 
-    All are as long as the crease.
+    See `PRODUCTS` for the directions. All are as long as the crease.
     """
     bodies: list[str] = []
     places: list[Array] = []
@@ -77,27 +77,27 @@ def _add_couples(spec: mujoco.MjSpec, structure: Structure) -> None:
         corners = np.array([structure.points[point].place for point in flaps])
         left, right = (structure.bodies[structure.points[flaps[place]].body].name for place in (0, 3))
         along, other = corners[1] - corners[0], corners[4] - corners[3]
-        own = plate_directions(along, np.cross(along, corners[2] - corners[0]))
-        others = plate_directions(other, np.cross(corners[5] - corners[3], other))
+        on_left = plate_directions(along, np.cross(along, corners[2] - corners[0]))
+        on_right = plate_directions(other, np.cross(corners[5] - corners[3], other))
         length = float(np.linalg.norm(along))
         for one, two in PRODUCTS:
             bodies += [left, left, right, right]
-            places += [corners[0], corners[0] + length * own[one], corners[3], corners[3] + length * others[two]]
+            places += [corners[0], corners[0] + length * on_left[one], corners[3], corners[3] + length * on_right[two]]
     first = np.arange(0, len(bodies), 4)
     _add_flex(spec, bodies, np.ravel(places), (first[:, None] + [0, 1, 2, 1, 0, 3]).ravel())
 
 
 def _couples(known: dict[tuple[frozenset[int], frozenset[int]], int], count: int) -> Indices:
-    """The edges of the rows of `_add_couples`."""
+    """Return the edges of the rows of `_add_couples`."""
     first = range(0, 4 * len(PRODUCTS) * count, 4)
     return np.array([known[frozenset((node, node + 1)), frozenset((node + 2, node + 3))] for node in first])
 
 
 def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> EngineCreases | None:
-    """Find the creases in the compiled model, of a structure in its units; None where there are none.
+    """Find the creases of a structure, in the model's units, in the compiled model; None if there are none.
 
     Raises:
-        InputError: an edge between two triangles that are not the flaps of its crease.
+        InputError: an edge is between two triangles that are not the flaps of its crease.
     """
     hinges = [structure.hinges[number] for number in folds.creases]
     if not hinges:
@@ -133,13 +133,13 @@ def creases_of(engine: mujoco.MjModel, structure: Structure, folds: Folds) -> En
 
 
 def clear_rows(engine: mujoco.MjModel) -> None:
-    """Take the bending of all edges out of a model; what creases there are sets its own."""
+    """Set the bending of all edges of a model to zero, because rows of creases are set later."""
     if mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_FLEX, "creases") >= 0:
         engine.flex_bending[:] = 0
 
 
 def engine_rows(engine: mujoco.MjModel) -> Array:
-    """The rows of a model's flexes, (row, 17), to be written to."""
+    """Return a writable view of the rows of a model's flexes, (row, 17)."""
     return np.asarray(engine.flex_bending).reshape(-1, _ROW)
 
 

@@ -1,4 +1,4 @@
-"""Energies of states, and what tendons with branches take, from what the engine recorded."""
+"""Energies of states, and losses of tendons with Maxwell branches, from fields recorded by the engine."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from forficula.dynamics.engine.couplings import coupling_energies
 from forficula.dynamics.engine.membrane import stretch_energy
 from forficula.dynamics.engine.model import Model
 
-# of the engine's fields, what `letting_go_work` needs
+# fields of the engine that `letting_go_work` needs
 LETTING_GO = ("ten_length", "ten_velocity", "ten_J")
-# of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
+# nodes of the quadrature over a step, exact to 1e-9 up to steps of 20 relaxation times
 _NODES = 16
 
 
 def letting_go_work(
     model: Model, travel: Array, forces: Mapping[str, Array], late: Mapping[str, Array], activations: Array
 ) -> tuple[Array, Array]:
-    """Work of the dampers of tendons that let go, and of what keeps them from pushing, (step,), in the model's units.
+    """Compute the work of the dampers of tendons that must not push, and of their clamping, (step,), in model units.
 
-    Where a tendon without branches would push, its damper takes what its spring gives, and no more.
+    When a tendon without branches would push, its damper dissipates exactly the energy that its spring releases.
 
     Args:
         model: the model.
         travel: of the joints in each step, (step, dof), in the model's units.
         forces: ten_length, ten_velocity and ten_J before each step.
-        late: alike after each step, of steps of Runge and Kutta; empty of others.
-        activations: forces of Maxwell branches before the first step and after each, (step + 1, activation).
+        late: the same fields after each step, for steps of Runge and Kutta; empty for other steps.
+        activations: forces of Maxwell branches before the first step and after each step, (step + 1, activation).
     """
     which = np.flatnonzero(model.lets_go)
     if late:
@@ -46,13 +46,13 @@ def letting_go_work(
     first = np.cumsum([0, *(len(dofs) for _, dofs in levers[:-1])])
     turned = forces["ten_J"][:, entries] * travel[:, np.concatenate([dofs for _, dofs in levers])]
     longer = np.add.reduceat(turned, first, axis=1)
-    # the engine takes the branches' forces after the step
+    # the engine uses the branches' forces after the step
     damper, spared = _letting_go(model, which, forces, activations[1:])
     return -np.sum(damper * longer, axis=1), -np.sum(spared * longer, axis=1)
 
 
 def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activations: Array) -> tuple[Array, Array]:
-    """What dampers of some tendons pull, and by how much more than its parts each tendon pulls, (step, tendon)."""
+    """Return the pull of dampers of some tendons, and the excess of tendons' pulls over their parts, (step, tendon)."""
     length = forces["ten_length"][:, model.tendons]
     laws = [model.in_units.tendons[tendon].law for tendon in which]
     spring = model.elastic.force(length)[:, which]
@@ -62,7 +62,7 @@ def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activ
     if not model.branches.size:
         pull = np.where(taut, np.maximum(spring + damper, 0.0), 0.0)
         return pull - spring, np.zeros_like(pull)
-    # they are > 0 where they push
+    # positive values push
     push = branch_forces(model, activations)[:, which].sum(axis=2)
     pull = np.where(taut, np.maximum(spring + damper - push, 0.0), 0.0)
     alone = np.array([not law.branches for law in laws])
@@ -71,15 +71,15 @@ def _letting_go(model: Model, which: Indices, forces: Mapping[str, Array], activ
 
 
 def branch_losses(model: Model, activations: Array) -> Array:
-    """What Maxwell branches turn into heat in each step, (step, tendon, branch), in the model's units.
+    """Compute the energy that Maxwell branches dissipate in each step, (step, tendon, branch), in the model's units.
 
-    The integral of F^2 / (k tau), with the force between two steps as the engine has it at a constant velocity:
+    It is the integral of F^2 / (k tau). Between two steps the engine assumes a constant velocity, so the force is
     F0 a + F1 b with b = (1 - exp(-s / tau)) / (1 - exp(-h / tau)) and a = exp(-s / tau) - exp(-h / tau) b.
     """
     force = branch_forces(model, activations)
     before, after = force[:-1], force[1:]
     time, stiffness = branch_numbers(model)
-    # tendons mostly have the same branches
+    # most tendons have the same branches
     different, which = np.unique(time, axis=0, return_inverse=True)
     integrals = np.array([_square_integrals(each, model.timestep) for each in different])
     squares = np.moveaxis(integrals[which.ravel()], 1, 0)
@@ -88,9 +88,9 @@ def branch_losses(model: Model, activations: Array) -> Array:
 
 
 def _square_integrals(time: Array, timestep: float) -> Array:
-    """Integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), by relaxation times (branch,).
+    """Compute the integrals over a step of a^2, 2 a b and b^2, see `branch_losses`, (3, branch), for times (branch,).
 
-    They are of positive numbers, by quadrature: their closed forms lose all digits where h is far below tau.
+    Quadrature of positive numbers is used, because the closed forms lose all digits if h is far below tau.
     """
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     share, width = (nodes[:, None] + 1) / 2, timestep / time
@@ -100,14 +100,14 @@ def _square_integrals(time: Array, timestep: float) -> Array:
 
 
 def branch_forces(model: Model, activations: Array) -> Array:
-    """Forces of Maxwell branches, (state, tendon, branch), 0 where a tendon has fewer; of (state, activation)."""
+    """Return the forces of Maxwell branches, (state, tendon, branch), 0 for absent ones, from (state, activation)."""
     if model.branches.size and model.branches.min() < 0:
         activations = np.concatenate([activations, np.zeros((len(activations), 1))], axis=1)
     return np.asarray(activations[:, model.branches])
 
 
 def branch_numbers(model: Model) -> tuple[Array, Array]:
-    """Relaxation times and stiffnesses of Maxwell branches, (tendon, branch), in model units; 1 for none."""
+    """Return relaxation times and stiffnesses of Maxwell branches, (tendon, branch), in model units; 1 if absent."""
     time, stiffness = np.ones(model.branches.shape), np.ones(model.branches.shape)
     for number, tendon in enumerate(model.in_units.tendons):
         for place, branch in enumerate(tendon.law.branches):
@@ -118,24 +118,23 @@ def branch_numbers(model: Model) -> tuple[Array, Array]:
 def state_series(
     model: Model, angles: Array, derived: Mapping[str, Array], efforts: Array | None = None
 ) -> dict[str, Array]:
-    """What the record says of states, SI.
+    """Compute the series of a record from states, SI.
 
     Args:
         model: the model.
         angles: of the hinges in their own senses, rad, (state, hinge).
-        derived: of the same states, by MuJoCo's names, in the model's units: energy, ten_length, flexvert_xpos, xpos,
-            xipos, site_xpos; or ten_length alone.
-
-        efforts: what the motors are set to, in the model's units, (state, motor); none if not given.
+        derived: fields of the same states, by MuJoCo's names, in the model's units: energy, ten_length, flexvert_xpos,
+            xpos, xipos, site_xpos; or ten_length alone.
+        efforts: settings of the motors, in the model's units, (state, motor); by default 0.
 
     Returns:
-        Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work; of ten_length alone
-        only those that need nothing else.
+        Arrays (state, ...) for the names of `record.VARIABLES` that are neither power nor work; from ten_length alone,
+        only those that need no other field.
     """
     units, built = model.units, model.in_units
     length = derived["ten_length"][:, model.tendons]
     rest = model.elastic.rest_length
-    # 0 where the resting length stays
+    # 0 if the resting length is constant
     crept = np.zeros_like(length)
     yielding = model.creep >= 0
     if yielding.any():
@@ -163,7 +162,7 @@ def state_series(
         force = np.array([tendon.law.yield_force or 0.0 for tendon in built.tendons])
         further = crept - crept[0]
         of_forces = [
-            -units.energy * each * np.sum(further[:, force == each], axis=1) for each in np.unique(force).tolist()
+            -units.energy * yields * np.sum(further[:, force == yields], axis=1) for yields in np.unique(force).tolist()
         ]
         series["yield_work"] = reduce(np.add, of_forces)
     if model.branches.size:
@@ -180,13 +179,13 @@ def state_series(
     return series | {
         **state_energies(model, derived),
         "point_position": units.length * points,
-        # after them come the surfaces that touch
+        # surfaces for contact follow after them
         "membrane_position": units.length * derived["flexvert_xpos"][:, : len(model.mesh.bodies)],
     }
 
 
 def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Array]:
-    """Energies of hinges' springs, where there are any, and where they rest, where motors move that."""
+    """Return the energies of hinges' springs, if there are any, and their rest angles, if motors move them."""
     hinges, series = model.in_units.hinges, dict[str, Array]()
     springs, rests = (np.array([getattr(hinge, name) for hinge in hinges]) for name in ("stiffness", "rest_angle"))
     energy = model.units.energy * springs / 2 * (angles - rests) ** 2
@@ -206,23 +205,23 @@ def _hinge_series(model: Model, angles: Array, efforts: Array) -> dict[str, Arra
 
 
 def _site_places(model: Model, sites: Array) -> Array:
-    """Where the points that are sites are, (state, point, 3); anything for the others."""
+    """Return the positions of the points that are sites, (state, point, 3); arbitrary values for other points."""
     if not sites.shape[1]:
         return np.zeros((len(sites), len(model.sites), 3))
     return np.asarray(sites[:, np.maximum(model.sites, 0)])
 
 
 def state_energies(model: Model, derived: Mapping[str, Array]) -> dict[str, Array]:
-    """Energies of states but for the tendons' and the hinges', J, (state,).
+    """Compute the energies of states except those of tendons and hinges, J, (state,).
 
     Args:
         model: the model.
-        derived: of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
+        derived: fields of the states, by MuJoCo's names, in the model's units: energy, flexvert_xpos, xipos.
     """
-    # what moves with a body of the medium around it does not weigh
+    # the added mass of the medium has no weight
     weighs = model.engine.body_mass * (1 - model.engine.body_gravcomp)
     units, height = model.units, np.sum(weighs * derived["xipos"][..., 2], axis=-1)
-    with np.errstate(over="ignore", invalid="ignore"):  # of what blows up
+    with np.errstate(over="ignore", invalid="ignore"):  # diverging structures
         return {
             "membrane_energy": units.energy * stretch_energy(derived["flexvert_xpos"], model.mesh),
             "kinetic_energy": units.energy * derived["energy"][:, 1],

@@ -1,4 +1,4 @@
-"""Where the energy of a run went, and how much of it the integration lost."""
+"""Energy balance of a run, and the energy that the integration lost."""
 
 from __future__ import annotations
 
@@ -12,45 +12,46 @@ from forficula.serial import Joules, Key, Written
 from forficula.structure import Structure
 
 _ROUNDING = 1e-9
-# of the energy that is stored: where less is exchanged, a few steps leave what counts for nothing
+# share of the stored energy: below this exchange, a few steps leave only a negligible residual
 _SLIGHT = 1e-5
-# of what folds by so much, rad, and of bars and membranes that are strained by so much, rounding takes its share
+# fold angle, rad, and strain of bars and membranes, that define the energy scale of rounding errors
 _FOLDED, _STRAINED = 1.0, 1e-4
-# of what not every structure has
+# term that not every structure has
 _Term = Annotated[Joules | None, Written.IF_KNOWN]
 _STORES = ("tendon_energy", "membrane_energy", "hinge_energy", "spring_energy", "coupling_energy", "branch_energy")
 
 
 @dataclass(frozen=True, kw_only=True)
 class EnergyBalance:
-    """Where the work went, J, from start to end of the run.
+    """Energy balance of a run from its start to its end, J.
 
     Attributes:
-        work: that the torques put in.
+        work: work of the motors.
         tendon: change of the tendons' energy.
         membrane: change of the membrane's energy.
         kinetic: change of the kinetic energy.
         gravitational: change of the gravitational energy.
-        hinge_damping: that the hinges' damping took.
-        elastic_damping: that the tendons' and the membrane's damping took.
-        stops: that stops and length limits took; with rigid couplings what these took, which should be none but for
-            errors of the integration.
-        friction: that the hinges' dry friction took; None where they have none.
-        contacts: that contacts took, with their friction, and then rigid couplings; None where nothing touches.
-        branches: change of the energy of the tendons' Maxwell branches; None where they have none.
-        branch_damping: that the dampers in these branches took; None where there are none.
-        yielding: that the tendons' yielding took; None where they never yield.
-        letting_go: minus what their branches stored without work, where the tendon gave way and did not push; None
-            where it never does.
-        hinges: change of the energy of the hinges' springs; None where they have none.
-        springs: change of the energy of springs between points; None where there are none.
-        couplings: change of the energy of elastic couplings between joints; None where there are none.
-        closures: that loops of bodies took where they were closed, and part of what is missing: closing them takes no
-            work but for errors of the integration; None where there are none.
-        drag: that air or water took; None in empty space.
-        at_hand: what tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes strained by 1e-4
-            would hold, whichever is most; a billionth of it is rounding.
-        stored: in tendons, membrane and springs at the start or the end, where there is more; 1e-5 of it is slight.
+        hinge_damping: dissipated by the hinges' damping.
+        elastic_damping: dissipated by the damping of tendons and membrane.
+        stops: dissipated by stops and length limits; includes the work of rigid couplings, which is 0 except for errors
+            of the integration.
+        friction: dissipated by the hinges' dry friction; None without friction.
+        contacts: dissipated by contacts and their friction; includes the work of rigid couplings; None without contact.
+        branches: change of the energy of the tendons' Maxwell branches; None without branches.
+        branch_damping: dissipated by the dampers of these branches; None without branches.
+        yielding: dissipated by the tendons' yielding; None if they never yield.
+        letting_go: minus the energy that branches stored without work while a slack tendon could not push; None if no
+            tendon is clamped.
+        hinges: change of the energy of the hinges' springs; None without such springs.
+        springs: change of the energy of springs between points; None without such springs.
+        couplings: change of the energy of elastic couplings between joints; None without couplings.
+        closures: work of the closures of loops of bodies; it counts as missing, because it should be 0 except for
+            errors of the integration; None without loops.
+        drag: dissipated by the drag of air or water; None in empty space.
+        at_hand: largest energy of tendons stretched by their levers, hinges turned by 1 rad, or bars and membranes
+            strained by 1e-4; a billionth of it counts as rounding.
+        stored: energy stored in tendons, membrane and springs at the start or the end, whichever is larger; 1e-5 of it
+            is the least scale of the residual.
     """
 
     work: Joules
@@ -77,9 +78,9 @@ class EnergyBalance:
 
     @property
     def missing(self) -> Joules:
-        """Work that the account does not find, J: the error of the integration.
+        """Return the work that the balance does not explain, J: the error of the integration.
 
-        Contacts only take energy. What they give is an error, too, and counts as missing.
+        Real contacts only dissipate energy, so energy supplied by contacts counts as missing as well.
         """
         stored = self.tendon + self.membrane + self.kinetic + self.gravitational
         of_law = (self.branches, self.branch_damping, self.yielding, self.letting_go, self.hinges, self.springs)
@@ -89,20 +90,20 @@ class EnergyBalance:
 
     @property
     def exchanged(self) -> float:
-        """Energy that torques, springs and weight gave or took, J."""
+        """Return the energy that torques, springs and weight exchanged, J."""
         springs = (self.tendon, self.membrane, self.branches or 0.0, self.hinges or 0.0, self.springs or 0.0)
         return sum(abs(term) for term in (self.work, *springs, self.gravitational, self.couplings or 0.0))
 
     @property
     def residual(self) -> Annotated[float, Written.FIRST]:
-        """What is missing, as a share of the energy that was exchanged, or of a slight part of what is stored."""
+        """Return the missing energy as a share of the exchanged energy, or of a small share of the stored energy."""
         scale = max(self.exchanged, _ROUNDING * self.at_hand, _SLIGHT * self.stored)
         return abs(self.missing) / scale if scale else 0.0
 
 
 def energy_balance(record: Record) -> EnergyBalance:
-    """Account for a run's energy from its start to its end."""
-    with np.errstate(over="ignore", invalid="ignore"):  # of what blew up
+    """Compute the energy balance of a run from its start to its end."""
+    with np.errstate(over="ignore", invalid="ignore"):  # diverged runs
         change = {
             name: float(values[-1].sum() - values[0].sum())
             for name, values in record.series.items()
@@ -132,13 +133,13 @@ def energy_balance(record: Record) -> EnergyBalance:
         closures=_taken(change, "closure_work"),
         drag=_taken(change, "drag_work"),
         at_hand=_at_hand(record.structure),
-        # of a run that blew up, which ends with no number, none
-        stored=max((each for each in ends if np.isfinite(each)), default=0.0),
+        # a diverged run has no finite energy at its end
+        stored=max((energy for energy in ends if np.isfinite(energy)), default=0.0),
     )
 
 
 def _at_hand(structure: Structure) -> float:
-    """The most that a part would hold that moves as far as such parts do, J."""
+    """Return the largest energy that a part stores after a typical motion, J."""
     # levers no longer than half the tendon
     tendons = [
         each.law.stiffness[0] * (each.longest / 2) ** 2 for each in structure.tendons if np.isfinite(each.longest)

@@ -15,7 +15,7 @@ _ROUNDING = 1e-6
 
 
 def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> Array:
-    """Forces of the stops of hinges and of length limits on the joints, (step, dof), in the model's units.
+    """Compute the forces of hinge stops and length limits on the joints, (step, dof), in the model's units.
 
     Args:
         model: with contacts.
@@ -28,7 +28,7 @@ def stop_forces(model: Model, position: Array, derived: Mapping[str, Array]) -> 
     for column, (kind, part) in enumerate(zip(engine.sensor_type, engine.sensor_objid, strict=True)):
         if kind == mujoco.mjtSensor.mjSENS_JOINTLIMITFRC:
             place = engine.jnt_qposadr[part]
-            # at most one of its two stops pushes, the nearer one
+            # only the nearer one of both stops can push
             nearer = position[:, place] - low[place] < high[place] - position[:, place]
             forces[:, engine.jnt_dofadr[part]] += np.where(nearer, 1, -1) * sensed[:, column]
         else:
@@ -42,9 +42,9 @@ def friction_torques(model: Model, velocity: Array, acceleration: Array, constra
     """Compute the torques of dry friction on joints, (step, dof), in the model's units.
 
     The engine's friction is a damper that decelerates a joint within a time constant and whose torque is at most that
-    of the friction: f = clip(-(a + b v) / R, -F, F) with b = 2 / (d T) and R = (1 - d) / d by the joint's mobility
-    (MuJoCo's manual, "Computation", friction loss). The engine reports the sum of all constraints only, therefore the
-    torque is computed again from the acceleration, of which it is a function.
+    of the friction: f = clip(-(a + b v) / R, -F, F) with b = 2 / (d T) and R = (1 - d) / d times the joint's mobility
+    (MuJoCo's manual, "Computation", friction loss). Because the engine reports only the sum of all constraints, the
+    torque is computed again from the acceleration.
 
     Args:
         model: in which some joints have friction.
@@ -62,6 +62,6 @@ def friction_torques(model: Model, velocity: Array, acceleration: Array, constra
     torques[:, rough] = np.clip(
         -(acceleration[:, rough] + rate[rough] * velocity[:, rough]) / yielding[rough], -largest[rough], largest[rough]
     )
-    # where nothing but friction acts, the sum is the friction without the rounding of this computation
+    # if only friction acts, the engine's sum is the friction without the rounding of this computation
     alone = np.abs(constraints - torques) <= _ROUNDING * largest
     return np.where(alone & rough, constraints, torques)

@@ -1,4 +1,4 @@
-"""Bodies in the engine: bars, plates and nodes, their hinges, slides and motors, and the points that they carry."""
+"""Bodies in the engine: bars, plates and nodes, their hinges, slides and motors, and their points."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from forficula.dynamics.stepping.folds import slide_name
 from forficula.pattern.geometry import polygon_normal
 from forficula.structure import GROUND, Bar, Body, Hinge, Motor, Plate, Stops, Structure, mass_of
 
-# of a bar, but for rounding
+# share of a bar that counts as the whole bar, to allow for rounding
 _WHOLE = 1 - 1e-6
-# in whose axes forces on plates point
+# site whose axes define the directions of forces on plates
 GROUND_SITE = "ground"
 
 
@@ -24,7 +24,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
     """Add the bodies of a structure in a model's units, with hinges and motors.
 
     Args:
-        spec: what they are added to.
+        spec: specification of the engine's model.
         structure: in the model's units.
     """
     bodies: list[mujoco.MjsBody] = []
@@ -40,7 +40,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
     for closure in structure.closures:
         _add_mass(bodies[closure.bodies[1]], closure.bodies[1], structure)
     for number in sorted({each.body for each in structure.masses}):
-        # what a body carries is not to be seen in its shape
+        # carried masses are not part of the shape
         _add_mass(bodies[number], number, structure)
     for bar in structure.bars:
         _add_bar(bodies[bar.body], bar, structure)
@@ -65,7 +65,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
 
 
 def engine_sites(structure: Structure) -> list[int]:
-    """Numbers of the points that the engine must place: those off the origins of their bodies, and ends of tendons."""
+    """Return the numbers of points that need a site: those away from body origins, and ends of tendons."""
     pairs = [spring.points for spring in structure.springs]
     pairs += [*(tendon.points for tendon in structure.tendons), *(limit.points for limit in structure.limits)]
     pairs += [measure.points for measure in structure.measures if measure.points is not None]
@@ -76,7 +76,7 @@ def engine_sites(structure: Structure) -> list[int]:
 
 
 def _add_node(added: mujoco.MjsBody, body: Body) -> None:
-    """Let a body without a shape slide; it never turns, so that its inertia is any."""
+    """Let a body without a shape slide; its inertia is arbitrary, because it never turns."""
     added.explicitinertial = True
     added.mass, added.inertia = body.mass, [body.mass] * 3
     for axis in body.slides:
@@ -84,7 +84,7 @@ def _add_node(added: mujoco.MjsBody, body: Body) -> None:
 
 
 def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure) -> None:
-    """Add a cylinder for the mass and, where bars touch, a capsule without mass, whose contacts are closed forms."""
+    """Add a cylinder for the mass and, for contact, a capsule without mass, whose contacts have closed forms."""
     size = [bar.diameter / 2, 0, 0]
     body.add_geom(
         type=mujoco.mjtGeom.mjGEOM_CYLINDER,
@@ -95,7 +95,7 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure) -> None:
         fromto=[0, 0, 0, *bar.end],
     )
     share = bar.overlaps / float(np.linalg.norm(bar.end))
-    # no more than its end would touch
+    # without a capsule if only the end of the bar would touch
     if structure.contact is not None and share < _WHOLE:
         place = [*share * bar.end, *bar.end]
         capsule = body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, density=0, size=size, fromto=place)
@@ -104,19 +104,19 @@ def _add_bar(body: mujoco.MjsBody, bar: Bar, structure: Structure) -> None:
 
 
 def _add_plate(spec: mujoco.MjSpec, body: mujoco.MjsBody, plate: Plate, structure: Structure) -> None:
-    """Give a body a plate's mass, and for viewers its shape, which has neither mass nor contact."""
+    """Give a body the mass of a plate, and a shape for viewers without mass and contact."""
     _add_mass(body, plate.body, structure)
     corners = np.array([structure.points[point].place for point in plate.points])
     normal = polygon_normal(corners)
     half = plate.thickness / 2 * normal / np.linalg.norm(normal)
     shape = spec.add_mesh(name=body.name, uservert=np.concatenate([corners + half, corners - half]).ravel())
-    # a thin plate has no volume to speak of
+    # as a shell, because a thin plate has almost no volume
     shape.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
     body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=body.name, mass=0, contype=0, conaffinity=0)
 
 
 def _add_mass(body: mujoco.MjsBody, number: int, structure: Structure) -> None:
-    """Give a body the mass of what it is."""
+    """Give a body its mass and inertia."""
     mass, centre, inertia = mass_of(structure, number)
     body.explicitinertial = True
     body.mass, body.ipos = mass, centre
@@ -152,7 +152,7 @@ def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:
     )
     motor.set_to_motor()
     if math.isfinite(no_load_speed):
-        # what speed takes of the torque whose size is its control
+        # reduction of the torque with speed; its control is the magnitude of the torque
         brake = spec.add_actuator(name=brake_name(hinge), target=hinge.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
         brake.gear = [hinge.sense, 0, 0, 0, 0, 0]
         brake.gaintype, brake.biastype = mujoco.mjtGain.mjGAIN_AFFINE, mujoco.mjtBias.mjBIAS_NONE
@@ -160,17 +160,17 @@ def _add_motor(spec: mujoco.MjSpec, hinge: Hinge, no_load_speed: float) -> None:
 
 
 def brake_name(hinge: Hinge) -> str:
-    """What the engine calls that which takes of a motor's torque at a hinge as it turns."""
+    """Return the engine's name of the actuator that reduces a motor's torque with the speed of a hinge."""
     return f"{hinge.name}_brake"
 
 
 def force_name(motor: str) -> str:
-    """What the engine calls the force of a motor."""
+    """Return the engine's name of the force of a motor."""
     return f"force_{motor}"
 
 
 def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
-    """Add a force of one direction at points: of plates at sites, of nodes on a tendon as long as their ways."""
+    """Add a force in one direction at points: at sites of plates, or on a tendon that measures shifts of nodes."""
     name, direction = force_name(motor.name), motor.direction
     if direction is None:
         return
@@ -193,7 +193,7 @@ def _add_force(spec: mujoco.MjSpec, motor: Motor, structure: Structure) -> None:
 def _add_way(
     spec: mujoco.MjSpec, name: str, direction: np.ndarray, structure: Structure, points: Sequence[int]
 ) -> None:
-    """Add a tendon as long as the ways of nodes along a direction are together."""
+    """Add a tendon whose length is the sum of the shifts of nodes along a direction."""
     way = spec.add_tendon(name=name)
     for point in points:
         body = structure.bodies[structure.points[point].body]
@@ -203,13 +203,13 @@ def _add_way(
 
 
 def servo_names(motor: Motor) -> list[tuple[str, str]]:
-    """What the engine calls the two parts of the servo of each point that a motor displaces."""
+    """Return the engine's names of both parts of the servo of each point that a motor displaces."""
     names = [f"{force_name(motor.name)}_{point}" for point in motor.points]
     return [(name, f"{name}_hold") for name in names if motor.kind == "displacement"]
 
 
 def _add_servo(spec: mujoco.MjSpec, motor: Motor, structure: Structure, point: int, damping: float) -> None:
-    """Add what pushes a node with k (target - way) - c speed where it is on: k target, and the rest times a switch."""
+    """Add a servo that pushes a node with k (target - shift) - c speed: k target, and the rest times a switch."""
     assert motor.direction is not None
     target, hold = servo_names(motor)[motor.points.index(point)]
     _add_way(spec, target, motor.direction, structure, [point])

@@ -1,4 +1,4 @@
-"""Contact in the engine: how hard bars and panels are that touch, and the surface by which panels do."""
+"""Contact in the engine: compliance of bars and panels, and the surface of panels."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from forficula.errors import InputError
 from forficula.quantities import show_quantity
 from forficula.structure import Contact, Structure
 
-# bits by which MuJoCo selects who touches whom
+# bits by which MuJoCo selects pairs for contact
 BARS, PANELS = 1, 2
-# MuJoCo hardens a contact over 0.001 of its length unit, which would be another share of every structure; the other
-# numbers are its defaults
+# By default MuJoCo hardens a contact over 0.001 of its length unit, a different share of every structure. The other
+# numbers are its defaults.
 _SOFT_SHARE = 0.02
-# of a thickness: numbers are told with four digits
+# tolerance of a thickness, because numbers are shown with four digits
 _ROUNDING = 1e-3
 
 
 def set_contact(shape: mujoco.MjsGeom | mujoco.MjsFlex, thickness: float, contact: Contact) -> None:
     """Set the compliance of a shape's contacts; a contact softens over 2 % of a thickness."""
     shape.condim = 3 if contact.friction else 1
-    # nothing rolls or spins against friction: condim leaves those out
+    # without rolling and spinning friction, which condim leaves out
     shape.friction = [contact.friction, 0, 0]
     shape.solref[:2] = [contact.stops.time_constant, contact.stops.damping_ratio]
     shape.solimp = [0.9, 0.95, _SOFT_SHARE * thickness, 0.5, 2]
 
 
 def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add the surfaces of membranes that touch, as one flex without elasticity and mass.
+    """Add the surfaces of membranes for contact, as one flex without elasticity and mass.
 
-    The engine spares triangles with nodes on one and the same body, which all panels at a vein have. So nodes are on
-    copies of their bodies, fixed to them: one for those of a surface that are of the same panels, and one for those
-    that surfaces have in common, where they join and must not push each other apart. The engine takes the softness of
-    a contact from how easily the origins of bodies move: copies have theirs in the middle of their nodes, for those of
-    the veins at the hub do not move.
+    The engine ignores contact between triangles with nodes on the same body, and all panels at a vein have such nodes.
+    Nodes are therefore on copies of their bodies, fixed to them: one copy for nodes of a surface that belong to the
+    same panels, and one for nodes that surfaces share, where they join and must not push each other apart. The engine
+    derives the softness of a contact from the mobility of the origins of bodies. Copies have their origins in the
+    middle of their nodes, because the origins of veins at the hub do not move.
     """
     contact = structure.contact
     surfaces = [each.surface for each in structure.membranes if each.surface is not None]
@@ -50,7 +50,7 @@ def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
     triangles = []
     for number, surface in enumerate(surfaces):
         triangles.append(len(copies) + surface.triangles)
-        # which panels each node is of, as bits
+        # panels of each node, as bits
         of = np.zeros(len(surface.bodies), dtype=np.int64)
         np.bitwise_or.at(of, surface.triangles, 1 << surface.panels[:, None])
         for place, panels in zip(surface.carried, of.tolist(), strict=True):
@@ -73,15 +73,15 @@ def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
 
 
 def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> None:
-    """Refuse panels that contact keeps further apart than they are built: it would drive them, out of nothing.
+    """Reject panels that contact would push apart in the built shape, because this would supply energy.
 
     Args:
         engine: the compiled model.
-        structure: that it is of, in its units.
+        structure: its structure, in the model's units.
         unit: of length, m.
 
     Raises:
-        InputError: how thick they may be.
+        InputError: panels are too thick; the message gives the largest thickness.
     """
     if structure.contact is None or not engine.nflex:
         return
@@ -95,7 +95,7 @@ def check_apart(engine: mujoco.MjModel, structure: Structure, unit: float) -> No
 
 
 def add_stop_sensors(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Where there are contacts, let the engine tell the forces of stops and length limits apart from theirs."""
+    """Add sensors that separate the forces of stops and length limits from those of contacts, if there are contacts."""
     if structure.contact is None:
         return
     limits = mujoco.mjtSensor

@@ -1,4 +1,4 @@
-"""Couplings between joints in the engine: springs on the difference of two angles, and joints that turn as one."""
+"""Couplings between joints in the engine: springs on the difference of two angles, and rigid ties."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import numpy as np
 from forficula.arrays import Array
 from forficula.structure import Coupling, Structure, coupling_rows
 
-# as hard as of closures; the angle over which it hardens is MuJoCo's default, which is small beside any turn
+# as hard as closures; the angle over which it hardens is MuJoCo's default, which is small compared with any turn
 _IMPEDANCE = (0.999, 0.999, 1e-3, 0.5, 2.0)
 
 
 def add_couplings(spec: mujoco.MjSpec, structure: Structure, timestep: float) -> None:
-    """Add the couplings of a structure in a model's units.
+    """Add the couplings of a structure, in the model's units.
 
-    An elastic one is a tendon that is as long as its twist (MuJoCo manual, tendon/fixed); a rigid one is a constraint
-    (equality/joint), which does no work but for errors of the integration.
+    An elastic coupling is a tendon whose length is its twist (MuJoCo manual, tendon/fixed). A rigid one is a constraint
+    (equality/joint), which does no work except for errors of the integration.
     """
     for coupling in structure.couplings:
         if coupling.rigid:
@@ -26,7 +26,7 @@ def add_couplings(spec: mujoco.MjSpec, structure: Structure, timestep: float) ->
 
 
 def coupling_energies(structure: Structure, angles: Array) -> Array:
-    """Energies of couplings, those of rigid ones 0, (..., coupling), by angles in own senses, rad, (..., hinge)."""
+    """Return energies of couplings, 0 for rigid ones, (..., coupling), for angles in own senses, rad, (..., hinge)."""
     built = np.array([hinge.built for hinge in structure.hinges])
     stiffness = np.array([0.0 if each.rigid else each.stiffness for each in structure.couplings])
     return np.asarray(stiffness / 2 * ((angles - built) @ coupling_rows(structure).T) ** 2)
@@ -53,7 +53,7 @@ def _add_rigid(spec: mujoco.MjSpec, coupling: Coupling, structure: Structure, ti
         solref=[2 * timestep, 1.0],
         solimp=_IMPEDANCE,
     )
-    # turns from the built shape: none where the first has none, then in proportion
+    # turns from the built shape are proportional
     data = np.zeros_like(np.asarray(tie.data))
     data[1] = second.sense * coupling.ratio * first.sense
     tie.data = data

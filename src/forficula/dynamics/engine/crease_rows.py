@@ -1,7 +1,7 @@
-"""Rows of a bending flex that follow the creases of many structures: any law, torque, damping and moving rest angle.
+"""Rows of a bending flex for the creases of many structures: any law, torque, damping and moving rest angle.
 
-MuJoCo's bending of a flex is by edge and exact: a moment k sin(angle - r), without a jump anywhere. A row can be
-changed between steps, so that it has at any angle the moment and the slope that the crease has there.
+MuJoCo computes the bending of a flex edge by edge and exactly: a moment k sin(angle - r), continuous at every angle. A
+row can be changed between steps, so that at the present angle it has the moment and the slope of the crease.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from forficula.dynamics.energies.crease_moments import CreaseMoments, crease_mom
 from forficula.dynamics.engine.model import Model
 from forficula.pattern.geometry import cross, dot
 
-# numbers of a row: of a quadratic form of its four nodes, and one of their determinant
+# numbers of a row: a quadratic form of its four nodes, and a factor of their determinant
 _FORM, _ROW = 16, 17
 _DIAGONAL = np.arange(4)
 
@@ -27,9 +27,9 @@ class CreaseRows:
 
     Attributes:
         built: tail, head, left and right corner in the built shape, in the models' units, (structure, 4, 3, crease).
-        slides: places of their coordinates in the engine's positions, (4, 3, crease); -1 where they are held.
+        slides: indices of their coordinates in the engine's positions, (4, 3, crease); -1 for held ones.
         rows: in the engine's flex_bending, (crease,).
-        form: for each number of a row's form, which it is with tail, head, left and right in this order, (16, crease).
+        form: for each number of a row's form, its index in the order tail, head, left, right, (16, crease).
         parity: of that order, +1 or -1, (crease,).
         moments: of the creases.
     """
@@ -42,26 +42,26 @@ class CreaseRows:
     moments: CreaseMoments
 
     def some(self, which: Indices) -> CreaseRows:
-        """Of some of the structures, in a rising order."""
+        """Select structures by index, in ascending order."""
         return replace(self, built=self.built[which], moments=self.moments.some(which))
 
     def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
-        """Angles of creases, and the rows that have their moments and slopes there.
+        """Compute the angles of creases, and rows with their moments and slopes at these angles.
 
         Args:
             positions: of the structures, (structure, dof).
-            velocities: alike.
-            near: angles that theirs are near to, rad, (structure, crease).
-            efforts: what their motors are set to, (structure, motor).
+            velocities: of the structures, (structure, dof).
+            near: reference angles within half a turn, rad, (structure, crease).
+            efforts: settings of the motors, (structure, motor).
 
         Returns:
-            In own senses and without jumps, rad, (structure, crease); and (structure, crease, 17).
+            Angles in own senses without jumps, rad, (structure, crease), and rows, (structure, crease, 17).
         """
-        own, senses = self.moments, self.moments.senses
+        moments, senses = self.moments, self.moments.senses
         (edge, away), (edge_moves, moves) = self._sides(positions, velocities)
-        # of the left and the right flap, whose normals are up in a flat sheet
+        # normals of the left and the right flap point upwards in a flat sheet
         normals = cross(edge[:, None], away)
-        # the right flap runs the other way along the edge
+        # the right flap runs in the opposite direction along the edge
         np.negative(normals[:, 1], out=normals[:, 1])
         square, area = dot(edge, edge), dot(normals, normals)
         length, share = np.sqrt(square), dot(away, edge[:, None]) / square
@@ -69,8 +69,8 @@ class CreaseRows:
         angles = without_jump(senses * np.arctan2(length * volume, dot(normals[:, 0], normals[:, 1])), near)
         turned = dot(normals, moves - share * edge_moves[:, None]) / area
         turning = length * (turned[0] + turned[1])
-        moment, slope = own.at(angles, turning, efforts)
-        # of the angle between the flaps, whose sense the row has
+        moment, slope = moments.at(angles, turning, efforts)
+        # rows use the sense of the angle between the flaps
         rest = senses * (angles - np.arctan2(moment, slope))
         size, moment = np.hypot(moment, slope), senses * moment
         cosine, sine = size * np.cos(rest), size * np.sin(rest)
@@ -83,8 +83,8 @@ class CreaseRows:
         np.subtract(high[0] + high[1], weights[1], out=weights[0])
         np.negative(high, out=weights[2:])
         last = -sine * high[0] * high[1] / length
-        # such a row pulls within the flaps, too, as soon as they are not in one plane: force densities along their
-        # sides take that back, so that the force is that of the moment
+        # a row also pulls within the flaps if they are not in one plane; force densities along their sides compensate
+        # this, so that the force is that of the moment alone
         pull = cosine * (weights[1] * edge + weights[2] * away[:, 0] + weights[3] * away[:, 1])
         wrong = weights[2:] * pull[:, None] + last * normals[:, ::-1] - moment * length / area * normals
         along, off = dot(wrong, edge[:, None]), dot(wrong, away)
@@ -107,7 +107,7 @@ class CreaseRows:
         return np.arange(len(self.rows))
 
     def _sides(self, positions: Array, velocities: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        """From tails to heads, (3, structure, crease), and to the corners, (3, 2, ...); and how these move."""
+        """Return vectors from tails to heads, (3, structure, crease), and to corners, (3, 2, ...), and their rates."""
         shifts = np.zeros((2, len(positions), max(positions.shape[1], velocities.shape[1]) + 1))
         shifts[0, :, : positions.shape[1]], shifts[1, :, : velocities.shape[1]] = positions, velocities
         nodes = np.take(shifts, self.slides, axis=2)
@@ -118,7 +118,7 @@ class CreaseRows:
 
 
 def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
-    """Lay the creases of structures of one topology side by side; None where they have none."""
+    """Collect the creases of structures of one topology side by side; None without creases."""
     creases = [model.creases for model in models if model.creases is not None]
     if not creases:
         return None
@@ -134,5 +134,5 @@ def crease_rows(models: Sequence[Model]) -> CreaseRows | None:
 
 
 def without_jump(angles: Array, near: Array) -> Array:
-    """Angles with as many whole turns as bring them closest to others, rad."""
+    """Add whole turns to angles so that they are as close as possible to reference angles, rad."""
     return np.asarray(angles + 2 * np.pi * np.rint((near - angles) / (2 * np.pi)))

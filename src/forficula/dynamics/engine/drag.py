@@ -1,4 +1,4 @@
-"""Drag of the medium on the panels of many structures, as forces on what the engine calls velocities."""
+"""Drag of the medium on the panels of many structures, as generalised forces on the engine's velocities."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from forficula.arrays import Array, Indices
 from forficula.pattern.geometry import cross, dot
 from forficula.structure import Structure, gathered_mass
 
-# of a thin plate square to a flow at Reynolds numbers beyond 1000: 1.98 of a long strip, 1.17 of a disc (Hoerner 1965,
+# of a thin plate normal to a flow at Reynolds numbers above 1000: 1.98 for a long strip, 1.17 for a disc (Hoerner 1965,
 # Fluid-Dynamic Drag, chapter 3)
 DRAG_COEFFICIENT = 2.0
-# steps over which the forces stay: with 1 and with 10 the reference wing in air has the same times, and drag takes 1 %
-# more or less
+# steps over which the forces are constant: with 1 and with 10 the reference wing in air has the same times, and drag
+# dissipates 1 % more or less
 HELD = 5
-# what the engine says of bodies, from which the drag follows
+# fields of the engine from which the drag is computed
 KINEMATICS = ("xpos", "xmat", "subtree_com", "cdof")
-# of a triangle, exact to the fourth power: barycentric coordinates of two groups of three points, and their weights
-# (Strang and Fix 1973, table 4.1)
+# quadrature of a triangle, exact to the fourth power: barycentric coordinates of two groups of three points, and their
+# weights (Strang and Fix 1973, table 4.1)
 _GROUPS = ((0.816847572980459, 0.109951743655322), (0.108103018168070, 0.223381589678011))
 _POINTS = np.array([np.roll([far, (1 - far) / 2, (1 - far) / 2], turn) for far, _ in _GROUPS for turn in range(3)])
 _WEIGHTS = np.repeat([weight for _, weight in _GROUPS], 3)
@@ -30,22 +30,22 @@ _WEIGHTS = np.repeat([weight for _, weight in _GROUPS], 3)
 
 @dataclass(frozen=True, kw_only=True)
 class Drag:
-    """Panels of one structure in the model's units, or of several of one topology: then arrays have (structure, ...).
+    """Panels of one structure, in the model's units, or of several of one topology, with arrays (structure, ...).
 
-    A force stays over a few steps, for what the panels do is found beside the engine: exact at their start, and of
-    first order in the timestep. Its work is what it does to the engine's velocities, to rounding. (What the engine has
-    itself acts against the speed in any direction: that would take 1.35 times as much while the reference wing folds
-    and 1.8 times while it opens.)
+    Forces are computed outside the engine and are constant over a few steps: exact at the first step, and of first
+    order in the timestep. Their work is that on the engine's velocities, up to rounding. (The engine's own drag acts
+    against the speed in any direction, so it would dissipate 1.35 times as much while the reference wing folds, and 1.8
+    times as much while it opens.)
 
     Attributes:
-        bodies: by the engine's numbers, those that carry corners, (body,).
-        roots: alike, the first bodies of the trees that these are part of, (body,).
-        moved: 1 where a coordinate moves a body, else 0, (body, dof).
-        carriers: of the corners of triangles, by place in `bodies`, (triangle, 3).
-        carried: 1 where a body carries a corner, else 0, (body, 3 triangles).
-        places: of the corners in the axes of their bodies, (..., triangle, 3, 3).
-        quadratic: pressure by the square of the speed along the normal, (...).
-        linear: pressure by that speed, (..., triangle).
+        bodies: numbers of the engine's bodies that carry corners, (body,).
+        roots: numbers of the root bodies of their trees, (body,).
+        moved: 1 if a coordinate moves a body, else 0, (body, dof).
+        carriers: index in `bodies` of the body of each corner of triangles, (triangle, 3).
+        carried: 1 if a body carries a corner, else 0, (body, 3 triangles).
+        places: positions of the corners in the axes of their bodies, (..., triangle, 3, 3).
+        quadratic: pressure per squared speed along the normal, (...).
+        linear: pressure per speed along the normal, (..., triangle).
     """
 
     bodies: Indices
@@ -58,25 +58,25 @@ class Drag:
     linear: Array
 
     def forces(self, which: Indices, kinematics: Mapping[str, Array], velocities: Array) -> Array:
-        """Generalised forces of the drag on structures that `stacked_drag` has put together, (structure, dof).
+        """Compute the generalised forces of the drag on structures of `stacked_drag`, (structure, dof).
 
         Args:
-            which: of them.
-            kinematics: fields of the engine by `KINEMATICS`, (structure, ...).
-            velocities: as the engine has them, (structure, dof).
+            which: indices of the structures.
+            kinematics: the engine's fields `KINEMATICS`, (structure, ...).
+            velocities: of the engine, (structure, dof).
         """
         on = self.carriers
         frames = kinematics["xmat"][:, self.bodies].reshape(len(which), -1, 3, 3)
         arms = (frames[:, on] @ self.places[which][..., None])[..., 0]
         corners = kinematics["xpos"][:, self.bodies][:, on] + arms
-        # the engine has turns and moves of a tree about its centre of mass
+        # the engine's twists of a tree are about its centre of mass
         away = np.moveaxis(corners - kinematics["subtree_com"][:, self.roots][:, on], -1, 0)
         twists = (self.moved * velocities[:, None]) @ kinematics["cdof"]
         turns, moves = np.moveaxis(twists[:, on], -1, 0).reshape(2, *away.shape)
         one, two, three = np.moveaxis(corners, (2, 3), (0, 1))
         area = cross(two - one, three - one) / 2
         size = np.sqrt(dot(area, area))
-        # a panel that is crushed to a line has no normal, and no area
+        # a panel that is crushed to a line has no normal and no area
         normal = area / np.where(size > 0, size, 1.0)
         across = dot(moves + cross(turns, away), normal[..., None]) @ _POINTS.T
         pressure = (self.quadratic[which, None, None] * np.abs(across) + self.linear[which, :, None]) * across
@@ -87,7 +87,7 @@ class Drag:
 
 
 def drag_of(engine: mujoco.MjModel, structure: Structure) -> Drag | None:
-    """The drag on a structure in its units, as it is in the compiled model; None where nothing surrounds it."""
+    """Return the drag on a structure, in the model's units, for the compiled model; None without a medium."""
     medium = structure.medium
     if medium is None:
         return None
@@ -95,7 +95,7 @@ def drag_of(engine: mujoco.MjModel, structure: Structure) -> Drag | None:
     names = [structure.bodies[number].name for number in numbers.tolist()]
     bodies = np.array([mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_BODY, name) for name in names], dtype=np.int64)
     moved = np.zeros((len(bodies), engine.nv))
-    # numbers rise from the ground, 0, outwards
+    # numbers increase from the ground, 0, outwards
     chains = [bodies.tolist()]
     while any(chains[-1]):
         chains.append(engine.body_parentid[chains[-1]].tolist())
@@ -115,7 +115,7 @@ def drag_of(engine: mujoco.MjModel, structure: Structure) -> Drag | None:
 
 
 def stacked_drag(drags: Sequence[Drag]) -> Drag:
-    """Those of structures of one topology as one."""
+    """Combine the drags of structures of one topology into one object."""
     return replace(
         drags[0],
         places=np.array([drag.places for drag in drags]),
@@ -125,13 +125,13 @@ def stacked_drag(drags: Sequence[Drag]) -> Drag:
 
 
 def add_medium(spec: mujoco.MjSpec, structure: Structure) -> None:
-    """Add what of the medium moves with bodies to a model in the structure's units: inertia without weight."""
+    """Add the added mass of the medium to bodies, in the model's units: inertia without weight."""
     masses = structure.medium.masses if structure.medium is not None else ()
     for number in sorted({each.body for each in masses}):
         body = spec.body(structure.bodies[number].name)
         mass, centre, inertia = gathered_mass([each for each in masses if each.body == number])
         if structure.bodies[number].slides and not structure.bodies[number].turns:
-            # what never turns has its mass in one place
+            # a body that never turns has its mass at one point
             body.mass += mass
             body.inertia = [body.mass] * 3
             body.gravcomp = mass / body.mass
@@ -139,7 +139,7 @@ def add_medium(spec: mujoco.MjSpec, structure: Structure) -> None:
         added = body.add_body(name=f"{body.name}_medium", gravcomp=1.0)
         added.explicitinertial, added.mass, added.ipos = True, mass, centre
         moments, axes = np.linalg.eigh(inertia)
-        # of what lies in a plane or on a line, which rounding takes beyond what the engine allows
+        # rounding may violate the engine's conditions for masses in a plane or on a line
         moments = np.maximum(moments, 0.0)
         added.inertia = [*moments[:2], min(moments[2], moments[0] + moments[1])]
         frame = np.zeros(4)

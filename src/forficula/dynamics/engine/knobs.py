@@ -1,7 +1,7 @@
-"""Values of a design that a compiled model takes in place: which of its numbers each changes, and by how much.
+"""Values of a design that can be changed in a compiled model: which of its numbers each changes, and by how much.
 
-That is found and not known: the design is built with the lowest and the highest value, and what differs must lie on a
-straight line. So nothing of how structures are built is written a second time.
+These numbers are found by comparison: the design is compiled with the lowest and the highest value, and the numbers
+that differ must be linear in the value. Knowledge about the building of structures is therefore not repeated.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from forficula.dynamics.stepping.timestep import stable_timestep
 from forficula.errors import InputError
 from forficula.quantities import Unit
 
-# keys that may be such; and by what their values are multiplied at the ends of their ranges
+# candidate keys, and the factors on their values at the ends of their ranges
 _FACTORS = {
     "tendon.stiffness": (0.1, 10.0),
     "tendon.rest_length": (0.5, 1.5),
@@ -36,24 +36,24 @@ _FACTORS = {
     "protocol.gravity": (0.0, 1.0),
 }
 _SAFE = ("protocol.gravity", "crease.rest_angle")
-# of values that are 0 there, in SI
+# largest gravity of the range, SI, if the design's gravity is small
 _GRAVITY = 20.0
 _MOST_TENDONS = 4
 _OPTIONS = "gravity"
-_EXACT = 1e-9  # of the largest change: how straight a line must be
-_NARROWER = 0.7  # of the way to the value, where an end of a range is not allowed
+_EXACT = 1e-9  # tolerance of linearity, as a share of the largest change
+_NARROWER = 0.7  # factor by which a range shrinks if its end is not allowed
 _TRIES = 12
 
 
 @dataclass(frozen=True, kw_only=True)
 class KnobChange:
-    """By how much a value changes some numbers of a compiled model.
+    """Change of some numbers of a compiled model with a value.
 
     Attributes:
-        field: MuJoCo's name of them; of an option "opt.gravity".
-        places: of these in the flat field, (number,).
-        low: what they are at the lowest value, (number,).
-        slopes: by the SI unit of the value, (number,).
+        field: MuJoCo's name of the field; "opt.gravity" for the option.
+        places: indices in the flat field, (number,).
+        low: numbers at the lowest value, (number,).
+        slopes: change per SI unit of the value, (number,).
     """
 
     field: str
@@ -64,15 +64,15 @@ class KnobChange:
 
 @dataclass(frozen=True, kw_only=True)
 class Knob:
-    """A value of a design that can be changed while it moves.
+    """A value of a design that can be changed while the structure moves.
 
     Attributes:
         key: of the design.
         unit: of the value.
-        value: that the design has, SI.
-        lowest: of its range, SI.
-        highest: alike; no longer a timestep than the design's is needed up to there.
-        changes: what it does.
+        value: of the design, SI.
+        lowest: lower end of its range, SI.
+        highest: upper end of its range, SI; up to this value the design's timestep is short enough.
+        changes: of the compiled model.
     """
 
     key: str
@@ -84,11 +84,11 @@ class Knob:
 
 
 def knobs_of(model: Model) -> tuple[Knob, ...]:
-    """The values of a structure's design that its compiled model takes in place."""
+    """Return the values of a structure's design that can be changed in its compiled model."""
     return _knobs(model.design)
 
 
-@lru_cache(maxsize=8)  # pages of a study, and of what is run again, are of the same design
+@lru_cache(maxsize=8)  # pages of a study, and of repeated runs, have the same design
 def _knobs(design: Design) -> tuple[Knob, ...]:
     model = compile_model(design)
     found: list[Knob] = []
@@ -98,7 +98,7 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
         if knob is None:
             continue
         mine = {(change.field, place) for change in knob.changes for place in change.places.tolist()}
-        # what another one changes, too, would need both
+        # numbers that two values change would depend on both
         if not mine & taken:
             taken |= mine
             found.append(knob)
@@ -106,7 +106,7 @@ def _knobs(design: Design) -> tuple[Knob, ...]:
 
 
 def _keys(model: Model) -> list[str]:
-    """Keys that may be knobs; of tendons that differ, or have names, those of each, where they are few."""
+    """Return candidate keys; for a few tendons that differ or have names, the keys of each tendon."""
     each = list(dict.fromkeys(tendon.key for tendon in model.structure.tendons))
     if not 0 < len(each) <= _MOST_TENDONS or each == ["tendon"]:
         return list(_FACTORS)
@@ -120,7 +120,7 @@ def _factors(key: str) -> tuple[float, float]:
 
 
 def _knob(model: Model, key: str) -> Knob | None:
-    """The knob of a key; None where the design has none, or where it is not taken in place."""
+    """Return the knob of a key; None if the design does not have it, or the model cannot be changed in place."""
     design = model.design
     try:
         quantity, value = key_quantity(key, type(design)), key_value(design, key)
@@ -146,7 +146,7 @@ def _knob(model: Model, key: str) -> Knob | None:
 
 
 def _range(key: str, value: float) -> tuple[float, float]:
-    """The range that a slider would have."""
+    """Return the range of a slider for the value."""
     low, high = _factors(key)
     if key == "protocol.gravity":
         return 0.0, max(_GRAVITY, 2 * value)
@@ -156,11 +156,11 @@ def _range(key: str, value: float) -> tuple[float, float]:
 
 
 def _allowed(design: Design, key: str, value: float, end: float) -> Design | None:
-    """A design with the value at an end of a range, or as near to it as is allowed and as its timestep allows."""
+    """Return a design with the value at an end of a range, or as near to it as its rules and timestep allow."""
     for _ in range(_TRIES):
         try:
             changed = with_values(design, {key: end})
-            # less of anything allows as long a timestep, and some of these do not count for it
+            # smaller values never need a shorter timestep, and safe keys do not affect it
             if end <= value or key in _SAFE or float(design.protocol.timestep) <= stable_timestep(changed):
                 return changed
         except InputError:
@@ -171,7 +171,7 @@ def _allowed(design: Design, key: str, value: float, end: float) -> Design | Non
 
 def _numbers(model: Model) -> dict[str, Array]:
     numbers, engine = model_numbers(model), model.engine
-    # what only measures has no spring, and a length that the engine makes up for one
+    # tendons that only measure have no spring, but the engine sets an arbitrary spring length
     sprung = np.isin(np.arange(engine.ntendon), [*model.tendons, *model.springs])
     if "tendon_lengthspring" in numbers:
         numbers["tendon_lengthspring"][np.repeat(~sprung, 2)] = 0.0
@@ -180,20 +180,20 @@ def _numbers(model: Model) -> dict[str, Array]:
 
 
 def _changes(
-    low: Mapping[str, Array], high: Mapping[str, Array], here: Mapping[str, Array], values: tuple[float, float, float]
+    low: Mapping[str, Array], high: Mapping[str, Array], middle: Mapping[str, Array], values: tuple[float, float, float]
 ) -> tuple[KnobChange, ...]:
-    """What differs between two models, on a straight line through a third; nothing where it is not on one.
+    """Return the differences between two models if a third one is on a straight line between them; else nothing.
 
     Args:
-        low: numbers of the model of the lowest value.
-        high: of that of the highest.
-        here: of that of the value between.
-        values: these three, rising.
+        low: numbers of the model with the lowest value.
+        high: numbers of the model with the highest value.
+        middle: numbers of the model with the value between.
+        values: these three values, ascending.
     """
     first, value, last = values
     changes = []
     for name, lowest in low.items():
-        highest, mine = high.get(name), here.get(name)
+        highest, mine = high.get(name), middle.get(name)
         if highest is None or mine is None or not lowest.shape == highest.shape == mine.shape:
             return ()
         places = np.flatnonzero((lowest != highest) | (lowest != mine))
@@ -204,7 +204,7 @@ def _changes(
         size = np.abs(np.stack([lowest[places], highest[places]])).max(axis=0)
         if np.any(np.abs(on_line - mine[places]) > _EXACT * size):
             return ()
-        # what differs by rounding alone does not change
+        # differences of the size of rounding do not count
         moved = np.abs(highest[places] - lowest[places]) > _EXACT * size
         if moved.any():
             changes.append(

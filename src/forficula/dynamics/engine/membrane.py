@@ -1,4 +1,4 @@
-"""Membranes in the engine: those of one law are one 2-D flex, its nodes carried by the bodies."""
+"""Membranes in the engine: membranes of one law are one 2-D flex whose nodes are carried by the bodies."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ class MembraneMesh:
         bodies: number of the body that carries each node, (node,).
         places: nodes in the axes of their bodies, (node, 3).
         built: nodes in the built shape, (node, 3).
-        triangles: three nodes each, (triangle, 3); empty where there is no membrane.
-        law: of all of it; None where there is none.
+        triangles: three nodes each, (triangle, 3); empty without a membrane.
+        law: of the whole mesh; None without a membrane.
     """
 
     bodies: Indices
@@ -32,7 +32,7 @@ class MembraneMesh:
 
 
 def joined_mesh(membranes: Sequence[Membrane]) -> MembraneMesh:
-    """Lay the nodes of membranes of one law one after another."""
+    """Join membranes of one law into one mesh, with their nodes one after another."""
     first = np.cumsum([0, *(len(each.built) for each in membranes)])
     return MembraneMesh(
         bodies=np.concatenate([np.zeros(0, dtype=np.int64), *(each.bodies for each in membranes)]),
@@ -49,7 +49,7 @@ def joined_mesh(membranes: Sequence[Membrane]) -> MembraneMesh:
 
 
 def add_membranes(spec: mujoco.MjSpec, mesh: MembraneMesh, structure: Structure) -> None:
-    """Add the membranes to a model in the structure's units."""
+    """Add the membranes to a model, in the model's units."""
     law = mesh.law
     if law is None:
         return
@@ -72,11 +72,11 @@ def add_membranes(spec: mujoco.MjSpec, mesh: MembraneMesh, structure: Structure)
 
 
 def stretch_energy(nodes: Array, mesh: MembraneMesh) -> Array:
-    """Stretch energy of membranes with nodes anywhere in space.
+    """Compute the stretch energy of membranes with nodes anywhere in space.
 
-    Saint Venant-Kirchhoff in plane stress, triangles of constant strain: per area, thickness times
-    mu tr(e^2) + lambda / 2 tr(e)^2, with e the Green strain, mu = E / (2 (1 + nu)), lambda = E nu / (1 - nu^2)
-    (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, for plane stress).
+    The law is that of Saint Venant-Kirchhoff in plane stress, for triangles of constant strain. The energy per area is
+    thickness times mu tr(e^2) + lambda / 2 tr(e)^2, with the Green strain e, mu = E / (2 (1 + nu)) and
+    lambda = E nu / (1 - nu^2) (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, for plane stress).
 
     Args:
         nodes: positions, (..., node, 3), in the units of the mesh.
@@ -97,12 +97,12 @@ def stretch_energy(nodes: Array, mesh: MembraneMesh) -> Array:
     trace = np.trace(strain, axis1=-2, axis2=-1)
     density = shear * np.sum(strain**2, axis=(-2, -1)) + lame / 2 * trace**2
     area = np.abs(np.linalg.det(rest)) / 2
-    # in rows, so that a state's sum has the same bits beside others and alone
+    # contiguous, so that the sum of a state has the same bits with others and alone
     return np.asarray(law.thickness * np.sum(np.ascontiguousarray(area * density), axis=-1))
 
 
 def _in_plane(edges: Array) -> Array:
-    """Edges of triangles, (triangle, 3, 2), in axes of their planes, (triangle, 2, 2)."""
+    """Return edges of triangles, (triangle, 3, 2), in axes of their planes, (triangle, 2, 2)."""
     if not edges[:, 2].any():
         return edges[:, :2]
     upper = np.zeros((len(edges), 2, 2))
@@ -114,6 +114,6 @@ def _in_plane(edges: Array) -> Array:
 
 
 def _edges(nodes: Array, triangles: Indices) -> Array:
-    """Two edge vectors of each triangle as columns, (..., triangle, 3, 2)."""
+    """Return two edge vectors of each triangle as columns, (..., triangle, 3, 2)."""
     corners = nodes[..., triangles, :]
     return np.stack([corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :]], axis=-1)

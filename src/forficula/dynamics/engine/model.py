@@ -1,4 +1,4 @@
-"""Structure -> compiled model, where its parts are, and its scale."""
+"""Compilation of a structure into the engine's model, with the indices of its parts and its units."""
 
 from __future__ import annotations
 
@@ -26,47 +26,47 @@ from forficula.errors import InputError
 from forficula.material.law.tendon_law import ElasticLaw, stacked_laws
 from forficula.structure import Measure, Structure, structure_of
 
-# a step of more takes tens of milliseconds and gigabytes
+# a step of more bodies takes tens of milliseconds and gigabytes
 _MOST_BODIES = 2002
 
 
 @dataclass(frozen=True, kw_only=True)
 class Model:
-    """A compiled structure and where its parts are.
+    """A compiled structure and the indices of its parts.
 
     Attributes:
         design: the design, SI.
-        structure: what was built of it, SI.
+        structure: structure of the design, SI.
         units: of the compiled model.
         in_units: the structure in the model's units.
         timestep: in the model's units.
-        engine: the compiled model; copy it before changing anything.
+        engine: the compiled model; copy it before changing it.
         spec: the source that compiles to it.
         mesh: its membranes, in the model's units.
-        folds: how its hinges' angles follow from the engine's positions.
-        creases: those of its hinges that no joint makes; None where there are none.
-        drag: of what surrounds it; None for empty space.
-        followed: steps over which the engine's rows of creases and the drag stay as they are.
-        pushed: by what each coordinate's shift takes the points of a force along it, (motor, dof); 0 for other motors
-            and on plates, where it changes.
+        folds: computes the hinges' angles from the engine's positions.
+        creases: hinges that are not joints; None if there are none.
+        drag: of the medium; None for empty space.
+        followed: steps over which the engine's rows of creases and the drag are constant.
+        pushed: displacement of a force's points along the force per shift of each coordinate, (motor, dof); 0 for other
+            motors, and for plates, where it varies.
         springs: index of each spring among the engine's tendons, (spring,).
         tendons: index of each tendon, (tendon,).
-        distances: index of the tendon that measures each distance that is watched, (distance,).
+        distances: index of the tendon that measures each distance, (distance,).
         gaps: index of the tendons that measure the gaps of closures, (gap,).
-        branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 where a
-            tendon has fewer.
-        creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for those that do not yield.
+        branches: index into activations of the forces of the tendons' Maxwell branches, (tendon, branch); -1 for absent
+            branches.
+        creep: index into plastic states of the tendons' resting lengths, (tendon,); -1 for tendons that do not yield.
         motors: number of the structure's motor that each control follows, (control,); -1 for none.
-        holds: number of the motor whose servo each control switches on, (control,), after the control that sets where
-            it goes; -1 of others.
-        brakes: number of the motor whose size each control follows, which takes of its torque at a joint as that turns,
-            (control,); -1 of others.
-        ways: by what each coordinate's shift takes the point of a servo on its way, or the joint of a brake, (control,
-            dof); 0 of others.
-        sites: index of the site of each point, (point,); -1 where it is the origin of its body.
+        holds: number of the motor whose servo each control switches on, (control,), next to the control that sets its
+            target; -1 for other controls.
+        brakes: number of the motor whose magnitude each control follows to reduce its torque with the speed of a joint,
+            (control,); -1 for other controls.
+        ways: displacement of a servo's point, or turn of a brake's joint, per shift of each coordinate, (control, dof);
+            0 for other controls.
+        sites: index of the site of each point, (point,); -1 if it is the origin of its body.
         carriers: index of the body of each point, (point,).
         elastic: the springs of the tendons, as one law of arrays (tendon,), in the model's units.
-        lets_go: whether each tendon lets go where its damper or branches would push, (tendon,).
+        lets_go: whether each tendon is clamped so that its damper and branches cannot push, (tendon,).
     """
 
     design: Design
@@ -99,11 +99,11 @@ class Model:
 
     @property
     def explicit(self) -> bool:
-        """Whether steps are those of Runge and Kutta, and not of semi-implicit Euler."""
+        """Return whether steps are those of Runge and Kutta instead of semi-implicit Euler."""
         return bool(self.engine.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4)
 
     def settings(self, efforts: Array) -> tuple[Array, Array]:
-        """What motors do to creases: by how much their springs rest further on, rad, and torques, (..., crease).
+        """Return the effect of motors on creases: changes of rest angles, rad, and torques, (..., crease).
 
         Args:
             efforts: of all motors, in the model's units, (..., motor).
@@ -118,7 +118,7 @@ class Model:
         return rests[..., self.folds.creases], torques[..., self.folds.creases]
 
     def braking(self, sizes: Array) -> Array:
-        """By how much motors damp creases, for the sizes of what they are set to, (..., motor), (..., crease)."""
+        """Return the damping of creases by motors, (..., crease), for magnitudes of their settings, (..., motor)."""
         damping = np.zeros((*sizes.shape[:-1], len(self.structure.hinges)))
         for number, motor in enumerate(self.in_units.motors):
             gains = np.array(motor.gains or (1.0,) * len(motor.hinges))
@@ -126,14 +126,14 @@ class Model:
         return damping[..., self.folds.creases]
 
     def levers(self, tendon: int) -> tuple[slice, Indices]:
-        """Where in the engine's ten_J the change of a tendon's length by joint is, and the joints."""
+        """Return the entries of the engine's ten_J for the derivatives of a tendon's length, and their joints."""
         first = int(self.engine.ten_J_rowadr[tendon])
         entries = slice(first, first + int(self.engine.ten_J_rownnz[tendon]))
         return entries, np.asarray(self.engine.ten_J_colind[entries], dtype=np.int64)
 
     @property
     def xml(self) -> str:
-        """The source as text, for any MuJoCo viewer; lengths to six digits."""
+        """Return the source as text, for any MuJoCo viewer; lengths have six digits."""
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
             return str(self.spec.to_xml())
@@ -146,7 +146,7 @@ def compile_model(design: Design) -> Model:
         design: with a timestep in seconds; see `with_timestep` for "auto".
 
     Raises:
-        InputError: it cannot be built, or MuJoCo refuses the model, and why.
+        InputError: the design cannot be built, or MuJoCo rejects the model; the message gives the reason.
     """
     structure = structure_of(design)
     _check_size(design, structure)
@@ -160,14 +160,14 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
     """Compile a structure.
 
     Args:
-        design: of which the timestep is taken.
+        design: the design with the timestep.
         structure: SI.
-        in_units: the same in the model's units. Built of the design in these units rather than rescaled, for that keeps
-            all digits.
+        in_units: the same structure in the model's units, built from the design in these units instead of rescaled,
+            which keeps all digits.
         units: of the model.
 
     Raises:
-        InputError: as of `compile_model`.
+        InputError: as for `compile_model`.
     """
     _check_size(design, structure)
     _check_pushes(design, structure)
@@ -205,7 +205,7 @@ def compile_structure(design: Design, structure: Structure, in_units: Structure,
         distances=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, [f"distance_{measure.name}" for measure in distances]),
         gaps=_indices(engine, mujoco.mjtObj.mjOBJ_TENDON, gaps),
         branches=_branches([len(tendon.law.branches) for tendon in in_units.tendons]),
-        # of the two numbers of a tendon the dead band's upper end
+        # upper end of the dead band, the second of both numbers of a tendon
         creep=np.where(plastic >= 0, plastic + 1, -1),
         motors=_followed(engine, in_units),
         holds=holds,
@@ -238,7 +238,7 @@ def _check_pushes(design: Design, structure: Structure) -> None:
 
 
 def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """The site of every point, (point,), -1 where it has none."""
+    """Return the site of every point, (point,), -1 for points without a site."""
     sites = np.full(len(structure.points), -1, dtype=np.int64)
     for number in engine_sites(structure):
         sites[number] = _indices(engine, mujoco.mjtObj.mjOBJ_SITE, [structure.points[number].name])[0]
@@ -246,13 +246,13 @@ def _sites(engine: mujoco.MjModel, structure: Structure) -> Indices:
 
 
 def _carriers(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """The body that carries every point, (point,); 0 is the ground."""
+    """Return the body that carries every point, (point,); 0 is the ground."""
     bodies = _indices(engine, mujoco.mjtObj.mjOBJ_BODY, [body.name for body in structure.bodies])
     return np.array([0 if point.body < 0 else bodies[point.body] for point in structure.points], dtype=np.int64)
 
 
 def joint_ranges(model: Model) -> tuple[Array, Array]:
-    """Positions at which stops end the ranges of hinges, (position,) each, infinite where nothing does."""
+    """Return the positions of the lower and upper stops of hinges, (position,) each, infinite without a stop."""
     engine = model.engine
     limited = np.array(engine.jnt_limited, dtype=bool)
     ends = np.full((2, engine.nq), [[-np.inf], [np.inf]])
@@ -261,7 +261,7 @@ def joint_ranges(model: Model) -> tuple[Array, Array]:
 
 
 def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distances: list[Measure]) -> mujoco.MjSpec:
-    """All parts of a structure, not compiled yet."""
+    """Return the specification of all parts of a structure, not yet compiled."""
     spec = _empty_spec(structure, timestep)
     add_bodies(spec, structure)
     add_medium(spec, structure)
@@ -272,7 +272,7 @@ def _spec_of(structure: Structure, timestep: float, mesh: MembraneMesh, distance
         add_spring(spec, spring, structure)
     for tendon in structure.tendons:
         add_tendon(spec, tendon, structure)
-    # after all motors, so that a motor and its control have the same index: branches have no control
+    # after all motors, so that a motor and its control have the same index, because branches have no control
     for tendon in structure.tendons:
         add_pulls(spec, tendon, structure)
     for limit in structure.limits:
@@ -295,42 +295,42 @@ def _empty_spec(structure: Structure, timestep: float) -> mujoco.MjSpec:
     option.gravity = [0, 0, -structure.gravity]
     # where loops are closed, Euler loses 5 to 9 % of the energy in a second of swinging: measured
     option.integrator = mujoco.mjtIntegrator.mjINT_RK4 if structure.closures else mujoco.mjtIntegrator.mjINT_EULER
-    # the default, 1e-8, would end the solver at a place that depends on the model's units
+    # with the default, 1e-8, the solver's result would depend on the model's units
     option.tolerance = 1e-12
-    # the sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and no faster for fewer than fifteen veins
-    # what slides is free of both: it has no constraints, and many nodes
+    # The sparse Cholesky factorisation of 4.0.0 is wrong where bars touch, and not faster for fewer than fifteen veins.
+    # Sliding nodes have no constraints and are many, so it is used for them.
     free = not structure.limits and any(body.slides for body in structure.bodies)
     option.jacobian = mujoco.mjtJacobian.mjJAC_SPARSE if free else mujoco.mjtJacobian.mjJAC_DENSE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
-    # what has diverged must stay so, not start again
+    # a diverged simulation must not be reset
     option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
     if structure.contact is None:
         option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
         return spec
-    # like the other one: where panels touch would be found to 1e-6 of the length unit
+    # the default would locate contacts of panels to 1e-6 of the length unit, which depends on the structure
     option.ccd_tolerance = 1e-10
     if structure.contact.friction:
-        # a pyramid would be friction that depends on the direction
+        # friction in a pyramidal cone would depend on the direction
         option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     return spec
 
 
 def _viewers(structure: Structure) -> str:
-    """Which viewers show a structure as it moves here."""
+    """Return a note on the viewers that show the same motion as this simulation."""
     if any(hinge.flaps for hinge in structure.hinges) or structure.medium is not None:
-        return "layout only: creases or drag are set anew between steps"
+        return "layout only: creases or drag are updated outside the engine between steps"
     if structure.membranes:
-        return "MuJoCo 4.0 on: before, membranes stretch otherwise"
+        return "MuJoCo 4.0 or later: earlier versions stretch membranes differently"
     if any(tendon.law.yield_extension is not None for tendon in structure.tendons):
-        return "MuJoCo 4.0 on: before, no tendon yields"
-    return "MuJoCo 3.9 on"
+        return "MuJoCo 4.0 or later: in earlier versions no tendon yields"
+    return "MuJoCo 3.9 or later"
 
 
 def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
-    """The engine's model; raise InputError where MuJoCo refuses it."""
+    """Return the engine's model; raise InputError if MuJoCo rejects the specification."""
     try:
         with warnings.catch_warnings():
-            # said of a membrane without damping, although its elasticity is there
+            # a wrong warning about membranes without damping, which do have elastic forces
             warnings.filterwarnings("ignore", message=".*has no.*passive forces")
             return spec.compile()
     except (ValueError, MemoryError, RuntimeError, mujoco.FatalError) as error:
@@ -338,7 +338,7 @@ def _compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
 
 
 def _followed_steps(structure: Structure) -> int:
-    """Steps over which creases and drag stay as they are; 1 where there is neither."""
+    """Return the number of steps over which creases and drag are constant; 1 without both."""
     most = [] if structure.medium is None else [HELD]
     if any(hinge.flaps for hinge in structure.hinges):
         most.append(followed_steps(structure))
@@ -346,7 +346,7 @@ def _followed_steps(structure: Structure) -> int:
 
 
 def _branches(counts: list[int]) -> Indices:
-    """Numbers of branches, which come one tendon after another, by tendon; -1 where one has fewer than another."""
+    """Return the numbers of branches, counted tendon after tendon, by tendon; -1 for absent branches."""
     first = np.cumsum([0, *counts])
     rows = [[*range(low, high)] for low, high in itertools.pairwise(first)]
     most = max(counts, default=0)
@@ -354,7 +354,7 @@ def _branches(counts: list[int]) -> Indices:
 
 
 def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
-    """Number of the motor that each control of the engine follows, (control,), or -1."""
+    """Return the number of the motor that each control of the engine follows, (control,), or -1."""
     follows = np.full(engine.nu, -1, dtype=np.int64)
     for number, motor in enumerate(structure.motors):
         names = [structure.hinges[hinge].name for hinge in motor.hinges if not structure.hinges[hinge].flaps]
@@ -367,7 +367,7 @@ def _followed(engine: mujoco.MjModel, structure: Structure) -> Indices:
 
 
 def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
-    """By what the shift of each coordinate takes the points of every force along it, (motor, dof)."""
+    """Return the displacement of every force's points along it per shift of each coordinate, (motor, dof)."""
     pushed = np.zeros((len(structure.motors), engine.nv))
     for number, motor in enumerate(structure.motors):
         if motor.direction is None or structure.plates:
@@ -378,7 +378,7 @@ def _pushed(engine: mujoco.MjModel, structure: Structure) -> Array:
 
 
 def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Array) -> Array:
-    """By what the shift of each coordinate takes a node along a direction, (dof,)."""
+    """Return the displacement of a node along a direction per shift of each coordinate, (dof,)."""
     way, body = np.zeros(engine.nv), structure.bodies[structure.points[point].body]
     names = [slide_name(body.name, axis) for axis in body.slides]
     way[engine.jnt_dofadr[_indices(engine, mujoco.mjtObj.mjOBJ_JOINT, names)]] = direction[list(body.slides)]
@@ -386,7 +386,7 @@ def _way(engine: mujoco.MjModel, structure: Structure, point: int, direction: Ar
 
 
 def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """`Model.holds` and the ways of servos."""
+    """Return `Model.holds`, and `Model.ways` of servos."""
     holds, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
     for number, motor in enumerate(structure.motors):
         for point, names in zip(motor.points, servo_names(motor), strict=False):
@@ -398,7 +398,7 @@ def _servos(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Arra
 
 
 def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Array]:
-    """`Model.brakes` and the ways of brakes."""
+    """Return `Model.brakes`, and `Model.ways` of brakes."""
     brakes, ways = np.full(engine.nu, -1, dtype=np.int64), np.zeros((engine.nu, engine.nv))
     for number, motor in enumerate(structure.motors):
         hinges = [structure.hinges[hinge] for hinge in motor.hinges if not structure.hinges[hinge].flaps]
@@ -411,5 +411,5 @@ def _brakes(engine: mujoco.MjModel, structure: Structure) -> tuple[Indices, Arra
 
 
 def _indices(engine: mujoco.MjModel, kind: mujoco.mjtObj, names: list[str]) -> Indices:
-    """Ids of parts by their names."""
+    """Return the ids of parts by their names."""
     return np.array([mujoco.mj_name2id(engine, kind, name) for name in names], dtype=np.int64)

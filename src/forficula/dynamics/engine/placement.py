@@ -1,4 +1,4 @@
-"""Where bodies that turn are, and how they move, from the positions and velocities that the engine has."""
+"""Poses and rates of bodies that turn, from the engine's positions and velocities."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from forficula.structure import GROUND, Structure
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """A tree of bodies of which some turn freely or by a hinge; constants may have leading dimensions.
+    """A tree of bodies, some of which turn freely or by a hinge; constants may have leading dimensions.
 
     Attributes:
-        levels: numbers of the bodies on the ground, of those on these, and so on.
-        parents: number of the body that each hangs on, (body,); -1 for the ground.
-        positions: of origins in the axes of parents, (..., body, 3); 0 of bodies that turn freely.
+        levels: numbers of the bodies on the ground, of their children, and so on.
+        parents: number of the parent of each body, (body,); -1 for the ground.
+        positions: of origins in the axes of parents, (..., body, 3); 0 for bodies that turn freely.
         frames: from their axes to those of their parents, (..., body, 3, 3).
-        slides: place of the coordinates of origins in the positions, (body, 3); -1 where they are held.
-        free: which bodies turn freely, (free,).
-        quaternions: place of their first number in the positions, (free,).
-        hinged: which bodies turn by a hinge, (hinged,).
-        hinges: place of its angle in the positions, (hinged,).
+        slides: index of the coordinates of origins in the positions, (body, 3); -1 for held ones.
+        free: bodies that turn freely, (free,).
+        quaternions: index of their first number in the positions, (free,).
+        hinged: bodies that turn by a hinge, (hinged,).
+        hinges: index of the hinge's angle in the positions, (hinged,).
         axes: of the hinges in the axes of the body, (..., hinged, 3).
-        built: these angles in the built shape, (..., hinged).
-        position_count: numbers of a position.
-        velocity_count: numbers of a velocity: one less for every body that turns freely.
-        velocities: place in the velocities of what is at a place in the positions, (position,); of a quaternion, of the
-            three turns about the body's own axes, which come in its place.
+        built: angles of the hinges in the built shape, (..., hinged).
+        position_count: length of a position.
+        velocity_count: length of a velocity: one less for every body that turns freely.
+        velocities: index in the velocities for each index in the positions, (position,); for a quaternion, the index of
+            the first of three turns about the body's own axes.
     """
 
     levels: tuple[Indices, ...]
@@ -49,14 +49,14 @@ class Placement:
     velocities: Indices
 
     def some(self, which: Indices) -> Placement:
-        """Of some of the structures that `stacked` has put together."""
+        """Select structures of `stacked` by index."""
         return self._with(self.positions[which], self.frames[which], self.axes[which], self.built[which])
 
     def _with(self, positions: Array, frames: Array, axes: Array, built: Array) -> Placement:
         return replace(self, positions=positions, frames=frames, axes=axes, built=built)
 
     def poses(self, positions: Array) -> tuple[Array, Array]:
-        """Origins, (..., body, 3), and rotations from bodies' axes to those of the ground, (..., body, 3, 3)."""
+        """Compute origins, (..., body, 3), and rotations from bodies' axes to the ground's, (..., body, 3, 3)."""
         lead, count = positions.shape[:-1], len(self.parents)
         held = np.concatenate([positions, np.zeros((*lead, 1))], axis=-1)
         frames = np.broadcast_to(self.frames, (*lead, count, 3, 3)).copy()
@@ -72,20 +72,20 @@ class Placement:
         return origins, frames
 
     def rates(self, origins: Array, frames: Array, shifts: Array) -> tuple[Array, Array]:
-        """By how much small shifts move and turn bodies, along and about the axes of the ground, (..., body, 3) each.
+        """Compute displacements and turns of bodies in the axes of the ground for small shifts, (..., body, 3) each.
 
         Args:
-            origins: of bodies, as of `poses`.
-            frames: alike.
-            shifts: as velocities have their numbers, (..., velocity).
+            origins: of bodies, from `poses`.
+            frames: of bodies, from `poses`.
+            shifts: in the coordinates of velocities, (..., velocity).
         """
         lead, count = shifts.shape[:-1], len(self.parents)
         held = np.concatenate([shifts, np.zeros((*lead, 1))], axis=-1)
         places = np.append(self.velocities, -1)
         moves = held[..., places[self.slides]]
         turns = np.zeros((*lead, count, 3))
-        own = shifts[..., self.velocities[self.quaternions][:, None] + np.arange(3)]
-        turns[..., self.free, :] = (frames[..., self.free, :, :] @ own[..., None])[..., 0]
+        body_turns = shifts[..., self.velocities[self.quaternions][:, None] + np.arange(3)]
+        turns[..., self.free, :] = (frames[..., self.free, :, :] @ body_turns[..., None])[..., 0]
         about = (frames[..., self.hinged, :, :] @ self.axes[..., None])[..., 0]
         turns[..., self.hinged, :] = about * shifts[..., self.velocities[self.hinges]][..., None]
         for level in self.levels[1:]:
@@ -97,7 +97,7 @@ class Placement:
 
 
 def stacked(placements: Sequence[Placement]) -> Placement:
-    """Those of structures of one topology as one, whose constants have a leading dimension, (structure, ...)."""
+    """Combine placements of structures of one topology; constants get a leading dimension, (structure, ...)."""
     return placements[0]._with(
         np.array([each.positions for each in placements]),
         np.array([each.frames for each in placements]),
@@ -107,7 +107,7 @@ def stacked(placements: Sequence[Placement]) -> Placement:
 
 
 def placement_of(structure: Structure) -> Placement:
-    """Lay out the bodies of a structure, in its units, as the engine does: depth first, as they are listed."""
+    """Lay out the bodies of a structure, in its units, in the engine's order: depth first, as listed."""
     bodies, count = structure.bodies, len(structure.bodies)
     joints = {hinge.body: hinge for hinge in structure.hinges if not hinge.flaps}
     slides = np.full((count, 3), -1, dtype=np.int64)
@@ -150,7 +150,7 @@ def placement_of(structure: Structure) -> Placement:
 
 
 def _rotations(quaternions: Array) -> Array:
-    """Rotations of unit quaternions, real part first, (..., 4), as matrices, (..., 3, 3)."""
+    """Return rotation matrices, (..., 3, 3), of unit quaternions, real part first, (..., 4)."""
     w, x, y, z = np.moveaxis(quaternions, -1, 0)
     rows = [
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -161,7 +161,7 @@ def _rotations(quaternions: Array) -> Array:
 
 
 def _about(axes: Array, angles: Array) -> Array:
-    """Rotations about unit axes, (..., 3, 3) (Rodrigues)."""
+    """Return rotations about unit axes, (..., 3, 3) (Rodrigues)."""
     x, y, z = np.moveaxis(axes, -1, 0)
     none = np.zeros_like(x)
     across = np.moveaxis(np.array([[none, -z, y], [z, none, -x], [-y, x, none]]), (0, 1), (-2, -1))

@@ -1,9 +1,9 @@
-"""Creases between plates that turn, in the engine: couples between directions of one plate and of the other.
+"""Creases between plates that turn, in the engine: couples between directions of both plates.
 
-A row of a bending flex is a quadratic form of four nodes. With a direction d of the left plate as the difference of two
-nodes of it and one of the right plate, d', alike, a row is the energy -k d . d': a couple and no force, wherever the
-plates are. The rows of `PRODUCTS` have any moment with the slope that the angle has by these products, so that its
-force is exactly that, even where the crease is askew, and any slope of the moment.
+A row of a bending flex is a quadratic form of four nodes. If two nodes define a direction d of the left plate, and two
+others a direction d' of the right plate, a row is the energy -k d . d', which is a couple without a force for any pose
+of the plates. The rows of `PRODUCTS`, weighted with the derivatives of the angle by these products, represent any
+moment exactly, even if the crease is askew, and any slope of the moment.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ class PlateRows:
     """Creases between plates of structures of one topology, side by side.
 
     Attributes:
-        folds: of all of them: constants have a leading dimension, (structure, ...).
-        rows: in the engine's flex_bending, those of a crease one after another, (row,).
-        forms: a row of energy -d . d', (structure, row, 17).
+        folds: of all structures: constants have a leading dimension, (structure, ...).
+        rows: in the engine's flex_bending, crease after crease, (row,).
+        forms: rows of the energy -d . d', (structure, row, 17).
         moments: of the creases.
     """
 
@@ -39,7 +39,7 @@ class PlateRows:
     moments: CreaseMoments
 
     def some(self, which: Indices) -> PlateRows:
-        """Of some of the structures, in a rising order."""
+        """Select structures by index, in ascending order."""
         folds = self.folds
         assert folds.placement is not None
         return PlateRows(
@@ -50,13 +50,13 @@ class PlateRows:
         )
 
     def follow(self, positions: Array, velocities: Array, near: Array, efforts: Array) -> tuple[Array, Array]:
-        """Angles of creases, and the rows that have their moments and slopes there; see `CreaseRows.follow`."""
-        own, senses = self.moments, self.moments.senses
+        """Compute the angles of creases, and rows with their moments and slopes; see `CreaseRows.follow`."""
+        moments, senses = self.moments, self.moments.senses
         apart, turned = self.folds.turns(positions, velocities)
         angles = without_jump(senses * apart.angles, near)
-        moment, slope = own.at(angles, turned, efforts)
+        moment, slope = moments.at(angles, turned, efforts)
         factors = -senses * moment * apart.slopes
-        # of an energy that has the slope of the moment about the left plate's crease and no force where it is now
+        # add an energy without force at the present angle that has the slope of the moment
         upright, side = apart.values[:2]
         factors[:3] += slope / np.hypot(upright, side) * apart.values[:3]
         values = np.moveaxis(factors, 0, -1).reshape(len(positions), -1)
@@ -64,10 +64,10 @@ class PlateRows:
 
 
 def plate_rows(models: Sequence[Model]) -> PlateRows:
-    """Lay the creases between plates of structures of one topology side by side."""
-    each = [model.folds for model in models]
-    placements = [folds.placement for folds in each if folds.placement is not None]
-    folds = replace(each[0], placement=stacked(placements), places=np.array([folds.places for folds in each]))
+    """Collect the creases between plates of structures of one topology side by side."""
+    every = [model.folds for model in models]
+    placements = [folds.placement for folds in every if folds.placement is not None]
+    folds = replace(every[0], placement=stacked(placements), places=np.array([folds.places for folds in every]))
     creases = models[0].creases
     assert creases is not None
     return PlateRows(
@@ -79,11 +79,11 @@ def plate_rows(models: Sequence[Model]) -> PlateRows:
 
 
 def _forms(model: Model, order: Indices) -> Array:
-    """A row of energy -d . d' for each, of directions as long as its crease, (row, 17)."""
+    """Return rows of the energy -d . d' of directions as long as their creases, (row, 17)."""
     folds = model.folds
     ends = folds.places[folds.flaps[:, :2]]
     square = np.repeat(np.sum((ends[:, 1] - ends[:, 0]) ** 2, axis=1), len(PRODUCTS))
-    # of the nodes in the engine's order: start and end of the direction on the left, and of that on the right
+    # signs of the nodes in the engine's order: start and end of the direction on the left, and on the right
     left = (order == 1).astype(float) - (order == 0)
     right = (order == 3).astype(float) - (order == 2)
     both = left[:, :, None] * right[:, None, :]

@@ -1,4 +1,4 @@
-"""A compiled model for another build of the engine: its source, and every number that was worked out of it."""
+"""A compiled model for another version of the engine: its source, and every number that was computed from it."""
 
 from __future__ import annotations
 
@@ -12,27 +12,28 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics.engine.model import Model
 from forficula.dynamics.stepping.stepper import start_position
 
-# of options: those that are numbers with the same meaning in every version
+# numerical options with the same meaning in every version
 _OPTIONS = ("timestep", "impratio", "tolerance", "ls_tolerance", "ccd_tolerance", "gravity")
-# what only names or draws, and what a search for contacts goes by
+# fields for names and drawing, and for the search for contacts
 _LEFT_OUT = ("name", "names_map", "text_", "bvh_", "geom_rgba", "site_rgba", "tendon_rgba", "flex_rgba", "mesh_")
 _DRAWN = ("_matid", "_texid", "_group", "_user", "_dataid", "_rgba")
-# kinds of objects, whose numbers go on with the versions
+# kinds of objects, whose numbers differ between versions
 _KINDS = ("_objtype", "_reftype")
 
 
 @dataclass(frozen=True, kw_only=True)
 class PortableModel:
-    """What an engine of another version needs to move a structure as this one does.
+    """Data with which an engine of another version moves a structure in the same way.
 
-    Before 4.0 MuJoCo works out another stiffness of membranes of the same source, and text has six digits of a number:
-    with all that was worked out here put in its place, both start from the same bits.
+    MuJoCo before 4.0 computes another stiffness of membranes from the same source, and the text of a source has only
+    six digits. If all computed numbers are replaced, both engines start from the same bits.
 
     Attributes:
         source: XML, for its layout.
         numbers: of the compiled model, by MuJoCo's names, flat.
-        layout: whole numbers of it, alike; an engine that lays it out otherwise must not take the numbers.
-        options: numbers of its options, by MuJoCo's names, flat.
+        layout: integers of the compiled model, by MuJoCo's names, flat; an engine with another layout must not use the
+            numbers.
+        options: numerical options, by MuJoCo's names, flat.
         start: positions at the start, (position,).
     """
 
@@ -44,7 +45,7 @@ class PortableModel:
 
 
 def portable_model(model: Model) -> PortableModel:
-    """Take a compiled model apart for another build of the engine."""
+    """Return the data of a compiled model for another version of the engine."""
     engine = model.engine
     return PortableModel(
         source=model.xml,
@@ -60,7 +61,7 @@ def portable_model(model: Model) -> PortableModel:
 
 
 def model_numbers(model: Model) -> dict[str, Array]:
-    """The numbers of a compiled model that are not whole, by MuJoCo's names, flat."""
+    """Return the floating-point numbers of a compiled model, by MuJoCo's names, flat."""
     return {
         name: np.array(field, dtype=np.float64).ravel()
         for name, field in _fields(model).items()
@@ -69,24 +70,24 @@ def model_numbers(model: Model) -> dict[str, Array]:
 
 
 def why_not_portable(model: Model) -> str:
-    """Why an older engine, alone, does not move a structure as this one does, as a clause; empty where it does."""
+    """Return why an older engine alone moves a structure differently, as a clause; empty if it does not."""
     if model.creases is not None:
-        return "its creases are no joints, which engines before MuJoCo 4.0 do not take"
+        return "its creases are not joints, which engines before MuJoCo 4.0 do not support"
     if model.drag is not None:
-        return "it moves in air or water, whose drag is set anew between steps"
+        return "it moves in air or water, whose drag is computed outside the engine"
     if (model.creep >= 0).any():
-        return "its tendons yield, which only MuJoCo 4.0 knows"
+        return "its tendons yield, which only MuJoCo 4.0 supports"
     if model.structure.contact is not None:
-        return "its parts touch, which older engines find otherwise"
+        return "its parts touch, and older engines compute contacts differently"
     if (model.holds >= 0).any():
         return "a drive displaces points"
     if any(stage.wait for stage in model.design.protocol.stages):
-        return "a stage waits for longer than it is stepped"
+        return "a stage waits without being stepped"
     return ""
 
 
 def _fields(model: Model) -> dict[str, NDArray[np.generic]]:
-    """The fields of a compiled model that are arrays of numbers and say how it moves."""
+    """Return the numerical fields of a compiled model that affect its motion."""
     found = {}
     for name in dir(model.engine):
         if name.startswith(("_", *_LEFT_OUT)) or name.endswith(_DRAWN + _KINDS):

@@ -1,4 +1,4 @@
-"""The units that a model is built in, so that a structure of any size compiles."""
+"""Units of a compiled model, chosen so that structures of any size compile."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from forficula.structure import Structure
 
 @dataclass(frozen=True, kw_only=True)
 class ModelUnits:
-    """Powers of ten that bring a structure to the size of 1; speeds stay m/s.
+    """Powers of ten that scale a structure to a size of about 1; the unit of speed is 1 m/s.
 
-    MuJoCo refuses masses and inertias below 1e-15 in its own units, which an insect's veins have in SI.
+    MuJoCo rejects masses and inertias below 1e-15 in its own units, which the veins of an insect have in SI.
+
 
     Attributes:
         length: m.
@@ -27,23 +28,23 @@ class ModelUnits:
 
     @property
     def energy(self) -> float:
-        """Unit of energy and of torque, J."""
+        """Return the unit of energy and of torque, J."""
         return self.mass * (self.length / self.time) ** 2
 
     @property
     def power(self) -> float:
-        """Unit of power, W."""
+        """Return the unit of power, W."""
         return self.energy / self.time
 
 
 def model_units(structure: Structure) -> ModelUnits:
-    """Choose the units of a structure: the decades of its size and mass, and a unit of speed of 1 m/s."""
+    """Return the units for a structure: the decades of its size and mass, and a unit of speed of 1 m/s."""
     length = _decade(structure.span)
     return ModelUnits(length=length, mass=_decade(structure.mass), time=length)
 
 
 def design_in_model_units(design: Design, units: ModelUnits) -> Design:
-    """The design with its numbers in the model's units."""
+    """Return the design with its numbers in the model's units."""
     return in_units(design, length=units.length, mass=units.mass, time=units.time)
 
 

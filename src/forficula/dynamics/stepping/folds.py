@@ -1,4 +1,4 @@
-"""Angles of hinges, joints and creases, from the positions that the engine has."""
+"""Angles of hinges, which are joints or creases, from the engine's positions."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from forficula.structure import Structure, built_points, crease_flaps, crease_nu
 
 @dataclass(frozen=True, kw_only=True)
 class Folds:
-    """How the angles of hinges follow from the engine's positions.
+    """Mapping from the engine's positions to the angles of hinges.
 
     Attributes:
         senses: +1 or -1 by hinge, (hinge,).
-        joints: place of each hinge in the engine's positions, (hinge,); -1 of a crease.
-        speeds: the same in its velocities, (hinge,).
+        joints: index of each hinge in the engine's positions, (hinge,); -1 for a crease.
+        speeds: index of each hinge in the engine's velocities, (hinge,); -1 for a crease.
         creases: numbers of the hinges that are creases, (crease,).
         flaps: nodes at the corners of their flaps, (crease, 6).
         built: these nodes in the built shape, in the model's units, (node, 3).
-        slides: place of each node's coordinates in the engine's positions, (node, 3); -1 where it is held.
-        placement: of the bodies that carry the nodes; None where none of them turns.
+        slides: index of each node's coordinates in the engine's positions, (node, 3); -1 for held ones.
+        placement: of the bodies that carry the nodes; None if none of them turns.
         carriers: number of the body of each node, (node,).
-        places: of the nodes in the axes of their bodies, in the model's units, (node, 3).
+        places: positions of the nodes in the axes of their bodies, in the model's units, (node, 3).
     """
 
     senses: Indices
@@ -43,7 +43,7 @@ class Folds:
     places: Array
 
     def some(self, hinges: Indices) -> Folds:
-        """Of some of the hinges only, by number."""
+        """Select hinges by number."""
         joints = self.joints[hinges]
         which = np.flatnonzero(joints < 0)
         return replace(
@@ -56,29 +56,29 @@ class Folds:
         )
 
     def angles(self, positions: Array) -> Array:
-        """Angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., position)."""
+        """Compute angles of all hinges in their own senses, rad, (..., hinge), from positions, (..., position)."""
         if not len(self.creases):
             return np.asarray(self.senses * positions[..., self.joints])
         angles = np.zeros((*positions.shape[:-1], len(self.senses)))
         turned = self.joints >= 0
         angles[..., turned] = (self.senses * positions[..., self.joints])[..., turned]
-        with np.errstate(over="ignore", invalid="ignore"):  # of what blows up
+        with np.errstate(over="ignore", invalid="ignore"):  # diverging structures
             angles[..., self.creases] = self.senses[self.creases] * flap_angles(self.corners(positions))
         return angles
 
     def travel(self, positions: Array, shifts: Array) -> Array:
-        """By how much small shifts of the positions turn all hinges in their own senses, rad, (..., hinge).
+        """Compute the turns of all hinges in their own senses for small shifts of the positions, rad, (..., hinge).
 
         Args:
-            positions: from which they are, (..., position).
-            shifts: as velocities have their numbers, (..., dof).
+            positions: start of the shifts, (..., position).
+            shifts: in the coordinates of velocities, (..., dof).
         """
         if not len(self.creases):
             return np.asarray(self.senses * shifts[..., self.speeds])
         turned = np.zeros((*shifts.shape[:-1], len(self.senses)))
         joints = self.joints >= 0
         turned[..., joints] = (self.senses * shifts[..., self.speeds])[..., joints]
-        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # of what blows up
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # diverging structures
             if self.placement is None:
                 turns = flap_turns(self.corners(positions), self._shifted(shifts)[..., self.flaps, :])
             else:
@@ -87,13 +87,13 @@ class Folds:
         return turned
 
     def corners(self, positions: Array) -> Array:
-        """Where the corners of all flaps are, in the model's units, (..., crease, 6, 3)."""
+        """Return the positions of the corners of all flaps, in the model's units, (..., crease, 6, 3)."""
         if self.placement is None:
             return np.asarray((self.built + self._shifted(positions))[..., self.flaps, :])
         return self._carried(*self.placement.poses(positions))
 
     def turns(self, positions: Array, shifts: Array) -> tuple[PlateAngles, Array]:
-        """Angles between plates taken apart, and by how much small shifts change them, rad, (..., crease)."""
+        """Return angles between plates with their derivatives, and changes by small shifts, rad, (..., crease)."""
         assert self.placement is not None
         origins, frames = self.placement.poses(positions)
         angles = plate_angles(self._carried(origins, frames))
@@ -102,12 +102,12 @@ class Folds:
         return angles, dot(angles.turning, np.moveaxis(right - left, -1, 0))
 
     def _carried(self, origins: Array, frames: Array) -> Array:
-        """Where the corners of all flaps are with bodies in some poses, (..., crease, 6, 3)."""
+        """Return the positions of the corners of all flaps for some poses of the bodies, (..., crease, 6, 3)."""
         arms = (frames[..., self.carriers, :, :] @ self.places[..., None])[..., 0]
         return np.asarray((origins[..., self.carriers, :] + arms)[..., self.flaps, :])
 
     def _shifted(self, positions: Array) -> Array:
-        """Shifts of the nodes, (..., node, 3)."""
+        """Return the shifts of the nodes, (..., node, 3)."""
         held = np.concatenate([positions, np.zeros((*positions.shape[:-1], 1))], axis=-1)
         return np.asarray(held[..., self.slides])
 
@@ -138,24 +138,25 @@ def folds_of(engine: mujoco.MjModel, structure: Structure) -> Folds:
 
 
 def slide_name(body: str, axis: int) -> str:
-    """What the engine calls the slide of a body along an axis, 0 to 2."""
+    """Return the engine's name of the slide of a body along an axis, 0 to 2."""
     return f"{body}_{'xyz'[axis]}"
 
 
 def _address(engine: mujoco.MjModel, joint: str, of: str = "qposadr") -> int:
-    """The place of a joint in the engine's positions, or in its velocities."""
+    """Return the index of a joint in the engine's positions, or in its velocities."""
     return int(getattr(engine, f"jnt_{of}")[mujoco.mj_name2id(engine, mujoco.mjtObj.mjOBJ_JOINT, joint)])
 
 
 def flap_turns(corners: Array, shifts: Array) -> Array:
-    """By how much small shifts of the corners of flaps change the angles between them, rad, (...).
+    """Compute the changes of the angles between flaps for small shifts of their corners, rad, (...).
 
-    The corner of a flap, in front of its side, turns it by its shift along the flap's normal over its height; the ends
-    of the side count by the shares in which the corner's foot divides it (Bridson, Marino and Fedkiw 2003, section 4).
+    The outer corner of a flap turns it by its shift along the flap's normal divided by its height. The ends of the side
+    contribute with the shares in which the foot of the corner divides the side (Bridson, Marino and Fedkiw 2003,
+    section 4).
 
     Args:
-        corners: as of `flap_angles`, (..., 6, 3).
-        shifts: alike.
+        corners: as for `flap_angles`, (..., 6, 3).
+        shifts: of the corners, (..., 6, 3).
     """
     # coordinates first: several times as fast as along the last axis
     places, moves = (np.moveaxis(each, (-2, -1), (0, 1)) for each in (corners, shifts))

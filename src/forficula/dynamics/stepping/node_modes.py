@@ -1,4 +1,4 @@
-"""The fastest mode of nodes that slide, in closed form and sparse, and of plates that turn, too."""
+"""Fastest mode of sliding nodes, from sparse closed forms, and of plates that turn."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ from forficula.structure import (
     mass_of,
 )
 
-# coordinates from which a shortened iteration is faster than all eigenvalues
+# number of coordinates above which an iteration is faster than all eigenvalues
 _FEW = 60
-# of the largest eigenvalue; a thousandth of the step
+# relative accuracy of the largest eigenvalue, about a thousandth of the step
 _CLOSE = 1e-3
-# share of the span
+# length that counts as zero, as a share of the span
 _NO_LENGTH = 1e-9
-# of the longest step that creases allow, by that which all allow
+# factor on the ratio of the longest step for creases to that for all parts
 _FOLLOWED = 0.2
-# of four plates that snap: what the account misses is as with 1, with 10 it is ten times as much
+# for four plates that snap, the missing energy is as with 1 step; with 10 steps it is ten times as large
 _BETWEEN_PLATES = 5
-# the same of a clasp that is thrown on its stops: what the account misses is as with 1
+# for a clasp that hits its stops, the missing energy is as with 1 step
 _AT_STOPS = 2
-# all divide the steps between two looks at goals
+# all values divide the number of steps between two checks of goals
 _BLOCKS = (1, 2, 5, 10, 20, 50, 100)
 
 
@@ -53,11 +53,12 @@ class _Elements(NamedTuple):
 
 
 def followed_steps(structure: Structure) -> int:
-    """Steps over which the engine's rows of creases stay as they are: the more, the stiffer bars are beside creases.
+    """Return the number of steps over which the engine's rows of creases are constant.
 
-    While a row stays, strains of its flaps change its moment by about their share, and what it does to them by as much:
-    when it is set anew, that energy is lost. So many steps of free bars lost 1e-2 of the energy in ten swings, as their
-    timestep does; with fewer or shorter ones it falls. Between plates rows mind no strain.
+    The number grows with the stiffness of bars relative to creases. While a row is constant, strains of its flaps
+    change its moment by about the same share, and this energy is lost when the row is updated. With this number of
+    steps, free bars lost 1e-2 of their energy in ten swings, as they do because of the timestep; the loss decreases
+    with fewer or shorter steps. Rows between plates do not depend on strains.
     """
     if structure.plates:
         stops = any(hinge.flaps and (hinge.upper < math.pi or hinge.lower > -math.pi) for hinge in structure.hinges)
@@ -68,11 +69,11 @@ def followed_steps(structure: Structure) -> int:
 
 
 def node_timestep(structure: Structure) -> float:
-    """The longest timestep at which no mode of nodes as built flips and grows, in the structure's units.
+    """Compute the longest timestep at which no mode of the built shape flips and grows, in the structure's units.
 
-    One step of semi-implicit Euler on a mode of angular frequency w, with a damper that takes c from its speed: the
-    condition of Jury is h^2 w^2 + 2 h c < 4, for c = 0 the textbook limit 2 / w. The fastest mode and the strongest
-    damping count, of any modes. Tendons count with the stiffest spring of their law.
+    For one step of semi-implicit Euler on a mode of angular frequency w and damping rate c, Jury's condition is
+    h^2 w^2 + 2 h c < 4; for c = 0 it is the textbook limit 2 / w. The highest frequency and the strongest damping of
+    all modes are combined. Tendons count with the largest stiffness of their law.
     """
     if structure.plates:
         return _step(*_plate_modes(structure))
@@ -107,37 +108,37 @@ def node_timestep(structure: Structure) -> float:
 
 
 def _viscous_rate(structure: Structure) -> float:
-    """The most by which the medium's viscosity slows a node, as many times as steps see the same of it.
+    """Return the largest damping rate of a node by the medium's viscosity, times the number of steps of constant drag.
 
-    A triangle takes no more than if each corner had a third of its area.
+    The drag of a triangle is at most that of a third of its area at each corner.
     """
     medium = structure.medium
     if medium is None:
         return 0.0
     corners = np.array([body.position for body in structure.bodies])[medium.carriers]
-    each = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
-    on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(each, 3), len(structure.bodies))
+    per_corner = 32 / math.pi * medium.viscosity * triangle_areas(corners) / medium.widths / 3
+    on_nodes = np.bincount(medium.carriers.ravel(), np.repeat(per_corner, 3), len(structure.bodies))
     return HELD * float(max(on_nodes / [body.mass for body in structure.bodies]))
 
 
 def _step(square: float, rate: float) -> float:
-    """The longest timestep by the square of the largest angular frequency and the largest rate of damping."""
+    """Return the longest timestep for the square of the largest angular frequency and the largest damping rate."""
     if not square:
         return 2 / rate if rate else math.inf
     return 4 / (rate + math.hypot(rate, 2 * math.sqrt(square)))
 
 
 def _plate_modes(structure: Structure) -> tuple[float, float]:
-    """The square of the largest angular frequency and the largest rate of damping of plates as built."""
+    """Compute the square of the largest angular frequency, and the largest damping rate, of plates as built."""
     placement = placement_of(structure)
     origins, frames = placement.poses(_built_position(structure, placement))
     moves, turns = placement.rates(origins, frames, np.eye(placement.velocity_count))
     inertia = np.zeros((placement.velocity_count, placement.velocity_count))
     for number in range(len(structure.bodies)):
-        mass, centre, own = mass_of(structure, number)
-        own = frames[number] @ own @ frames[number].T
+        mass, centre, tensor = mass_of(structure, number)
+        tensor = frames[number] @ tensor @ frames[number].T
         moved = moves[:, number] + np.cross(turns[:, number], frames[number] @ centre)
-        inertia += mass * moved @ moved.T + turns[:, number] @ own @ turns[:, number].T
+        inertia += mass * moved @ moved.T + turns[:, number] @ tensor @ turns[:, number].T
     matrices = [np.zeros_like(inertia), np.zeros_like(inertia)]
     for hinge, place in zip(_joints(structure), placement.velocities[placement.hinges].tolist(), strict=True):
         inertia[place, place] += hinge.armature
@@ -155,12 +156,12 @@ def _plate_modes(structure: Structure) -> tuple[float, float]:
 
 
 def _joints(structure: Structure) -> list[Hinge]:
-    """The hinges that turn bodies, in their order."""
+    """Return the hinges that turn bodies, in their order."""
     return [hinge for hinge in structure.hinges if not hinge.flaps]
 
 
 def _built_position(structure: Structure, placement: Placement) -> Array:
-    """The engine's positions in the built shape."""
+    """Return the engine's positions in the built shape."""
     position = np.zeros(placement.position_count)
     for number in placement.free.tolist():
         position[placement.slides[number]] = structure.bodies[number].position
@@ -174,7 +175,7 @@ def _none(masses: Array) -> csr_array:
 
 
 def _largest(matrix: csr_array) -> float:
-    """The largest eigenvalue of a symmetric matrix without negative ones."""
+    """Compute the largest eigenvalue of a positive semidefinite matrix."""
     if matrix.shape[0] <= _FEW or not matrix.nnz:
         return float(np.linalg.eigvalsh(matrix.toarray()).max()) if matrix.nnz else 0.0
     start = np.random.default_rng(0).normal(size=matrix.shape[0])
@@ -183,22 +184,22 @@ def _largest(matrix: csr_array) -> float:
 
 
 def _lines(structure: Structure) -> _Elements:
-    """Springs and tendons."""
+    """Return the elements of springs and tendons."""
     places = built_points(structure)
     ends = [*(spring.points for spring in structure.springs), *(tendon.points for tendon in structure.tendons)]
     points = np.array(ends, dtype=np.int64).reshape(-1, 2)
     along = places[points[:, 1]] - places[points[:, 0]]
     length = np.linalg.norm(along, axis=1, keepdims=True)
-    # one without a length pulls any way
+    # an element without a length has stiffness in every direction
     short = length[:, 0] <= _NO_LENGTH * structure.span
     along = np.where(short[:, None], np.array([1.0, 0.0, 0.0]), along / np.where(short[:, None], 1.0, length))
     stiffness, damping = ([getattr(spring, name) for spring in structure.springs] for name in ("stiffness", "damping"))
     built = length[len(structure.springs) :, 0]
-    for tendon, own in zip(structure.tendons, built.tolist(), strict=True):
+    for tendon, built_length in zip(structure.tendons, built.tolist(), strict=True):
         law = tendon.law
-        # what nothing keeps from being stretched further is taken to come to twice its length
-        longest = tendon.longest if np.isfinite(tendon.longest) else 2 * own
-        # a cubic's slope is largest at an end of its range
+        # tendons without a largest length are assumed to reach at most twice their built length
+        longest = tendon.longest if np.isfinite(tendon.longest) else 2 * built_length
+        # the slope of a cubic law is largest at an end of its range
         both = law.elastic.stiffness([law.rest_length, max(longest, law.rest_length)])
         stiffness.append(float(np.max(both)) + sum(branch.stiffness for branch in law.branches))
         damping.append((law.damping or (0.0,))[0])
@@ -210,7 +211,7 @@ def _lines(structure: Structure) -> _Elements:
 
 
 def _servos(structure: Structure) -> _Elements:
-    """What displaces points."""
+    """Return the elements of servos that displace points."""
     served = [motor for motor in structure.motors if motor.kind == "displacement"]
     ways = [motor.direction for motor in served for _ in motor.points]
     return _Elements(
@@ -222,7 +223,7 @@ def _servos(structure: Structure) -> _Elements:
 
 
 def _creases(structure: Structure) -> _Elements:
-    """Creases, with the stiffness of their springs where they are, and of their stops beside that."""
+    """Return the elements of creases, with the stiffness of their springs at the start and of their stops."""
     hinges = [hinge for hinge in structure.hinges if hinge.flaps]
     flaps = crease_flaps(structure)
     corners = built_points(structure)[flaps]
@@ -239,7 +240,7 @@ def _creases(structure: Structure) -> _Elements:
 
 
 def _braking(structure: Structure) -> Array:
-    """By how much motors damp each hinge at most, (hinge,)."""
+    """Return the largest damping of each hinge by motors, (hinge,)."""
     most = np.zeros(len(structure.hinges))
     for number, motor in enumerate(structure.motors):
         size = max((abs(drive.strengths[number]) for drive in structure.drives), default=0.0)
@@ -249,9 +250,9 @@ def _braking(structure: Structure) -> Array:
 
 
 def _strains(structure: Structure, membrane: Membrane) -> _Elements:
-    """Strains of a membrane's triangles, which have a stiffness of 1 with the square root of theirs in them.
+    """Return the elements of a membrane's strains; their gradients include the square root of the stiffness.
 
-    Plane stress, triangles of constant strain (Zienkiewicz and Taylor, The Finite Element Method): the energy is
+    For plane stress and triangles of constant strain (Zienkiewicz and Taylor, The Finite Element Method), the energy is
     |L' B x|^2 area t / 2 with D = L L'.
     """
     law, nu = membrane.law, membrane.law.poisson_ratio

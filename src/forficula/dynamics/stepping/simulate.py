@@ -1,4 +1,4 @@
-"""The only place where time advances: any number of structures through their protocols, in the engine, on all cores."""
+"""Simulation of any number of structures through their protocols on all cores: the only place where time advances."""
 
 from __future__ import annotations
 
@@ -22,28 +22,28 @@ from forficula.errors import InputError
 
 Progress = Callable[[str, float, float], None]
 
-# Steps between two looks at the goals. Every step is looked at and the overshoot is taken back, so that no number
-# depends on it. There are fewer where looking takes a small share of the time, of many structures and of those whose
-# steps take Python; for sparse records, which keep what comes with the end of a stage; and for steps of Runge and
-# Kutta, whose dampers are looked at anew where these begin, so that last digits of their work do depend on it.
+# Steps between two checks of the goals. Every step is checked and the overshoot is undone, so that no number depends on
+# this length. It is shorter if checks take a small share of the time, as for many structures and for structures whose
+# steps need Python; for sparse records, which keep the rows at the ends of stages; and for steps of Runge and Kutta,
+# for which dampers are evaluated at the start of a chunk, so that the last digits of their work do depend on it.
 _CHUNK = 400
 _MANY = 8
-# Structures a thread below which all are stepped at once.
+# number of structures per thread below which all are stepped at once
 _FEW = 2
 
 
 def simulate(models: Sequence[Model], threads: int = 0, sparse: bool = False) -> list[Record]:
-    """Take structures of one topology through their protocols, side by side.
+    """Simulate structures of one topology through their protocols, side by side.
 
     Args:
         models: compiled, with the same numbers of hinges, tendons and membrane nodes.
-        threads: 0 for one a core; the numbers do not depend on it.
-        sparse: keep only what states, transitions and the energy balance need: no rows but those at the ends of
-            stages, no places, and energies but the tendons' at the start and at the end only. What is kept has the same
+        threads: number of threads; 0 for one per core. The results do not depend on it.
+        sparse: keep only what states, transitions and the energy balance need: rows at the ends of stages only, no
+            positions, and energies except the tendons' at the start and at the end only. The kept values have the same
             bits, and many structures take half the time.
 
     Returns:
-        A record for every one, in their order.
+        A record for every structure, in their order.
     """
     records = dict(simulate_each(models, threads, sparse))
     return [records[row] for row in range(len(models))]
@@ -56,21 +56,21 @@ def simulate_each(
     progress: Progress | None = None,
     enough: Callable[[Record], bool] | None = None,
 ) -> Iterator[tuple[int, Record]]:
-    """Do as `simulate` does, and hand on every structure's number and record as soon as it is done.
+    """Simulate structures as `simulate` does, and yield every structure's number and record as soon as it is done.
 
-    Structures with the same engine model and the same first stages go through those together: that is one of them,
-    until their torques part.
+    Structures with the same engine model and the same first stages share these stages: only one of them is simulated
+    until their torques differ.
 
     Args:
         models: as in `simulate`.
         threads: as in `simulate`.
         sparse: as in `simulate`.
-        progress: called now and then with a stage's name, the time so far and the longest it can take, s.
-        enough: structures that only the strength of their last transition's drive tells apart then run one after
-            another, in their order, until this is true of a record; the rest of them never run. All run if not given.
+        progress: called repeatedly with a stage's name, the time so far and the longest possible time, s.
+        enough: if given, structures that differ only in the strength of their last transition's drive run one after
+            another, in their order, until this returns True for a record; the remaining ones never run.
 
     Raises:
-        InputError: memory does not hold them.
+        InputError: there is not enough memory.
     """
     if not models:
         return
@@ -84,7 +84,7 @@ def simulate_each(
         finally:
             stepper.close()
     except (MemoryError, mujoco.FatalError) as error:
-        # the engine says so of its memory, and of nothing else that a structure can bring about
+        # the engine raises this error for lack of memory, and for nothing else that a structure can cause
         named = models[0].design.name if len(models) == 1 else f"{len(models)} structures side by side"
         raise InputError(f"{named}: no memory left to simulate: {' '.join(str(error).split())}") from None
 
@@ -97,7 +97,7 @@ def _records(
     progress: Progress | None,
     enough: Callable[[Record], bool] | None,
 ) -> Iterator[tuple[int, Record]]:
-    """Do as `simulate_each` does."""
+    """Yield the numbers and records of `simulate_each`."""
     tracker, account, waits = StageTracker(models), Account(models), Waits(models)
     recorders = [Recorder(model, sparse) for model in models]
     starts = [stepper.state(row) for row in range(len(models))]
@@ -141,9 +141,9 @@ def _records(
 
 
 def _next_rows(moving: Flags, under_way: Sequence[Indices], few: int) -> Indices:
-    """Which of the moving structures to step next: half of them, so that Python can look at the others meanwhile.
+    """Return the moving structures to step next: half of them, so that Python can process the others meanwhile.
 
-    Fewer than `few` go all together, or some threads would have none.
+    Fewer than `few` structures are all stepped together, so that every thread has some.
     """
     free = moving.copy()
     for rows in under_way:
@@ -163,7 +163,7 @@ def _advance(
     torques: Array,
     steps: Steps,
 ) -> None:
-    """Take note of a chunk of steps of some structures, of none beyond the end of its stage."""
+    """Process a chunk of steps of some structures, for each up to the end of its stage."""
     first = tracker.steps[rows]
     begins = first == tracker.stage_start[rows]
     taken = tracker.follow(rows, steps)

@@ -1,4 +1,4 @@
-"""What the protocols of many structures ask for, stage by stage and in steps."""
+"""Protocols of many structures as arrays, stage by stage and in steps."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from forficula.structure import StageGoal, drive_of, goal_of, sums_of
 Numbers = NDArray[np.int64]
 Booleans = NDArray[np.bool_]
 
-# torques on all motors, and the time over which they rise, s
+# torques of all motors, and the time over which they rise, s
 Effort = tuple[tuple[float, ...], float]
 
-# relaxation times after which a Maxwell branch has lost 95 % of its force
+# number of relaxation times after which a Maxwell branch has lost 95 % of its force
 _RELAXED = 3
-# steps, more than any run takes
+# number of steps that no run reaches
 NEVER = 10**15
-_FAR = np.radians(45.0)  # beyond a stop: a stop that yields so far is none
+_FAR = np.radians(45.0)  # beyond a stop: a hinge so far beyond its stop has diverged
 
 
 @dataclass(frozen=True, kw_only=True)
 class Watched:
-    """The coordinates that some goal bounds, see `forficula.structure.goal_coordinates`.
+    """Coordinates that some goal bounds, see `forficula.structure.goal_coordinates`.
 
     Attributes:
-        hinges: numbers of those whose angles it takes, (hinge,).
-        angles: places among these of the angles that are bounded themselves.
-        distances: numbers of the distances, among those that are measured.
-        sums: by what each of these hinges counts in each sum, (sum, hinge).
+        hinges: numbers of the hinges whose angles are needed, (hinge,).
+        angles: indices in `hinges` of the angles that are bounded themselves.
+        distances: numbers of the bounded distances among the measured ones.
+        sums: weight of each of these hinges in each bounded sum, (sum, hinge).
     """
 
     hinges: Numbers
@@ -46,7 +46,7 @@ class Watched:
 
     @classmethod
     def of(cls, model: Model, kept: Numbers) -> Watched:
-        """Those of a structure with these numbers, rising."""
+        """Return the coordinates of a structure with these numbers, ascending."""
         structure = model.structure
         turns, apart = len(structure.hinges), len(model.distances)
         rows = [
@@ -67,28 +67,28 @@ class Watched:
 
 @dataclass(frozen=True, kw_only=True)
 class StagePlan:
-    """The protocols of structures of one topology; all rows are as long as the longest protocol and one stage more.
+    """Protocols of structures of one topology; all rows have the stages of the longest protocol and one more.
 
     Attributes:
         timestep: s, (structure,).
         last: number of the last stage, (structure,).
-        lowest: positions far beyond the stops of hinges, which no sound run comes to, (structure, position).
-        highest: likewise.
-        rest_speed: below which it rests, by unit of time, (structure, dof).
-        window: for how many steps it may rest short of its goal before it is stuck, (structure,).
-        least_hold: share of the time to a goal for which it must hold, (structure,).
-        watched: what some goal bounds; only that is looked at.
-        least: of what is watched, (structure, stage, coordinate).
-        most: likewise.
+        lowest: positions far beyond the lower stops of hinges, below which a run has diverged, (structure, position).
+        highest: positions far beyond the upper stops, (structure, position).
+        rest_speed: speed below which a coordinate is at rest, per unit of time, (structure, dof).
+        window: number of steps at rest short of the goal after which a structure is stuck, (structure,).
+        least_hold: time for which a goal must hold, as a share of the time to the goal, (structure,).
+        watched: coordinates that some goal bounds; only these are evaluated.
+        least: lower bounds of these coordinates, (structure, stage, coordinate).
+        most: upper bounds of these coordinates, (structure, stage, coordinate).
         ends_at_rest: whether the goal of a stage is rest, (structure, stage).
-        has_bounds: whether it is bounds, (structure, stage).
-        may_stick: whether a drive leads to it, (structure, stage).
-        hold: for how many steps the goal must hold, (structure, stage).
-        limit: after how many steps the stage is over, (structure, stage).
-        wait: for how long it waits once it rests, s, (structure, stage).
-        torques: of every drive on all motors, in own senses and the models' units, (structure, stage, drive, motor); of
-            as many drives as the stage with the most, the others push with nothing.
-        rise: over which they rise, steps, (structure, stage, drive).
+        has_bounds: whether the goal of a stage consists of bounds, (structure, stage).
+        may_stick: whether a drive leads to the goal, (structure, stage).
+        hold: number of steps for which the goal must hold, (structure, stage).
+        limit: number of steps after which the stage ends, (structure, stage).
+        wait: duration of the wait at rest, s, (structure, stage).
+        torques: of every drive on all motors, in own senses and the models' units, (structure, stage, drive, motor);
+            stages with fewer drives are padded with zero torques.
+        rise: duration of the rise, steps, (structure, stage, drive).
     """
 
     timestep: Array
@@ -112,12 +112,12 @@ class StagePlan:
 
     @property
     def risen(self) -> Numbers:
-        """After how many steps all torques of a stage have risen, (structure, stage)."""
+        """Return the number of steps after which all torques of a stage have risen, (structure, stage)."""
         return np.asarray(np.ceil(np.minimum(self.rise.max(axis=2), NEVER)).astype(np.int64))
 
 
 def stage_plan(models: Sequence[Model]) -> StagePlan:
-    """What the protocols of models of one topology ask for."""
+    """Return the stage plan of models of one topology."""
     protocols = [model.design.protocol for model in models]
     timestep = np.array([float(protocol.timestep) for protocol in protocols])
     last = np.array([len(protocol.stages) for protocol in protocols]) - 1
@@ -129,7 +129,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
 
     lowest, highest = (np.array(each) for each in zip(*map(far_beyond, models), strict=True))
     hold, wait = _in_steps(of_stages(lambda stage: stage.hold), timestep), of_stages(lambda stage: stage.wait or 0.0)
-    # a structure that waits rests for as long before every leap as its states are averaged over
+    # before every skipped interval, a waiting structure must rest for the averaging window of its states
     windows = _in_steps([[protocol.window] for protocol in protocols], timestep)
     goals = _goals(models, stages)
     return StagePlan(
@@ -150,7 +150,7 @@ def stage_plan(models: Sequence[Model]) -> StagePlan:
 
 
 def _goals(models: Sequence[Model], stages: Sequence[Sequence[StageSection]]) -> dict[str, Any]:
-    """Of every stage the goal, by the names of a plan."""
+    """Return the goals of all stages, by the names of a plan."""
     goals = [[stage_goal(model, stage) for stage in row] for model, row in zip(models, stages, strict=True)]
     least, most = (np.array([[getattr(goal, end) for goal in row] for row in goals]) for end in ("least", "most"))
     kept = np.flatnonzero(np.isfinite(least).any(axis=(0, 1)) | np.isfinite(most).any(axis=(0, 1)))
@@ -164,7 +164,7 @@ def _goals(models: Sequence[Model], stages: Sequence[Sequence[StageSection]]) ->
 
 
 def _drives(models: Sequence[Model], stages: Sequence[Sequence[StageSection]], timestep: Array) -> dict[str, Any]:
-    """Of every stage the drives, by the names of a plan."""
+    """Return the drives of all stages, by the names of a plan."""
     together = max((len(stage_drives(stage)) for row in stages for stage in row), default=0) or 1
     efforts = [[_efforts(model, stage, together) for stage in row] for model, row in zip(models, stages, strict=True)]
     rise = np.array([[[rise for _, rise in drives] for drives in row] for row in efforts])
@@ -175,13 +175,13 @@ def _drives(models: Sequence[Model], stages: Sequence[Sequence[StageSection]], t
 
 
 def _in_steps(times: ArrayLike, timestep: Array) -> Numbers:
-    # a time that is never over would overflow as a number of steps
+    # an infinite time would overflow as a number of steps
     longest = NEVER * timestep[:, None]
     return np.asarray(np.rint(np.minimum(times, longest) / timestep[:, None]), dtype=np.int64)
 
 
 def rest_speeds(model: Model) -> Array:
-    """Below which a structure rests, by unit of time, (dof,): of turns as it is, of slides by the structure's size."""
+    """Return speeds below which a structure rests, per unit of time, (dof,); for slides they scale with its size."""
     speed = model.design.protocol.rest_speed / (1 / model.units.time)
     engine, kinds = model.engine, mujoco.mjtJoint
     joint = np.array(engine.dof_jntid)
@@ -191,9 +191,9 @@ def rest_speeds(model: Model) -> Array:
 
 
 def longest_rest(model: Model) -> float:
-    """How long a structure may rest short of its goal before it is stuck, s: until its branches have relaxed, too.
+    """Return the time at rest short of the goal after which a structure is stuck, s.
 
-    Those that take longer than any stage do nothing in one.
+    It includes the relaxation of Maxwell branches, except those whose relaxation time is longer than every stage.
     """
     protocol = model.design.protocol
     longest = max(stage.time_limit for stage in protocol.stages)
@@ -202,32 +202,32 @@ def longest_rest(model: Model) -> float:
 
 
 def far_beyond(model: Model) -> tuple[Array, Array]:
-    """Positions far beyond the stops of hinges, (position,) each, which no sound run comes to."""
+    """Return positions far beyond the lower and upper stops of hinges, (position,) each, which mark divergence."""
     low, high = joint_ranges(model)
     return low - _FAR, high + _FAR
 
 
 def stage_torques(model: Model, stage: StageSection) -> tuple[Effort, ...]:
-    """Of every drive of a stage the torques on all motors, in own senses and the model's units, and the rise, s."""
+    """Return for every drive of a stage the torques of all motors, in own senses and the model's units, and rise, s."""
     return tuple(
         (drive_of(model.in_units, name).strengths, drive_of(model.structure, name).rise) for name in stage_drives(stage)
     )
 
 
 def _efforts(model: Model, stage: StageSection, count: int) -> tuple[Effort, ...]:
-    """So many drives of a stage, those that it lacks without torques."""
-    own = stage_torques(model, stage)
+    """Return the drives of a stage, padded with zero torques to a number of drives."""
+    torques = stage_torques(model, stage)
     nothing: Effort = ((0.0,) * len(model.structure.motors), 0.0)
-    return (*own, *[nothing] * (count - len(own)))
+    return (*torques, *[nothing] * (count - len(torques)))
 
 
 def stage_goal(model: Model, stage: StageSection) -> StageGoal:
-    """The goal of a stage, in the model's units."""
+    """Return the goal of a stage, in the model's units."""
     return goal_in_units(model, goal_of(model.structure, stage.until))
 
 
 def goal_in_units(model: Model, goal: StageGoal) -> StageGoal:
-    """A goal of a structure in its model's units: what is written of a distance is SI."""
+    """Return a goal of a structure in its model's units; bounds on distances are converted from SI."""
     hinges = len(model.structure.hinges)
     place = np.arange(len(goal.least)) - hinges
     unit = np.where((place < 0) | (place >= len(model.distances)), 1.0, model.units.length)

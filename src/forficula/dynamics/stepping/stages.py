@@ -1,4 +1,4 @@
-"""Where each of many structures is in its protocol: what drives it, and when its stage ends."""
+"""Progress of many structures through their protocols: torques of the present stages, and ends of stages."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _AT_ONCE = 1e-9  # steps
 
 
 class StageTracker:
-    """Structures of one topology on their ways through their protocols.
+    """Progress of structures of one topology through their protocols.
 
     Attributes:
         ended: whether each structure is done, (structure,).
-        steps: that each structure has taken, (structure,).
-        stage: number of the stage that each structure is in, (structure,).
-        stage_start: step at which it began, (structure,).
-        ends: the stages that each structure has been through.
+        steps: number of steps taken by each structure, (structure,).
+        stage: number of the present stage of each structure, (structure,).
+        stage_start: step at which the present stage began, (structure,).
+        ends: completed stages of each structure.
         diverged_at: when each structure diverged, s, or None.
     """
 
@@ -34,14 +34,14 @@ class StageTracker:
         self._risen = self._plan.risen
         self._folds = [model.folds for model in models]
         self._senses = np.array([folds.senses for folds in self._folds])
-        # creases take what drives them block by block
+        # torques on creases are constant over a block
         self._block = models[0].followed
         self._distances = models[0].distances
         self._followed, self._holds = models[0].motors, models[0].holds
         self._brakes = np.flatnonzero(models[0].brakes >= 0)
         self._braking = models[0].brakes[self._brakes]
         self._ways = np.array([model.ways for model in models])
-        # where each was when its stage began
+        # positions at the beginning of the present stage
         self._begun = np.zeros((len(models), models[0].engine.nq))
         count = len(models)
         self.ended = np.zeros(count, dtype=bool)
@@ -50,23 +50,23 @@ class StageTracker:
         self.stage_start: Numbers = np.zeros(count, dtype=np.int64)
         self.ends: list[list[StageEnd]] = [[] for _ in models]
         self.diverged_at: list[float | None] = [None] * count
-        # the step since which the stage's goal has held and it has rested, or -1
+        # the steps since which the stage's goal has held and the structure has rested, or -1
         self._goal_since: Numbers = np.full(count, -1, dtype=np.int64)
         self._rest_since: Numbers = np.full(count, -1, dtype=np.int64)
-        # what it has waited in all, and what before its stage, s; since when it may rest, and when it first did, steps
+        # total waiting time, and that before the stage, s; steps from which the limit counts, and of the first rest
         self.waited = np.zeros(count)
         self._waited_before = np.zeros(count)
         self._limit_start: Numbers = np.zeros(count, dtype=np.int64)
         self._rested: Numbers = np.full(count, -1, dtype=np.int64)
-        # those that rest and are to wait
+        # structures at rest that must wait
         self.waiting: list[int] = []
-        # whether it missed a goal or blew up, so that the rest of its protocol makes no sense
+        # whether a structure missed a goal or diverged, so that the rest of its protocol is skipped
         self._stopped = np.zeros(count, dtype=bool)
 
     def torques(self, rows: Numbers, count: int) -> Array:
-        """Torques of the motors in the next steps of these structures, (row, step, motor), in their models' units.
+        """Return the torques of the motors in the next steps of structures, (row, step, motor), in the models' units.
 
-        In the hinges' own senses; each that of the step's middle.
+        Torques are in the hinges' own senses and are evaluated at the middle of each step.
         """
         passed = (self.steps - self.stage_start)[rows, None] + self._block * (np.arange(count) // self._block + 0.5)
         rises, torques = self._plan.rise[rows, self.stage[rows]], self._plan.torques[rows, self.stage[rows]]
@@ -77,7 +77,7 @@ class StageTracker:
         return np.asarray(reduce(np.add, total))
 
     def last_torques(self, row: int) -> Array:
-        """Torques at the end of the last stage that a structure was in, (motor,), as of `torques`."""
+        """Return the torques at the end of the last stage of a structure, (motor,), as for `torques`."""
         end, model = self.ends[row][-1], self._models[row]
         total = np.zeros(len(model.structure.motors))
         for torques, rise in stage_torques(model, end.stage):
@@ -85,7 +85,7 @@ class StageTracker:
         return total
 
     def controls(self, rows: Numbers, torques: Array) -> Array:
-        """What the engine's controls are in each step of these structures for these torques, (row, step, control)."""
+        """Return the engine's controls in each step of structures for given torques, (row, step, control)."""
         none = np.zeros((*torques.shape[:2], 1))
         # a control that follows no motor has index -1 and reads the 0 at the end
         controls = np.concatenate([torques, none], axis=2)[:, :, self._followed]
@@ -99,14 +99,14 @@ class StageTracker:
         return controls
 
     def follow(self, rows: Numbers, steps: Steps) -> Numbers:
-        """Take note of some steps of these structures, up to the end of the stage of each.
+        """Process some steps of structures, for each up to the end of its stage.
 
         Args:
-            rows: which structures.
-            steps: of these, in their models' units.
+            rows: numbers of the structures.
+            steps: of these structures, in their models' units.
 
         Returns:
-            How many of the steps count, (row,); the others belong to another stage, with other torques.
+            Number of steps that count, (row,); the others belong to the next stage, with other torques.
         """
         position, velocity = steps.position, steps.velocity
         count = position.shape[1]
@@ -141,9 +141,9 @@ class StageTracker:
         return np.asarray(taken)
 
     def _held(self, rows: Numbers, number: Numbers, reached: Booleans, goal_since: Numbers) -> Booleans:
-        """Whether each structure has been at its goal for as long as is asked after each step, (row, step).
+        """Return whether each structure has been at its goal for the required time after each step, (row, step).
 
-        What is met for an instant only may be a bounce.
+        A goal that is met only for an instant may be a bounce.
         """
         stage = self.stage[rows]
         taken_to_goal = (goal_since - self.stage_start[rows, None]) * self._plan.has_bounds[rows, stage][:, None]
@@ -151,9 +151,9 @@ class StageTracker:
         return np.asarray(reached & (number - goal_since >= hold))
 
     def _short(self, rows: Numbers, number: Numbers, reached: Booleans, rest_since: Numbers) -> Booleans:
-        """Whether one that rests after each step does so short of its goal for too long, (row, step).
+        """Return whether a resting structure has rested short of its goal for too long after each step, (row, step).
 
-        It stays there, once its torques have risen.
+        The time counts from the moment at which its torques have risen.
         """
         stage = self.stage[rows]
         short = ~reached & self._plan.may_stick[rows, stage][:, None]
@@ -161,7 +161,7 @@ class StageTracker:
         return np.asarray(short & (number - since >= self._plan.window[rows, None]))
 
     def _leave(self, row: int, goal_step: int | None, at_rest: bool, at_goal: bool) -> None:
-        """End the stage of a structure, or let it wait first."""
+        """End the stage of a structure, or start its wait."""
         if goal_step is None or not self._plan.wait[row, self.stage[row]] > 0:
             self._end_stage(row, goal_step, at_rest=bool(at_rest), at_goal=bool(at_goal))
             return
@@ -171,18 +171,18 @@ class StageTracker:
         self.waiting.append(row)
 
     def left_to_wait(self, row: int) -> tuple[float, float]:
-        """What a structure that rests has yet to wait in its stage, and for how long it is stepped at least, s."""
+        """Return the remaining wait of a resting structure in its stage, and the least time of stepping, s."""
         timestep, stage = self._plan.timestep[row], self.stage[row]
         passed = timestep * (self.steps[row] - self._rested[row]) + self.waited[row] - self._waited_before[row]
         left = self._plan.wait[row, stage] - passed
         return float(left) if left > timestep / 2 else 0.0, float(self._plan.hold[row, stage] * timestep)
 
     def end_wait(self, row: int) -> None:
-        """End the stage of a structure that has waited, and rests."""
+        """End the stage of a structure that has waited and is at rest."""
         self._end_stage(row, int(self.steps[row] - self._plan.hold[row, self.stage[row]]), at_rest=True, at_goal=True)
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a structure where another one is, which has gone the same way so far."""
+        """Copy the progress of another structure, which has had the same motion so far."""
         for values in (
             self.waited,
             self._waited_before,
@@ -202,14 +202,14 @@ class StageTracker:
         self.ended[row] = self._stopped[row] or self.stage[row] > self._plan.last[row]
 
     def progress(self, row: int) -> tuple[str, float, float]:
-        """Name of a structure's stage, the time so far and the longest its protocol can take, s."""
+        """Return the name of a structure's stage, the time so far and the longest time of its protocol, s."""
         stages = self._models[row].design.protocol.stages[self.stage[row] :]
         start = float(self.stage_start[row] * self._plan.timestep[row])
         passed = float(self.steps[row] * self._plan.timestep[row])
         return stages[0].name, passed, start + sum(stage.time_limit for stage in stages)
 
     def _reached(self, rows: Numbers, steps: Steps, resting: Booleans) -> Booleans:
-        """Whether the goal of each structure's stage holds after each step, (row, step)."""
+        """Return whether the goal of each structure's stage is met after each step, (row, step)."""
         stage, angles = self.stage[rows], self._plan.watched.hinges
         if steps.angles is None:
             watched = self._senses[rows][:, None, angles] * steps.position[:, :, angles]
@@ -223,7 +223,7 @@ class StageTracker:
             )
         parts = [watched[:, :, self._plan.watched.angles]]
         if len(self._plan.watched.distances):
-            # lengths are those before the step: a distance counts one step late
+            # lengths are those before the step, so a distance counts one step late
             parts.append(steps.derived["ten_length"][:, :, self._distances[self._plan.watched.distances]])
         if len(self._plan.watched.sums):
             parts.append(watched @ self._plan.watched.sums.T)
@@ -257,17 +257,17 @@ class StageTracker:
 
 
 def _first(holds: Booleans, count: int) -> Numbers:
-    """By structure, the first step at which something holds; so many where it does at none."""
+    """Return the first step at which a condition holds, by structure; `count` if it never holds."""
     return np.where(holds.any(axis=1), holds.argmax(axis=1), count)
 
 
 def _since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
-    """By step, the number of the step since which a condition has held without a break, (row, step).
+    """Return for each step the number of the step since which a condition has held without a break, (row, step).
 
     Args:
-        holds: whether it holds after each step, (row, step).
+        holds: whether the condition holds after each step, (row, step).
         number: of each step, (row, step).
-        carried: since when it held before, (row,), or -1 where it did not.
+        carried: step since which it held before, (row,), or -1 if it did not.
     """
     broken = np.maximum.accumulate(np.where(holds, -1, number), axis=1)
     before = np.where(carried >= 0, carried, number[:, 0])
@@ -275,16 +275,16 @@ def _since(holds: Booleans, number: Numbers, carried: Numbers) -> Numbers:
 
 
 def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -> Numbers:
-    """How many steps each structure took before its numbers blew up, (row,); the engine then stops its clock.
+    """Return the number of steps before the numbers of each structure diverged, (row,); the engine then stops its time.
 
     Args:
         before: time before the first step, (row,).
         time: after each step, (row, step).
         position: after each step, (row, step, dof).
-        velocity: likewise.
+        velocity: after each step, (row, step, dof).
     """
     sound = np.full(len(time), position.shape[1])
-    # the last step tells: numbers that are not finite stay so, and a clock that has stopped stands
+    # check only the last step first: non-finite numbers stay non-finite, and a stopped time stays constant
     previous = time[:, -2] if time.shape[1] > 1 else before
     broken = np.flatnonzero(~_sound(previous, time[:, -1:], position[:, -1:], velocity[:, -1:])[:, 0])
     sound[broken] = _sound(before[broken], time[broken], position[broken], velocity[broken]).argmin(axis=1)
@@ -292,6 +292,6 @@ def _sound_steps(before: Array, time: Array, position: Array, velocity: Array) -
 
 
 def _sound(before: Array, time: Array, position: Array, velocity: Array) -> Booleans:
-    """Whether each step left finite numbers and the clock ran, (row, step)."""
+    """Return whether each step has finite numbers and an increased time, (row, step)."""
     finite = np.isfinite(position).all(axis=2) & np.isfinite(velocity).all(axis=2)
     return np.asarray(finite & (np.diff(time, axis=1, prepend=before[:, None]) > 0))

@@ -1,4 +1,4 @@
-"""A protocol in steps and in a model's units: what goes through it needs no design any more."""
+"""A protocol in steps and in a model's units, which can be simulated without the design."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from forficula.structure import Drive, StageGoal, drive_unit
 
 @dataclass(frozen=True, kw_only=True)
 class SteppedDrive:
-    """What a stage may switch on.
+    """A drive that a stage may switch on.
 
     Attributes:
         drive: of the structure, SI.
         unit: SI unit of its strength.
-        torques: on every motor for a strength of 1 in that unit, in the model's units, (motor,).
-        rise: over which they rise, in steps.
+        torques: of every motor for a strength of 1 in that unit, in the model's units, (motor,).
+        rise: duration of the rise, in steps.
     """
 
     drive: Drive
@@ -37,10 +37,10 @@ class SteppedStage:
 
     Attributes:
         name: of the stage.
-        drives: numbers of those that act.
-        goal: that ends it, in the model's units.
-        hold: for how many steps it must hold.
-        limit: the most steps.
+        drives: numbers of the acting drives.
+        goal: that ends the stage, in the model's units.
+        hold: number of steps for which the goal must hold.
+        limit: largest number of steps.
     """
 
     name: str
@@ -52,21 +52,21 @@ class SteppedStage:
 
 @dataclass(frozen=True, kw_only=True)
 class SteppedProtocol:
-    """What a structure goes through.
+    """The protocol of a structure in steps.
 
     Attributes:
         timestep: s.
-        explicit: whether steps are those of Runge and Kutta, and not of semi-implicit Euler.
+        explicit: whether steps are those of Runge and Kutta instead of semi-implicit Euler.
         drives: of the structure.
         stages: in order.
-        rest_speeds: below which every velocity is at rest, in the model's units, (dof,).
-        window: over which states are averaged, in steps.
-        stuck: for how many steps what rests short of its goal must rest to be stuck.
-        least_hold: for how long a goal must hold, by the time that it took.
+        rest_speeds: speeds below which every coordinate is at rest, in the model's units, (dof,).
+        window: averaging window of states, in steps.
+        stuck: number of steps at rest short of the goal after which a structure is stuck.
+        least_hold: time for which a goal must hold, as a share of the time to the goal.
         interval: between two rows of a record, in steps.
-        lowest: positions below which nothing sound is, (position,).
-        highest: alike.
-        largest_gap: by which creases that close loops may come apart, in the model's units.
+        lowest: positions below which a run has diverged, (position,).
+        highest: positions above which a run has diverged, (position,).
+        largest_gap: allowed gap of creases that close loops, in the model's units.
     """
 
     timestep: float
@@ -84,7 +84,7 @@ class SteppedProtocol:
 
 
 def stepped_protocol(model: Model) -> SteppedProtocol:
-    """Write a model's protocol in steps."""
+    """Return a model's protocol in steps."""
     protocol, structure = model.design.protocol, model.structure
     timestep = float(protocol.timestep)
     names = [drive.name for drive in structure.drives]
@@ -127,6 +127,6 @@ def stepped_protocol(model: Model) -> SteppedProtocol:
 
 
 def _unit(model: Model, drive: Drive) -> float:
-    """The SI unit of a drive's strength in the model's units."""
+    """Return the SI unit of a drive's strength in the model's units."""
     units = {"N m": model.units.energy, "N": model.units.energy / model.units.length, "m": model.units.length}
     return 1 / units.get(drive_unit(model.structure, drive), 1.0)

@@ -1,4 +1,4 @@
-"""Structures side by side in the engine: torques go in, steps come out."""
+"""Stepping of structures side by side in the engine: torques are the input, steps the output."""
 
 from __future__ import annotations
 
@@ -23,30 +23,30 @@ from forficula.dynamics.engine.model import Model
 from forficula.dynamics.engine.plate_creases import PlateRows, plate_rows
 from forficula.dynamics.stepping.steps import EngineState, Steps
 
-# all that the next step depends on, and of that what a step changes: time, positions and velocities first
+# the full state that a step depends on, and the part that a step changes: time, positions and velocities first
 _STATE = mujoco.mjtState.mjSTATE_INTEGRATION.value
 _MOVING = _STATE & ~mujoco.mjtState.mjSTATE_USER.value
 _CONTROL = mujoco.mjtState.mjSTATE_CTRL.value
-# what states are read from, of a sparse record and of others, and what the account of the work needs besides
+# fields for the states of a sparse record and of others, and further fields for the works
 _OF_SPARSE = ("ten_length",)
 _OF_STATES = ("ten_length", "energy", "flexvert_xpos", "xpos", "xipos", "site_xpos")
 _OF_ACCOUNT = ("qfrc_damper", "qfrc_constraint")
 _OF_LETTING_GO = ("ten_velocity", "ten_J")
 _OF_CONTACT = ("sensordata", "ten_J")
-# structures with creases or drag that a worker takes at least: Python, which one worker runs at a time, takes hardly
-# longer for so many of them than for one, and much longer than the engine does
+# least number of structures with creases or drag per worker: Python, which runs in one worker at a time, takes hardly
+# longer for this number than for one, and much longer than the engine
 _TOGETHER = 8
 
 
 @dataclass(frozen=True, kw_only=True)
 class Pending:
-    """Steps that are being made, by several workers a part of the structures each."""
+    """Steps in progress; each of several workers has a part of the structures."""
 
     parts: Sequence[Future[None]]
     steps: Steps
 
     def result(self) -> Steps:
-        """Wait for them."""
+        """Wait for the steps and return them."""
         for part in self.parts:
             part.result()
         return self.steps
@@ -55,17 +55,17 @@ class Pending:
 class Stepper:
     """Structures of one topology in the engine, each in its own state; workers step them in the background.
 
-    Every worker has an engine of one thread: none waits for another, as the threads of one engine do after each part.
+    Every worker has an engine with one thread, so that no worker waits for another, as threads of one engine do.
     """
 
     def __init__(self, models: Sequence[Model], threads: int, sparse: bool, chunk: int) -> None:
-        """Put the structures where they start.
+        """Put the structures into their start states.
 
         Args:
             models: compiled, with the same numbers of hinges, tendons and membrane nodes.
-            threads: 0 for one a core.
-            sparse: of the derived fields that states are read from, leave out all but the tendons' lengths.
-            chunk: steps to take at a time.
+            threads: number of threads; 0 for one per core.
+            sparse: record only the tendons' lengths of the fields for states.
+            chunk: number of steps at a time.
         """
         self._structures, self._chunk = models, chunk
         self._models = _own_models(models, sparse)
@@ -88,21 +88,21 @@ class Stepper:
         self._applied = _columns(model, mujoco.mjtState.mjSTATE_QFRC_APPLIED.value)
         if drags:
             self._names = (*self._names, "qfrc_applied")
-        # the same memory again and again: fresh memory costs as much time as looking at it
+        # memory is reused, because fresh memory costs as much time as reading it
         self._memory = deque([_memory(models, self._names, chunk, len(self._moving)) for _ in range(2)])
-        # where the creases of each were last, without jumps
+        # last angles of creases, without jumps
         self._angles = np.array([_start_creases(each) for each in models])
         self._creases = crease_rows(models) if models[0].folds.placement is None else plate_rows(models)
-        # what the engine's models have of them, to be written to
+        # writable rows of the engine's models
         self._bends = [] if self._creases is None else [engine_rows(each) for each in self._models]
         self._blocks = deque(
             [np.empty((len(models), chunk // models[0].followed, len(self._angles[0]))) for _ in range(2)]
         )
         self.threads = int(Batch(model, len(models), threads).nthread)
-        # structures that a worker takes at least, if there are so many
+        # least number of structures per worker, if there are enough
         self.together = 1 if self._creases is None and self._drag is None else _TOGETHER
         self._engines: SimpleQueue[Batch] = SimpleQueue()
-        # that one worker has at a time; where some are done, it may be more than at the start
+        # largest number of structures per worker; it can exceed that at the start when some structures are done
         most = max(min(len(models), self.together), -(-len(models) // self.threads))
         for _ in range(self.threads):
             self._engines.put(Batch(model, most, 1))
@@ -110,16 +110,16 @@ class Stepper:
         self._data = mujoco.MjData(model)
 
     def start(self, rows: Indices, controls: Array, efforts: Array) -> Pending:
-        """Set out to take these structures a chunk of steps further.
+        """Start a chunk of steps of some structures in the background.
 
-        Others can be started before that is done, but the third steps overwrite the first.
+        Another chunk can be started before this one is done, but the third chunk overwrites the first.
 
         Args:
-            rows: which.
+            rows: numbers of the structures.
             controls: of the engine in each step, (row, step, control).
-            efforts: of all motors in each step, in the models' units, (row, step, motor), for creases.
+            efforts: settings of all motors in each step, in the models' units, (row, step, motor), for creases.
         """
-        # for `state`: what drives a structure in its last state drove it in the last step, too
+        # for `state`: the controls in the last state are those of the last step
         self._state[np.ix_(rows, self._control)] = controls[:, -1]
         self._memory.rotate()
         self._blocks.rotate()
@@ -157,7 +157,7 @@ class Stepper:
         )
 
     def take_back(self, rows: Indices, steps: Steps, taken: Indices) -> None:
-        """Put these structures where they were after as many of their last steps as count, (row,)."""
+        """Put structures into their states after the steps that count, (row,)."""
         self._state[np.ix_(rows, self._moving)] = steps.states(np.arange(len(rows)), taken)
         if steps.angles is not None:
             for place, (row, step) in enumerate(zip(rows.tolist(), taken.tolist(), strict=True)):
@@ -167,13 +167,13 @@ class Stepper:
                 self._angles[row] = without_jump(folds.angles(position)[folds.creases], near)
 
     def follow_leader(self, row: int, leader: int) -> None:
-        """Put a structure where another one is."""
+        """Copy the state of another structure."""
         self._state[row] = self._state[leader]
         self._angles[row] = self._angles[leader]
 
     def state(self, row: int) -> EngineState:
-        """What a structure is in."""
-        # structures of one topology have data of one size: making it anew takes as long as many steps
+        """Return the state of a structure."""
+        # data are reused, because structures of one topology have data of the same size and creation is slow
         engine, data = self._structures[row].engine, self._data
         mujoco.mj_resetData(engine, data)
         mujoco.mj_setState(engine, data, self._state[row], _STATE)
@@ -186,23 +186,23 @@ class Stepper:
         return EngineState(position=data.qpos.copy(), velocity=data.qvel.copy(), angle=angle, derived=derived)
 
     def lengths(self, row: int) -> Array:
-        """Lengths of the engine's tendons in a structure, (tendon,)."""
+        """Return the lengths of the engine's tendons in a structure, (tendon,)."""
         return np.asarray(self.state(row).derived["ten_length"])
 
     def activation(self, row: int) -> Array:
-        """Forces of the Maxwell branches of a structure, pushing positive, (activation,)."""
+        """Return the forces of the Maxwell branches of a structure, pushing positive, (activation,)."""
         return np.asarray(self._state[row, self._activation])
 
     def set_activation(self, row: int, forces: Array) -> None:
-        """Put other forces in their place."""
+        """Set the forces of the Maxwell branches of a structure."""
         self._state[row, self._activation] = forces
 
     def close(self) -> None:
-        """Wait for the steps that are being made, and make no more."""
+        """Wait for the steps in progress and start no others."""
         self._workers.shutdown(cancel_futures=True)
 
     def _parts(self, rows: int) -> int:
-        """How many workers share so many structures."""
+        """Return the number of workers for a number of structures."""
         return min(-(-rows // self.together), self.threads)
 
     def _roll(
@@ -214,7 +214,7 @@ class Stepper:
         memory: Mapping[str | int, Array],
         late: Mapping[str, Array],
     ) -> None:
-        """Take structures as many steps further from their states, (row, number), as they have controls."""
+        """Step structures from their states, (row, number), once for each of their controls."""
         first: dict[str, Array] = {}
         if late:
             driven = state.copy()
@@ -232,23 +232,23 @@ class Stepper:
                 out=out,
             )
         for name, each in late.items():
-            # the engine leaves what the last of its four stages saw, next to the state after the step
+            # the engine's fields are those of the last of its four stages, close to the state after the step
             each[:] = memory[name]
             memory[name][:, 0], memory[name][:, 1:] = first[name], each[:, :-1]
 
     def _fields(
         self, engine: Batch, rows: Indices, state: Array, names: Sequence[str], stage: mujoco.mjtStage
     ) -> dict[str, Array]:
-        """Derived fields of structures in some states, up to a stage of the engine's, (row, ...)."""
+        """Compute derived fields of structures in some states, up to a stage of the engine, (row, ...)."""
         self._put(engine, rows, state)
-        # the engine fills what was bound before
+        # the engine fills only fields that were bound before
         bound = {name: engine.bind(name) for name in names}
         with _quiet:
             engine.forward(np.arange(len(rows)), stage.value)
         return {name: each[: len(rows)].copy() for name, each in bound.items()}
 
     def _put(self, engine: Batch, rows: Indices, state: Array) -> None:
-        """Put structures into an engine, in some states, (row, number)."""
+        """Load structures in some states, (row, number), into an engine."""
         every = [*range(len(rows)), *[0] * (engine.nsim - len(rows))]
         engine.set_models([self._models[rows[place]] for place in every])
         engine.state[: len(rows)] = state
@@ -262,9 +262,9 @@ class Stepper:
         late: Mapping[str, Array],
         angles: Array | None,
     ) -> None:
-        """Take some structures a chunk of steps further; what comes of it goes to memory.
+        """Take a chunk of steps of some structures and write the results to memory.
 
-        Where there are creases or drag, block by block: in each they have what they have at its start.
+        With creases or drag, steps are taken block by block; rows of creases and drag are constant in a block.
         """
         engine, state = self._engines.get(), self._state[rows]
         try:
@@ -273,64 +273,64 @@ class Stepper:
                 return
             followed = self._structures[0].followed
             creases = None if self._creases is None else self._creases.some(rows)
-            own = {name: _block(each, followed) for name, each in memory.items()}
+            in_block = {name: _block(each, followed) for name, each in memory.items()}
             of_late = {name: _block(each, followed) for name, each in late.items()}
             blocks = controls.shape[1] // followed
             means = efforts.reshape(len(rows), blocks, followed, -1).mean(axis=2)
             for block in range(blocks):
                 steps = slice(block * followed, (block + 1) * followed)
-                with np.errstate(all="ignore"):  # of what blows up, whose later steps do not count
+                with np.errstate(all="ignore"):  # diverging structures, whose later steps do not count
                     if angles is not None and creases is not None:
                         near = self._angles[rows] if block == 0 else angles[:, block - 1]
                         angles[:, block] = self._set_creases(rows, creases, state, near, means[:, block])
                     if self._drag is not None:
                         self._set_drag(engine, rows, state)
-                self._roll(engine, rows, state, np.ascontiguousarray(controls[:, steps]), own, of_late)
+                self._roll(engine, rows, state, np.ascontiguousarray(controls[:, steps]), in_block, of_late)
                 for name, each in memory.items():
-                    each[:, steps] = own[name]
+                    each[:, steps] = in_block[name]
                 for field, each in late.items():
                     each[:, steps] = of_late[field]
-                state[:, self._moving] = own[_MOVING][:, -1]
+                state[:, self._moving] = in_block[_MOVING][:, -1]
             self._state[rows] = state
         finally:
             self._engines.put(engine)
 
     def _set_drag(self, engine: Batch, rows: Indices, state: Array) -> None:
-        """Give structures in some states, (row, number), the drag that they have where they are and as they move."""
+        """Set the drag of structures for their positions and velocities in some states, (row, number)."""
         assert self._drag is not None
         _, velocity = self._motion(state)
         fields = self._fields(engine, rows, state, KINEMATICS, mujoco.mjtStage.mjSTAGE_POS)
         state[:, self._applied] = self._drag.forces(rows, fields, velocity)
 
     def _motion(self, state: Array) -> tuple[Array, Array]:
-        """Positions and velocities in some states, (row, position) and (row, velocity)."""
+        """Return positions and velocities in some states, (row, position) and (row, velocity)."""
         engine, moving = self._structures[0].engine, state[:, self._moving][:, 1:]
         return moving[:, : engine.nq], moving[:, engine.nq : engine.nq + engine.nv]
 
     def _set_creases(
         self, rows: Indices, creases: CreaseRows | PlateRows, state: Array, near: Array, efforts: Array
     ) -> Array:
-        """Give the creases of structures what they have in some states; their angles, without jumps, (row, crease)."""
+        """Set the rows of creases of structures in some states; return their angles, without jumps, (row, crease)."""
         position, velocity = self._motion(state)
         angles, values = creases.follow(position, velocity, near, efforts)
-        for row, own in zip(rows.tolist(), values, strict=True):
-            self._bends[row][creases.rows] = own
+        for row, numbers in zip(rows.tolist(), values, strict=True):
+            self._bends[row][creases.rows] = numbers
         return angles
 
 
 def energy_of(model: Model, moving: Array) -> float:
-    """Energy of springs, weight and motion, in the model's units, in what `Steps.after` has of a state."""
+    """Compute the energy of springs, weight and motion, in the model's units, from a state of `Steps.after`."""
     data = mujoco.MjData(model.engine)
     mujoco.mj_setState(model.engine, data, moving, _MOVING)
     with _quiet:
         mujoco.mj_forward(model.engine, data)
-    # the engine counts the weight of what floats, too
+    # the engine also counts the weight of floating masses
     floats = model.engine.body_mass * model.engine.body_gravcomp
     return float(data.energy.sum() + floats @ (data.xipos @ model.engine.opt.gravity))
 
 
 def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
-    """What the engine runs: models without energy if it is not looked at, of its own for each that has creases."""
+    """Return the engine's models: without energy if it is not recorded, and a copy for each structure with creases."""
     engines = _without_energy(models) if sparse else [model.engine for model in models]
     return [
         engine if model.creases is None else copy.copy(engine) for engine, model in zip(engines, models, strict=True)
@@ -338,24 +338,24 @@ def _own_models(models: Sequence[Model], sparse: bool) -> list[mujoco.MjModel]:
 
 
 def _start_creases(model: Model) -> Array:
-    """Angles of the creases of the built shape, which start there, rad, (crease,)."""
+    """Return the start angles of creases, rad, (crease,)."""
     return np.array([model.structure.hinges[number].start for number in model.folds.creases])
 
 
 def _memory(models: Sequence[Model], names: Sequence[str], chunk: int, moving: int) -> dict[str | int, Array]:
-    """Room for a chunk of steps of all structures, by what is recorded."""
+    """Allocate memory for a chunk of steps of all structures, by recorded field."""
     data = mujoco.MjData(models[0].engine)
     shapes = {_MOVING: (moving,), **{name: getattr(data, name).shape for name in names}}
     return {name: np.empty((len(models), chunk, *shape)) for name, shape in shapes.items()}
 
 
 def _block(memory: Array, steps: int) -> Array:
-    """Room for a block of steps of what has room for more, (row, step, ...)."""
+    """Allocate memory for a block of steps, shaped like that for a chunk, (row, step, ...)."""
     return np.empty((len(memory), steps, *memory.shape[2:]))
 
 
 def _columns(engine: mujoco.MjModel, part: int) -> Indices:
-    """Where in a state a part of it lies."""
+    """Return the indices of a part of a state."""
     every = np.arange(mujoco.mj_stateSize(engine, _STATE), dtype=np.float64)
     mine = np.empty(mujoco.mj_stateSize(engine, part))
     mujoco.mj_extractState(engine, every, _STATE, mine, part)
@@ -363,7 +363,7 @@ def _columns(engine: mujoco.MjModel, part: int) -> Indices:
 
 
 def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
-    """Where in what a step changes the numbers of branches and of tendons that yield lie, by MuJoCo's names."""
+    """Return the slices of branches and of yielding tendons in the changing part of a state, by MuJoCo's names."""
     state = mujoco.mjtState
     before = state.mjSTATE_TIME.value | state.mjSTATE_QPOS.value | state.mjSTATE_QVEL.value
     first, size = mujoco.mj_stateSize(engine, before), mujoco.mj_stateSize(engine, _MOVING)
@@ -372,7 +372,7 @@ def _inner(engine: mujoco.MjModel) -> dict[str, slice]:
 
 
 def _without_energy(models: Sequence[Model]) -> list[mujoco.MjModel]:
-    """Engine models that leave out the energy of every step; nothing else depends on it."""
+    """Return engine models that do not compute the energy of every step; nothing else depends on it."""
     bare = {id(model.engine): copy.copy(model.engine) for model in models}
     for engine in bare.values():
         engine.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_ENERGY)
@@ -380,7 +380,7 @@ def _without_energy(models: Sequence[Model]) -> list[mujoco.MjModel]:
 
 
 def _start_states(models: Sequence[Model]) -> Array:
-    """What the structures start in, (structure, number)."""
+    """Return the start states of structures, (structure, number)."""
     batch = Batch(models[0].engine, len(models), 1)
     batch.set_models([model.engine for model in models])
     batch.bind("qpos")[:] = [start_position(model) for model in models]
@@ -390,7 +390,7 @@ def _start_states(models: Sequence[Model]) -> Array:
 
 
 def start_position(model: Model) -> Array:
-    """Positions at the start; what slides starts where it is built."""
+    """Return the positions at the start; sliding bodies start in the built shape."""
     position = np.array(model.engine.qpos0)
     for hinge, place in zip(model.structure.hinges, model.folds.joints.tolist(), strict=True):
         if place >= 0:
@@ -399,7 +399,7 @@ def start_position(model: Model) -> Array:
 
 
 def _start_creep(model: Model) -> Array:
-    """Plastic state at the start: a tendon that the start stretches too far has yielded when it was put there."""
+    """Return the plastic state at the start: a tendon that the start stretches too far has already yielded."""
     engine = model.engine
     data = mujoco.MjData(engine)
     data.qpos[:] = start_position(model)
@@ -412,9 +412,9 @@ def _start_creep(model: Model) -> Array:
 
 
 class _Quiet:
-    """Keeps MuJoCo from writing its warnings to a file in the current folder; the record tells of what diverged.
+    """Context that keeps MuJoCo from writing its warnings to a file; divergence is in the record.
 
-    MuJoCo has one place for who takes its warnings: the first to ask for quiet sets it, the last one sets it back.
+    MuJoCo has only one handler for warnings. The first user replaces it, and the last user restores it.
     """
 
     def __init__(self) -> None:
@@ -435,7 +435,7 @@ class _Quiet:
 
 
 def _ignore(message: str) -> None:
-    """Take a warning of MuJoCo and leave it."""
+    """Ignore a warning of MuJoCo."""
 
 
 _quiet = _Quiet()

@@ -1,4 +1,4 @@
-"""What steps of structures leave: states before and after each, and what the engine derives of them."""
+"""Results of steps of structures: states before and after each step, and derived fields of the engine."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from forficula.dynamics.stepping.folds import Folds
 
 @dataclass(frozen=True, kw_only=True)
 class Steps:
-    """Steps of some structures, in their models' units; the stepper's next ones overwrite them.
+    """Steps of some structures, in their models' units; later steps of the stepper overwrite them.
 
     Attributes:
-        positions: how many numbers a position has.
-        dof: how many a velocity has: one less for every body that turns freely.
-        inner: where in what a step changes the forces of Maxwell branches ("act") and the resting lengths of tendons
-            that yield ("plastic") are, if there are any, by MuJoCo's names.
-        before: what a step changes, before the first step, (structure, number): time, positions, velocities, and more.
-        after: likewise, after each step, (structure, step, number).
+        positions: length of a position.
+        dof: length of a velocity: one less for every body that turns freely.
+        inner: slices of the changing state with the forces of Maxwell branches ("act") and the resting lengths of
+            yielding tendons ("plastic"), if there are any, by MuJoCo's names.
+        before: changing state before the first step, (structure, number): time, positions, velocities, and more.
+        after: changing state after each step, (structure, step, number).
         derived: MuJoCo's fields of the state before each step, (structure, step, ...).
-        kept: names of those that the states of a record are read from.
-        late: the same of the state after each step, but for its third power of the timestep, where steps are those of
-            Runge and Kutta; None where they are not.
-        angles: of the creases at the start of every block of steps in which their rows stay, in own senses and without
-            jumps, rad, (structure, block, crease); None where there are none.
-        followed: steps of a block.
+        kept: names of the fields from which the states of a record are computed.
+        late: the same fields of the state after each step, up to the third power of the timestep, for steps of Runge
+            and Kutta; None for other steps.
+        angles: of the creases at the start of every block of steps with constant rows, in own senses and without jumps,
+            rad, (structure, block, crease); None without creases.
+        followed: number of steps of a block.
     """
 
     positions: int
@@ -45,37 +45,37 @@ class Steps:
 
     @property
     def time(self) -> Array:
-        """After each step, (structure, step)."""
+        """Return the time after each step, (structure, step)."""
         return self.after[:, :, 0]
 
     @property
     def position(self) -> Array:
-        """After each step, (structure, step, position)."""
+        """Return the positions after each step, (structure, step, position)."""
         return self.after[:, :, 1 : 1 + self.positions]
 
     @property
     def velocity(self) -> Array:
-        """After each step, (structure, step, dof)."""
+        """Return the velocities after each step, (structure, step, dof)."""
         return self.after[:, :, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def velocity_before(self) -> Array:
-        """Before the first step, (structure, dof)."""
+        """Return the velocities before the first step, (structure, dof)."""
         return self.before[:, 1 + self.positions : 1 + self.positions + self.dof]
 
     @property
     def position_before(self) -> Array:
-        """Before the first step, (structure, position)."""
+        """Return the positions before the first step, (structure, position)."""
         return self.before[:, 1 : 1 + self.positions]
 
     def angles_of(self, folds: Folds, structure: int, positions: Array, step: Indices, hinges: Indices) -> Array:
-        """Angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).
+        """Return angles of some hinges of a structure in own senses, without jumps, rad, (state, hinge).
 
         Args:
             folds: of the structure.
-            structure: its place among those stepped.
+            structure: its index among the stepped structures.
             positions: (state, dof).
-            step: how many of the steps came before each state, (state,).
+            step: number of steps before each state, (state,).
             hinges: their numbers.
         """
         some = folds.some(hinges)
@@ -87,12 +87,12 @@ class Steps:
         return angles
 
     def activation(self, structure: int, taken: int) -> Array:
-        """Of a structure before the first of so many steps and after each, (step + 1, activation)."""
+        """Return the activations of a structure before the first step and after each taken step, (step + 1, ...)."""
         place = self.inner.get("act", slice(0, 0))
         return np.concatenate([self.before[structure, None, place], self.after[structure, :taken, place]])
 
     def states(self, structure: Indices, taken: Indices, part: slice = slice(None)) -> Array:
-        """What structures are in after so many steps, or a part of it, (state, number), for pairs of the two."""
+        """Return the states, or parts of them, (state, number), for pairs of structures and numbers of steps."""
         states = self.after[:, :, part][structure, taken - 1]
         states[taken == 0] = self.before[structure[taken == 0], part]
         return states
@@ -100,13 +100,13 @@ class Steps:
 
 @dataclass(frozen=True, kw_only=True)
 class EngineState:
-    """What a structure is in, in its model's units.
+    """State of a structure, in its model's units.
 
     Attributes:
         position: of its joints, (dof,).
-        velocity: likewise.
+        velocity: of its joints, (dof,).
         angle: of its hinges in their own senses, rad, (hinge,).
-        derived: all fields of MuJoCo that states are read from, by their names.
+        derived: MuJoCo's fields from which the states of a record are computed, by name.
     """
 
     position: Array

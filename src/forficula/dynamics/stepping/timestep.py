@@ -1,4 +1,4 @@
-"""The timestep that the stiffest mode of a structure allows."""
+"""Longest timestep for the stiffest mode of a structure."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ from forficula.structure import Structure, structure_of, tendon_arms
 # Folding stretches the membrane and pleats the veins together: along the fold the limit was measured to fall to about
 # half of the flat wing's (reference design: 2.4 ms flat, 1.2 ms at the snap; seven veins, 5 MPa: 0.40 and 0.23 ms).
 _FOLDING = 0.5
-# A quarter of that: eleven veins driven by 100 N cm were measured to blow up from 0.4 of it on, the reference from 0.9.
+# A quarter of that: eleven veins driven by 100 N cm were measured to diverge from 0.4 of it on, the reference from 0.9.
 _SAFETY = 0.25
-# of nodes: neighbours that fold bring some creases closer
+# share of the limit of nodes as built, because folding brings neighbouring creases closer together
 _KEPT = 0.8
 _NUDGE = 1e-6
 STEPS_TO_TIME_CONSTANT = 4
 # of contacts: with four the folded stack of the reference depends on the timestep, with eight it does not
 STEPS_TO_CONTACT = 8
 _SHORTEST, _LONGEST = 1e-12, 1e3  # s
-# values that are looked at as the cause where no step is short enough, and by how much those without a usual one differ
+# number of values that are checked as the cause if no step is short enough, and factors for values without a reference
 _SUSPECTS = 6
 _FACTORS = (1e-6, 1e6, 1e-12, 1e12)
 
 
 def with_timestep(design: Design) -> Design:
-    """Give a design whose timestep is "auto" an estimate: a quarter of what its modes allow, rounded down to one digit.
+    """Replace a timestep "auto" by an estimate: a quarter of the limit of its modes, rounded down to one digit.
 
-    That is a limit of stability; whether it is accurate, only runs tell. It resolves the stops and the contacts.
+    This is a limit of stability; only runs show whether it is accurate. It resolves the stops and the contacts.
     """
     if design.protocol.timestep != "auto":
         return design
@@ -52,7 +52,7 @@ def with_timestep(design: Design) -> Design:
 
 
 def timestep_warnings(design: AnyDesign) -> list[str]:
-    """A sentence where the design's timestep is longer than its stiffest mode allows."""
+    """Return a warning if the design's timestep is longer than its stiffest mode allows."""
     design = as_design(design)
     chosen = design.protocol.timestep
     if chosen == "auto" or chosen <= (longest := stable_timestep(design)):
@@ -63,16 +63,16 @@ def timestep_warnings(design: AnyDesign) -> list[str]:
         parts += ", or motors that are faster or weaker (no_load_speed)"
     return [
         f"a timestep of {1e3 * chosen:.3g} ms is too long: the stiffest mode allows"
-        f' {1e3 * longest:.3g} ms; take protocol.timestep = "auto", or {parts}'
+        f' {1e3 * longest:.3g} ms; use protocol.timestep = "auto", or {parts}'
     ]
 
 
 def resolving_timestep(structure: Structure) -> float:
     """Return the longest timestep, s, that resolves the stops, guard tendons and contacts of a structure.
 
-    With fewer than two steps to a time constant the engine takes a longer one (its refsafe flag), and with two, bouncy
-    stops give energy. With `STEPS_TO_TIME_CONSTANT` the rebound of a drop deviates from the closed form by 0.04 of the
-    impact's speed at most: measured. Infinite of a structure without any.
+    With fewer than two steps per time constant the engine uses a longer time constant (its refsafe flag), and with two
+    steps, bouncy stops supply energy. With `STEPS_TO_TIME_CONSTANT` the rebound of a drop deviates from the closed form
+    by at most 0.04 of the impact's speed: measured. It is infinite for a structure without such parts.
     """
     stopped = any(np.isfinite([hinge.lower, hinge.upper]).any() for hinge in structure.hinges if not hinge.flaps)
     longest = [structure.stops.time_constant / STEPS_TO_TIME_CONSTANT] * bool(stopped or structure.limits)
@@ -81,18 +81,20 @@ def resolving_timestep(structure: Structure) -> float:
     return min(longest, default=np.inf)
 
 
-@lru_cache(maxsize=64)  # a run that is checked, warned of and shown asks three times and more
+@lru_cache(maxsize=64)  # checks, warnings and pages of a run call this three times or more
 def stable_timestep(design: Design) -> float:
-    """Estimate the longest timestep, s, at which no mode blows up while the structure folds.
+    """Estimate the longest timestep, s, at which no mode diverges while the structure folds.
 
-    As built, at rest, it is linearised, and one step of semi-implicit Euler with implicit joint damping is a linear map
-    of positions, velocities and the forces of Maxwell branches. Above a limit an eigenvalue of it passes -1: the mode
-    flips its sign at every step and grows (for one undamped mode of angular frequency w this is the textbook limit
-    h = 2 / w). Growth without a flip is the snap itself, not an error. Half of that limit is taken, because a
-    structure stiffens as it folds; the share was measured on wings. Tendons may have no lever as built, so the limit
-    with tendons at their largest lever, where their law is stiffest, is another bound. What is driven
-    harder than it needs to be can ask for less: see `with_timestep`. Of nodes, whose bars are as stiff whatever the
-    shape, nearly all of the limit as built is taken: see `node_timestep`.
+    The structure is linearised as built, at rest. One step of semi-implicit Euler with implicit joint damping is then a
+    linear map of positions, velocities and forces of Maxwell branches. Above a limit, one of its eigenvalues passes -1:
+    the mode changes its sign at every step and grows (for one undamped mode of angular frequency w this is the textbook
+    limit h = 2 / w). Growth without a change of sign is the snap itself, not an error. Half of that limit is returned,
+    because a structure stiffens as it folds; the share was measured on wings.
+
+    Because tendons may have no lever as built, the limit with tendons at their largest lever and with the largest
+    stiffness of their law is a second bound. A structure that is driven harder than necessary can need a shorter step:
+    see `with_timestep`. For nodes, whose bars are equally stiff in any shape, most of the limit as built is returned:
+    see `node_timestep`.
     """
     structure = structure_of(design)
     if any(body.slides for body in structure.bodies) or any(hinge.flaps for hinge in structure.hinges):
@@ -108,8 +110,8 @@ class _NoTimestepError(InputError):
 
 
 def _jointed_timestep(design: Design) -> float:
-    """The longest timestep of bodies on joints, s."""
-    # what is linearised does not depend on the step it is compiled with
+    """Return the longest timestep of bodies on joints, s."""
+    # the linearisation does not depend on the timestep of the compiled model
     any_step = {"protocol": design.protocol.model_copy(update={"timestep": _LONGEST})}
     model = compile_model(design.model_copy(update=any_step))
     built = _as_built(model)
@@ -120,27 +122,27 @@ def _jointed_timestep(design: Design) -> float:
 
 
 def _cause(design: Design) -> str:
-    """Name the value without which there is a timestep, of those furthest from the reference of their kind."""
+    """Return the key of a value that prevents any timestep, among those furthest from the reference of their kind."""
     name = design.reference
     usual = {} if name is None else _numbers(load_design(name).si_tables())
-    own = {key: value for key, value in _numbers(design.si_tables()).items() if value != usual.get(key)}
-    far = {key: abs(math.log10(value / usual[key])) if usual.get(key) else math.inf for key, value in own.items()}
+    values = {key: value for key, value in _numbers(design.si_tables()).items() if value != usual.get(key)}
+    far = {key: abs(math.log10(value / usual[key])) if usual.get(key) else math.inf for key, value in values.items()}
     for key in sorted(far, key=lambda key: -far[key])[:_SUSPECTS]:
-        # of what the reference lacks, less and more of it
-        others = [usual[key]] if key in usual else [own[key] * factor for factor in _FACTORS]
+        # values without a reference are decreased and increased
+        others = [usual[key]] if key in usual else [values[key] * factor for factor in _FACTORS]
         for other in others:
             try:
                 _jointed_timestep(with_values(design, {key: other}))
             except InputError:
                 continue
             quantity = key_quantity(key, type(design))
-            shown = f"{own[key]:g}" if quantity is None else show_quantity(own[key], quantity.unit)
-            return f", by {key} of {shown}"
+            shown = f"{values[key]:g}" if quantity is None else show_quantity(values[key], quantity.unit)
+            return f", because of {key} = {shown}"
     return ""
 
 
 def _numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
-    """The numbers > 0 in nested tables, by dotted key, but those of the pattern and of lists, and the timestep."""
+    """Return the numbers > 0 in nested tables, by dotted key, except those of patterns and lists, and the timestep."""
     numbers: dict[str, float] = {}
     for key, value in tables.items():
         if isinstance(value, Mapping) and not key.isdecimal():
@@ -153,9 +155,9 @@ def _numbers(tables: Mapping[str, Any], within: str = "") -> dict[str, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class _Linear:
-    """Near a state, in the model's units: inertia, stiffness, all damping and its implicit part, (dof, dof).
+    """Linearisation about a state, in the model's units: inertia, stiffness, damping and its implicit part, (dof, dof).
 
-    `stretch` is by how much each tendon lengthens, (tendon, dof).
+    `stretch` is the derivative of each tendon's length, (tendon, dof).
     """
 
     inertia: Array
@@ -166,7 +168,7 @@ class _Linear:
 
 
 def _limit(model: Model, linear: _Linear) -> float:
-    """The longest timestep, s, without a mode that flips and grows."""
+    """Compute the longest timestep, s, without a mode that changes sign and grows."""
     shortest, longest = np.log10(_SHORTEST), np.log10(_LONGEST)
     branches = [(tendon, branch) for tendon, each in enumerate(model.in_units.tendons) for branch in each.law.branches]
 
@@ -183,10 +185,10 @@ def _limit(model: Model, linear: _Linear) -> float:
 
 
 def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]]) -> float:
-    """The longest step of Runge and Kutta without a mode that grows, in the model's units.
+    """Compute the longest step of Runge and Kutta without a growing mode, in the model's units.
 
-    An eigenvalue z of step times slope is to keep |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1: up to 2.8 i undamped, -2.8
-    overdamped (Hairer and Wanner 1996). What the closures hold counts as free, which is faster than it is.
+    An eigenvalue z of step times slope must satisfy |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1: up to 2.8 i undamped, -2.8
+    overdamped (Hairer and Wanner 1996). Closures are ignored, which overestimates frequencies.
     """
     dofs = len(linear.inertia)
     stiffness = linear.stiffness + sum(
@@ -195,7 +197,7 @@ def _explicit_limit(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]
     inverse = np.linalg.inv(linear.inertia)
     slope = np.block([[np.zeros((dofs, dofs)), np.eye(dofs)], [-inverse @ stiffness, -inverse @ linear.damping]])
     modes = np.linalg.eigvals(slope)
-    # what grows of itself snaps
+    # modes that grow by themselves belong to a snap
     modes = modes[(modes.real <= 0) & (np.abs(modes) > 0)]
     steps = np.geomspace(1e-3, 3, 500)
     z = steps[:, None] * modes / np.abs(modes)
@@ -214,18 +216,18 @@ def _as_built(model: Model) -> _Linear:
     damping = -_slope(engine, data, data.qvel, "qfrc_passive")
     stretch = _slope(engine, data, data.qpos, "ten_length")[model.tendons]
     if model.lets_go.any():
-        # springs and dampers that are actuators; at rest nothing else is in their forces, at speed branches are, too
+        # springs and dampers that are actuators; at rest their forces contain nothing else, in motion also branches
         stiffness -= _slope(engine, data, data.qpos, "qfrc_actuator")
         for tendon in np.flatnonzero(model.lets_go):
             viscous = (model.in_units.tendons[tendon].law.damping or (0.0,))[0]
             damping += viscous * stretch[tendon : tendon + 1].T @ stretch[tendon : tendon + 1]
     for control in np.flatnonzero(model.brakes >= 0):
-        # what speed takes of motors' torques, where these are largest
+        # reduction of motors' torques with speed, at the largest torques
         number, way = model.brakes[control], model.ways[control]
         largest = max((abs(drive.strengths[number]) for drive in model.in_units.drives), default=0.0)
         damping += largest / model.in_units.motors[number].no_load_speed * np.outer(way, way)
     if model.drag is not None:
-        # what is set anew after so many steps is as if it were so much stronger
+        # drag that is constant over several steps acts like a drag that is stronger by this number
         damping += model.followed * _drag_damping(model, model.drag, data, inertia)
     return _Linear(
         inertia=inertia,
@@ -237,21 +239,21 @@ def _as_built(model: Model) -> _Linear:
 
 
 def _drag_damping(model: Model, drag: Drag, data: mujoco.MjData, inertia: Array) -> Array:
-    """By how much drag damps coordinates at most, (dof, dof), each as fast as tendons and torques can make it alone."""
+    """Return the largest damping of coordinates by drag, (dof, dof), at speeds that tendons and torques allow."""
     tendons = model.elastic.energy(model.engine.tendon_length0[model.tendons])
     torque = sum(abs(drive.strength) for drive in model.in_units.drives)
     energy = float(np.max(tendons, initial=0.0)) + torque * np.pi
     speeds = np.maximum(np.sqrt(2 * energy / np.diag(inertia)), _NUDGE)
     kinematics = {name: np.repeat(getattr(data, name)[None], len(speeds), axis=0) for name in KINEMATICS}
     forces = stacked_drag([drag]).forces(np.zeros(len(speeds), dtype=np.int64), kinematics, np.diag(speeds))
-    # what goes with the square of a speed has twice that slope
+    # the derivative of a quadratic drag is twice its ratio to the speed
     return np.asarray(-2 * forces.T / speeds)
 
 
 def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
-    """A structure with tendons that pull at the largest levers that they can have, as stiff as their law is anywhere.
+    """Return the linearisation with tendons at their largest levers and with the largest stiffness of their laws.
 
-    The lever of a tendon about a hinge that it crosses is no longer than the nearer of its ends is away from it.
+    The lever of a tendon about a hinge is at most the distance of its nearer end from the hinge.
     """
     structure = model.in_units
     stretch, stiffness, damping = np.zeros_like(built.stretch), built.stiffness, built.damping
@@ -265,12 +267,12 @@ def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
         longest = float(model.engine.tendon_length0[model.tendons[number]])
         if law.yield_extension is not None:
             longest = min(longest, law.rest_length + law.yield_extension)
-        # a cubic's slope is largest at an end of its range
+        # the slope of a cubic law is largest at an end of its range
         ends = law.elastic.stiffness([min(law.rest_length, longest), longest])
         torque = sum(abs(drive.strength) for drive in structure.drives)
         linear, quadratic, cubic = law.damping or (0.0, 0.0, 0.0)
-        # a hinge is no faster than the energy of its tendon and the work of the torques on it allow, and about no
-        # faster than where its tendon's damper holds their forces
+        # the speed of a hinge is limited by the energy of its tendon and the work of torques, and about limited by the
+        # speed at which the tendon's damper balances their forces
         arm = float(levers.max())
         energy = law.elastic.energy(longest) + torque * np.pi
         fastest = arm * np.sqrt(2 * energy / np.diag(built.inertia)[driven].min())
@@ -284,7 +286,7 @@ def _at_largest_lever(model: Model, built: _Linear) -> _Linear:
 
 
 def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str) -> Array:
-    """One of MuJoCo's fields by state, central differences, (..., dof)."""
+    """Compute the derivative of one of MuJoCo's fields by the state, with central differences, (..., dof)."""
     columns = []
     for index in range(engine.nv):
         values = []
@@ -298,11 +300,11 @@ def _slope(engine: mujoco.MjModel, data: mujoco.MjData, state: Array, name: str)
 
 
 def _flips(linear: _Linear, branches: Sequence[tuple[int, TendonBranch]], timestep: float) -> bool:
-    """Whether a mode flips its sign and grows from one step to the next; each branch comes with its tendon's number."""
+    """Return whether a mode changes its sign and grows from step to step; branches come with their tendons' numbers."""
     dofs = len(linear.inertia)
     step = np.linalg.inv(linear.inertia + timestep * linear.implicit) * timestep
-    # each branch's force after the step, by position, velocity and the forces of all before it; it takes the velocity
-    # from before, and the velocity after takes the force
+    # each branch's force after the step as a function of position, velocity and forces before it: the force depends on
+    # the velocity before the step, and the velocity after the step depends on the force
     kept = [np.exp(-timestep / branch.time) for _, branch in branches]
     stretch = linear.stretch[[tendon for tendon, _ in branches]].reshape(-1, dofs)
     gained = [-branch.stiffness * branch.time * np.expm1(-timestep / branch.time) for _, branch in branches]

@@ -1,4 +1,4 @@
-"""The load that a stable state of a net does not withstand."""
+"""Collapse of a stable state of a net: the load that the state no longer withstands."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _BEYOND = 1e-3
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Collapse:
-    """Where a load that grows carries a state away.
+    """Loss of a state under a growing load.
 
     Attributes:
-        kind: "limit", past which there is no equilibrium near by; "bifurcation", past which the one on the path holds
-            no longer; "none" where it held as far as the path went.
-        factor: times which the load acts there; for "none" the largest reached.
-        point: the equilibrium there.
-        mode: the way in which stiffness is lost, the largest coordinate 1, (node, 3); 0 for "none".
-        path: there.
+        kind: "limit", beyond which there is no equilibrium nearby; "bifurcation", beyond which the equilibrium on the
+            path is unstable; "none" if the state held along the whole path.
+        factor: load factor at the loss; for "none" the largest one reached.
+        point: the equilibrium at that factor.
+        mode: direction in which stiffness is lost, the largest coordinate 1, (node, 3); 0 for "none".
+        path: equilibria up to that point.
     """
 
     kind: Literal["limit", "bifurcation", "none"]
@@ -49,19 +49,19 @@ def collapse(
     step: float | None = None,
     increments: int = 300,
 ) -> Collapse:
-    """The first limit or bifurcation under a load that grows in proportion.
+    """Find the first limit or bifurcation under a load that grows in proportion.
 
     Args:
         net: as for `load_path`.
         state: stable, without the load.
-        load: that grows from nothing.
-        most: factor that is enough; None for no end.
+        load: grows from zero.
+        most: largest factor; None for no limit.
         stop: as for `load_path`.
         step: as for `load_path`.
-        increments: largest number of them.
+        increments: largest number of increments.
 
     Raises:
-        InputError: the state is not stable, or what `load_path` refuses.
+        InputError: the state is not stable, or `load_path` rejects the load.
     """
     if not state.stable:
         raise InputError(f"state: need a stable one, got one with {state.index} ways downhill")
@@ -74,26 +74,26 @@ def collapse(
 
 
 def snapped(net: Net, lost: Collapse) -> NetRest:
-    """Where it goes from a limit or a bifurcation, under a load a thousandth larger.
+    """Find where a net rests after a limit or a bifurcation, under a load that is larger by a thousandth.
 
-    Of the two senses of the mode the one that ends lower; what it comes to without the load is `minimum` from there.
-    It is not settled where nothing holds that load.
+    Of the two directions of the mode, the one that ends at a lower energy is taken. Use `minimum` from the result to
+    find the resting shape without the load. The result is not settled if no state withstands that load.
 
     Args:
         net: as for `collapse`.
-        lost: what it said.
+        lost: result of `collapse`.
 
     Raises:
-        InputError: it did not collapse.
+        InputError: the state did not collapse.
     """
     if lost.kind == "none":
         raise InputError("lost: need a state that collapses, got one that held")
-    load, factor, here = lost.path.load, lost.factor * (1 + _BEYOND), lost.point.shape
+    load, factor, shape = lost.path.load, lost.factor * (1 + _BEYOND), lost.point.shape
     ends = []
     for sense in (1, -1):
         aside = sense * _BEYOND * net.size * lost.mode + (factor - lost.factor) * load.displacements
-        beside = shape_at(net, here.positions + aside, here.angles)
-        rest = minimum(net, beside, load, factor, longest_step=net.size / 50)
+        pushed = shape_at(net, shape.positions + aside, shape.angles)
+        rest = minimum(net, pushed, load, factor, longest_step=net.size / 50)
         ends.append((expand(net, rest.shape, load, factor).energy, rest))
     return min(ends, key=lambda each: each[0])[1]
 
@@ -101,15 +101,15 @@ def snapped(net: Net, lost: Collapse) -> NetRest:
 def holding_torque(
     net: Net, state: NetRest, crease: int, *, sense: int = 1, step: float | None = None, increments: int = 300
 ) -> Collapse:
-    """The torque on one crease, N m as the factor, at which a stable state is lost.
+    """Find the torque on one crease at which a stable state is lost; the factor of the result is the torque in N m.
 
     Args:
         net: as for `load_path`.
         state: stable.
         crease: its number.
-        sense: 1 where the torque folds a valley, -1 a mountain.
+        sense: 1 for a torque that folds a valley, -1 for a mountain.
         step: as for `load_path`.
-        increments: largest number of them.
+        increments: largest number of increments.
 
     Raises:
         InputError: as for `collapse`.

@@ -1,4 +1,4 @@
-"""The energy of a net, its slope and its curvature."""
+"""Energy of a net, its gradient (slope) and its Hessian (curvature)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.statics.net.layout import Layout, layout_of
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net, NetShape, Triangles
 
-# energy, by side, by pair of sides
+# energy, gradient by side, Hessian by pair of sides
 Piece = tuple[float, Array, Array]
 
 _SHORTEST = 1e-12  # of the net's size; a shorter side has no direction
@@ -20,15 +20,16 @@ _SHORTEST = 1e-12  # of the net's size; a shorter side has no direction
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Expansion:
-    """The potential of a net about a shape.
+    """Second-order expansion of the potential of a net about a shape.
 
     Attributes:
-        shape: there.
-        stored: energy, that of the weight included (0 at z = 0), J.
-        energy: the same less what the load does from the shape as built, J.
-        slope: by the nodes' coordinates, N, (node, 3): on held ones, what supports exert.
-        curvature: by all coordinates, N/m.
-        free: by the free ones, N/m.
+        shape: point of the expansion.
+        stored: stored energy, including that of the weight (0 at z = 0), J.
+        energy: stored energy minus the work of the load from the shape as built, J.
+        slope: gradient of the potential by the nodes' coordinates, N, (node, 3); for held coordinates, the forces that
+            supports exert.
+        curvature: Hessian by all coordinates, N/m.
+        free: Hessian by the free coordinates, N/m.
     """
 
     shape: NetShape
@@ -40,30 +41,30 @@ class Expansion:
 
 
 def shape_at(net: Net, positions: Array, near: Array | None = None) -> NetShape:
-    """The shape with nodes at some places.
+    """Return the shape of a net with nodes at given positions.
 
     Args:
-        net: what is bent.
+        net: the net.
         positions: m, (node, 3).
-        near: angles that those of the creases follow, rad, (crease,); None for 0.
+        near: angles within half a turn of which the creases' angles are chosen, rad, (crease,); None for 0.
     """
     near = np.zeros(len(net.creases.points)) if near is None else near
     return NetShape(positions=positions, angles=fold_angles(sides_of(net, positions)[2], near))
 
 
 def built_shape(net: Net) -> NetShape:
-    """The shape as built."""
+    """Return the shape as built."""
     return shape_at(net, net.nodes)
 
 
 def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 0.0) -> Expansion:
-    """The potential about a shape: energy, slope and sparse curvature in closed form, all elements at once.
+    """Compute energy, gradient and sparse Hessian of the potential in closed form, for all elements at once.
 
     Args:
-        net: with its laws.
-        shape: anywhere.
-        load: that acts, None for none.
-        factor: times which it does.
+        net: the net with its laws.
+        shape: any shape.
+        load: acting load; None for none.
+        factor: of the load.
     """
     layout = layout_of(net)
     springs, tendons, creases, triangles = sides_of(net, shape.positions)
@@ -86,7 +87,7 @@ def expand(net: Net, shape: NetShape, load: Load | None = None, factor: float = 
 
 
 def stored_by_part(net: Net, shape: NetShape) -> tuple[float, Array, float, float, float]:
-    """Energies, J: of the bars, of each crease, (crease,), of tendons, membranes and the weight (0 at z = 0)."""
+    """Return energies, J: of bars, of each crease, (crease,), of tendons, of membranes, of the weight (0 at z = 0)."""
     springs, tendons, _, triangles = sides_of(net, shape.positions)
     shortest = _SHORTEST * net.size
     return (
@@ -99,14 +100,14 @@ def stored_by_part(net: Net, shape: NetShape) -> tuple[float, Array, float, floa
 
 
 def angle_slopes(net: Net, shape: NetShape) -> tuple[Array, Layout]:
-    """Slopes of the creases' angles by their sides, 1/m, (crease, 3, 3), and how the sides hang on the nodes."""
+    """Return gradients of the creases' angles by their sides, 1/m, (crease, 3, 3), and the layout of the sides."""
     return fold_angle_derivatives(sides_of(net, shape.positions)[2])[0], layout_of(net)
 
 
 def load_slope(net: Net, shape: NetShape, load: Load) -> Array:
-    """What forces and torques of a load exert on the nodes in a shape, N, (node, 3)."""
+    """Return the forces on the nodes from forces and torques of a load in a shape, N, (node, 3)."""
     if not load.torques.any():
-        return load.forces + 0.0  # as a sum, without a 0 that is negative
+        return load.forces + 0.0  # the sum has no negative zeros
     slopes, layout = angle_slopes(net, shape)
     springs, tendons, creases, _ = layout.counts
     sides = np.zeros((layout.sides.shape[0], 3))
@@ -116,7 +117,7 @@ def load_slope(net: Net, shape: NetShape, load: Load) -> Array:
 
 
 def sides_of(net: Net, positions: Array) -> tuple[Array, Array, Array, Array]:
-    """Sides of springs and tendons, m, (side, 3), of creases, (crease, 3, 3), and triangles, (triangle, 2, 3)."""
+    """Return sides of springs and tendons, m, (side, 3), of creases, (crease, 3, 3), triangles, (triangle, 2, 3)."""
     layout = layout_of(net)
     springs, tendons, creases, _ = layout.counts
     sides = layout.sides @ positions
@@ -142,7 +143,7 @@ def _bars(net: Net, sides: Array, shortest: float) -> Piece:
     stiffness, rest_length = net.springs.stiffness, net.springs.rest_length
     apart = _length(sides)
     length, rise = np.maximum(apart, shortest), apart - rest_length
-    # of a pull F at a length L along n, the curvature is F' n n^T + F / L (1 - n n^T)
+    # the Hessian of a pull F at a length L along n is F' n n^T + F / L (1 - n n^T)
     per_length = np.where(rest_length > 0, stiffness * rise / length, stiffness)
     blocks = _along(sides / length[:, None], stiffness, per_length)
     return float(stiffness @ rise**2) / 2, per_length[:, None] * sides, blocks
@@ -173,7 +174,7 @@ def _folds(net: Net, sides: Array, angles: Array, torques: Array | None) -> Piec
 
 
 def membrane_stresses(net: Net, shape: NetShape) -> Array:
-    """Principal second Piola-Kirchhoff stresses of the membranes, the larger first, Pa, (triangle, 2)."""
+    """Compute principal second Piola-Kirchhoff stresses of the membranes, the larger first, Pa, (triangle, 2)."""
     if net.membranes is None:
         return np.zeros((0, 2))
     plane, area = _flat(net.membranes.built)
@@ -183,7 +184,7 @@ def membrane_stresses(net: Net, shape: NetShape) -> Array:
 
 
 def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> tuple[Array, Array, Array, Array]:
-    """Stiffness, N m, deformation gradient, (triangle, 3, 2), strain and stress x volume, (triangle, 2, 2)."""
+    """Return stiffness, N m, deformation gradient, (triangle, 3, 2), strain and stress x volume, (triangle, 2, 2)."""
     modulus, ratio = np.broadcast_arrays(membranes.youngs_modulus, membranes.poisson_ratio, np.empty(len(area)))[:2]
     stiff = (modulus / (1 - ratio**2) * area * membranes.thickness)[:, None, None]
     ratio = ratio[:, None, None]
@@ -194,13 +195,13 @@ def _stressed(membranes: Triangles, sides: Array, shape: Array, area: Array) -> 
 
 
 def _stretched(membranes: Triangles, sides: Array) -> Piece:
-    """Triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5), Green's strain."""
+    """Return the piece of triangles of a St Venant-Kirchhoff material (e.g. Bonet and Wood 2008, section 6.5)."""
     shape, area = _flat(membranes.built)
     stiff, gradient, strain, stress = _stressed(membranes, sides, shape, area)
     ratio = np.broadcast_to(membranes.poisson_ratio, len(area))[:, None, None]
     energy = float(np.sum(stress * strain)) / 2
     slope = np.einsum("txm,tmn,tsn->tsx", gradient, stress, shape)
-    # by sides: the change of stress with strain, and the stress itself
+    # Hessian by sides: material part from the change of stress with strain, geometric part from the stress
     turned = np.einsum("txm,tsm->tsx", gradient, shape)
     inner = np.einsum("tsm,trm->tsr", shape, shape)
     outer = np.einsum("txm,tym->txy", gradient, gradient)
@@ -212,7 +213,7 @@ def _stretched(membranes: Triangles, sides: Array) -> Piece:
 
 
 def _flat(built: Array) -> tuple[Array, Array]:
-    """By which sides give the deformation gradient, 1/m, (triangle, side, 2), and the areas, m^2."""
+    """Return the matrices that turn sides into deformation gradients, 1/m, (triangle, side, 2), and areas, m^2."""
     first, second = built[:, 1] - built[:, 0], built[:, 2] - built[:, 0]
     normal = np.cross(first, second)
     doubled = np.linalg.norm(normal, axis=1)
@@ -227,15 +228,15 @@ def _flat(built: Array) -> tuple[Array, Array]:
 
 
 def fold_angles(sides: Array, near: Array) -> Array:
-    """Fold angles: 0 flat, valleys positive, without a jump at +-pi.
+    """Compute fold angles: 0 flat, valleys positive, without a jump at +-pi.
 
     Args:
-        sides: from tail to head, from the tail to the left corner, and to the right one, m, (crease, 3, 3): side by
-            side. Where a crease is open, the first is the mean of those of its two panels.
-        near: angles that these follow, rad, (crease,): each comes within pi of its own.
+        sides: vectors from tail to head, from the tail to the left corner, and to the right corner, m, (crease, 3, 3):
+            side by side. For an open crease, the first is the mean of the vectors of its two panels.
+        near: reference angles, rad, (crease,): each result is within pi of its reference.
 
     Returns:
-        rad, (crease,).
+        Angles, rad, (crease,).
     """
     along, left, right = np.moveaxis(sides, 1, 0)
     left_normal, right_normal = _cross(along, left), _cross(along, right)
@@ -245,25 +246,26 @@ def fold_angles(sides: Array, near: Array) -> Array:
 
 
 def fold_angle_derivatives(sides: Array) -> tuple[Array, Array]:
-    """Slope and curvature of fold angles by their sides.
+    """Compute gradient and Hessian of fold angles by their sides.
 
     With e along the crease, u to a corner at the height h above it, n the unit normal of its panel and t = n x e / |e|,
-    the slope by u is n / h, and the ones by e follow from what turning and sliding leave unchanged (Bridson, Marino and
-    Fedkiw 2003, doi 10.2312/SCA03/028-036; curvature as in Tamstorf and Grinspun 2013, doi 10.1016/j.gmod.2013.07.001,
-    here by sides instead of corners). Nothing is singular at any angle.
+    the gradient by u is n / h. The gradients by e follow from invariance under rotation and sliding (Bridson, Marino
+    and Fedkiw 2003, doi 10.2312/SCA03/028-036; Hessian as in Tamstorf and Grinspun 2013,
+    doi 10.1016/j.gmod.2013.07.001, here by sides instead of corners). No angle is singular.
 
     Args:
         sides: as for `fold_angles`, (crease, 3, 3).
 
     Returns:
-        1/m, (crease, 3, 3): by side; 1/m^2, (crease, 3, 3, 3, 3): by side and side, then by their coordinates.
+        Gradient by side, 1/m, (crease, 3, 3), and Hessian by pairs of sides, then by their coordinates, 1/m^2,
+        (crease, 3, 3, 3, 3).
     """
     count = len(sides)
     slope = np.zeros_like(sides)
     curvature = np.zeros((count, 3, 3, 3, 3))
     length = np.linalg.norm(sides[:, 0], axis=1)
     along = sides[:, 0] / length[:, None]
-    # all left corners, then all right ones, for which everything has the other sign
+    # all left corners, then all right corners, which have opposite signs
     corner, twice, length = np.concatenate([sides[:, 1], sides[:, 2]]), np.tile(along, (2, 1)), np.tile(length, 2)
     normal = _cross(twice, corner)
     height = np.linalg.norm(normal, axis=1)

@@ -1,4 +1,4 @@
-"""A sparse symmetric matrix in factors, with its inertia."""
+"""Factorisation of a sparse symmetric matrix, with its inertia."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from forficula.arrays import Array
 
-_DENSE = 100  # rows up to which all eigenvalues are worked out
-_NUDGE = 1e-13  # of the largest entry: what a matrix that is exactly singular is shifted by
+_DENSE = 100  # rows up to which all eigenvalues are computed
+_NUDGE = 1e-13  # of the largest entry: shift of an exactly singular matrix
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Factorisation:
-    """A symmetric matrix in factors.
+    """Factorisation of a symmetric matrix.
 
     Attributes:
         lower_upper: of SuperLU; None for a matrix without rows.
@@ -28,19 +28,19 @@ class Factorisation:
 
     @cached_property
     def index(self) -> int:
-        """How many eigenvalues are below 0: negative pivots (Sylvester's law of inertia)."""
+        """Return the number of negative eigenvalues: that of negative pivots (Sylvester's law of inertia)."""
         return 0 if self.lower_upper is None else int(np.count_nonzero(self.lower_upper.U.diagonal() < 0))
 
     def solve(self, right: Array) -> Array:
-        """The solution for a right-hand side, (coordinate,), or several in columns."""
+        """Return the solution for a right-hand side, (coordinate,), or for several in columns."""
         return right.copy() if self.lower_upper is None else np.asarray(self.lower_upper.solve(right))
 
 
 def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
-    """Take a symmetric matrix, plus a multiple of the identity, apart.
+    """Factorise a symmetric matrix plus a multiple of the identity.
 
-    Pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs are the
-    inertia.
+    Pivots stay on the diagonal (minimum degree order, symmetric mode, no threshold), so that their signs give the
+    inertia of the matrix.
     """
     if not matrix.shape[0]:
         return Factorisation(lower_upper=None)
@@ -58,13 +58,13 @@ def factored(matrix: csc_array, shift: float = 0.0) -> Factorisation:
 
 
 def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, Array]:
-    """Eigenvalues nearest to a number, rising, and their eigenvectors in columns.
+    """Compute the eigenvalues nearest to a number, in ascending order, and their eigenvectors in columns.
 
-    By Lanczos' method on the inverse (Ericsson and Ruhe 1980, doi 10.1090/S0025-5718-1980-0583502-2).
+    The method is that of Lanczos on the inverse (Ericsson and Ruhe 1980, doi 10.1090/S0025-5718-1980-0583502-2).
 
     Args:
         matrix: symmetric.
-        count: how many, at most as many as there are.
+        count: number of eigenvalues, at most the size of the matrix.
         about: the number.
     """
     size = matrix.shape[0]
@@ -81,7 +81,7 @@ def softest(matrix: csc_array, count: int, about: float = 0.0) -> tuple[Array, A
 
 
 def lowest(matrix: csc_array) -> Array:
-    """The eigenvector of the lowest eigenvalue of a matrix of which it alone is below 0."""
+    """Compute the eigenvector of the lowest eigenvalue of a matrix with exactly one negative eigenvalue."""
     shift = _NUDGE * float(np.abs(matrix.data).max())
     while factored(matrix, shift).index:
         shift *= 2

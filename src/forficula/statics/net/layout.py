@@ -1,4 +1,4 @@
-"""How sides of a net's elements hang on its nodes, and where what they do adds up: worked out once for a net."""
+"""Assembly pattern of a net: how sides of elements depend on nodes and where contributions add up, computed once."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from forficula.statics.net.net import Net
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Layout:
-    """The fixed pattern of a net's slope and curvature.
+    """The fixed sparsity pattern of a net's gradient and Hessian.
 
-    Sides are ways between points: one a spring and a tendon; of a crease the way along it (the mean where it is open)
-    and the ways from its tails to its left and right corners; of a triangle two.
+    Sides are vectors between points: one for a spring or a tendon; three for a crease, namely along the crease (the
+    mean if it is open) and from its tails to its left and right corners; two for a triangle.
 
     Attributes:
         sides: weights of the nodes, (side, node), springs first, then tendons, creases, triangles.
         counts: of springs, tendons, creases and triangles.
-        gather: by which 3 x 3 blocks of pairs of sides add up to those of pairs of nodes, (block, pair).
-        columns: of the blocks, in rows, (block,).
-        rows: where each row of blocks begins, (node + 1,).
+        gather: weights with which 3 x 3 blocks of pairs of sides add up to blocks of pairs of nodes, (block, pair).
+        columns: column of each block, (block,).
+        rows: index at which each row of blocks begins, (node + 1,).
         free: numbers of the free coordinates, (coordinate,).
-        taken: entries of all blocks that make up the free part, in its order, (entry,).
-        free_rows: of these entries, (entry,).
-        free_starts: where each column of the free part begins, (coordinate + 1,).
+        taken: entries of all blocks that belong to the free part, in its order, (entry,).
+        free_rows: rows of these entries, (entry,).
+        free_starts: index at which each column of the free part begins, (coordinate + 1,).
         weight: forces of gravity, N, (node, 3).
     """
 
@@ -45,17 +45,17 @@ class Layout:
 
     @cached_property
     def on_nodes(self) -> csc_array:
-        """By which forces along sides add up to those on nodes, (node, side)."""
+        """Return the matrix that turns forces along sides into forces on nodes, (node, side)."""
         return csc_array(self.sides.T)
 
     def whole(self, blocks: Array) -> bsr_array:
-        """The curvature by all coordinates, of the blocks of pairs of sides, (pair, 3, 3)."""
+        """Return the Hessian by all coordinates from the blocks of pairs of sides, (pair, 3, 3)."""
         data = (self.gather @ blocks.reshape(-1, 9)).reshape(-1, 3, 3)
         size = 3 * (len(self.rows) - 1)
         return bsr_array((data, self.columns, self.rows), shape=(size, size))
 
     def free_part(self, whole: bsr_array) -> csc_array:
-        """The curvature by the free coordinates."""
+        """Return the Hessian by the free coordinates."""
         size = len(self.free)
         data = whole.data.reshape(-1)[self.taken]
         return csc_array((data, self.free_rows, self.free_starts), shape=(size, size))
@@ -63,7 +63,7 @@ class Layout:
 
 @lru_cache(maxsize=8)
 def layout_of(net: Net) -> Layout:
-    """Work out the pattern of a net; that of a net asked for again is kept."""
+    """Compute the layout of a net; layouts of the last nets are cached."""
     sides = _sides(net)
     triangles = 0 if net.membranes is None else len(net.membranes.points)
     counts = (len(net.springs.points), len(net.tendons.points), len(net.creases.points), triangles)
@@ -109,35 +109,35 @@ def _ways(points: csr_array, ends: Indices) -> csr_array:
 
 
 def _in_turn(parts: list[csr_array]) -> csr_array:
-    """Rows of several matrices by turns."""
+    """Return the interleaved rows of several matrices."""
     count = parts[0].shape[0]
     order = np.arange(count * len(parts)).reshape(len(parts), count).T.ravel()
     return csr_array(vstack(parts, format="csr"))[order]
 
 
 def _pairs(counts: tuple[int, int, int, int]) -> tuple[Indices, Indices]:
-    """Pairs of sides of the same element, in the order of the blocks of curvature."""
+    """Return pairs of sides of the same element, in the order of the blocks of the Hessian."""
     firsts, seconds, start = [], [], 0
-    for count, each in zip(counts, (1, 1, 3, 2), strict=True):
-        begin = start + each * np.arange(count)[:, None, None] + np.zeros((1, each, each), dtype=np.int64)
-        firsts.append((begin + np.arange(each)[None, :, None]).ravel())
-        seconds.append((begin + np.arange(each)[None, None, :]).ravel())
-        start += each * count
+    for count, sides in zip(counts, (1, 1, 3, 2), strict=True):
+        begin = start + sides * np.arange(count)[:, None, None] + np.zeros((1, sides, sides), dtype=np.int64)
+        firsts.append((begin + np.arange(sides)[None, :, None]).ravel())
+        seconds.append((begin + np.arange(sides)[None, None, :]).ravel())
+        start += sides * count
     return np.concatenate(firsts), np.concatenate(seconds)
 
 
 def _gather(sides: csr_array, first: Indices, second: Indices) -> tuple[csr_array, Indices, Indices]:
-    """Which pairs of nodes have blocks, by rows, and how much every pair of sides counts there."""
+    """Return weights of pairs of sides in blocks of pairs of nodes, and columns and row starts of these blocks."""
     starts, nodes, weights = sides.indptr.astype(np.int64), sides.indices.astype(np.int64), sides.data
     many, more = np.diff(starts)[first], np.diff(starts)[second]
     pair = np.repeat(np.arange(len(first)), many * more)
     within = np.arange(len(pair)) - np.repeat(np.cumsum(many * more) - many * more, many * more)
-    here = starts[first][pair] + within // np.maximum(more[pair], 1)
-    there = starts[second][pair] + within % np.maximum(more[pair], 1)
+    row = starts[first][pair] + within // np.maximum(more[pair], 1)
+    column = starts[second][pair] + within % np.maximum(more[pair], 1)
     count = sides.shape[1]
-    # every node has a block of its own, so that shifts find a place
-    places = np.concatenate((nodes[here] * count + nodes[there], np.arange(count) * (count + 1)))
+    # every node has a diagonal block, so that a shift can be added
+    places = np.concatenate((nodes[row] * count + nodes[column], np.arange(count) * (count + 1)))
     blocks, block = np.unique(places, return_inverse=True)
-    gather = csr_array((weights[here] * weights[there], (block[: len(pair)], pair)), shape=(len(blocks), len(first)))
+    gather = csr_array((weights[row] * weights[column], (block[: len(pair)], pair)), shape=(len(blocks), len(first)))
     rows = np.searchsorted(blocks // count, np.arange(count + 1))
     return gather, blocks % count, rows

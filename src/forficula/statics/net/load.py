@@ -1,4 +1,4 @@
-"""What acts on a net."""
+"""Loads on a net: forces, torques and displacements of supports."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from forficula.statics.net.net import Net, NetShape
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Load:
-    """What acts on a net, times a factor.
+    """Load on a net at a load factor of 1.
 
     Attributes:
-        forces: on nodes, that keep their directions, N, (node, 3).
-        torques: on creases, positive where they fold valleys, N m, (crease,). Turning all rest angles by some angle is
-            the torque stiffness x angle.
-        displacements: of the held coordinates, m, (node, 3); 0 where free.
+        forces: on nodes, with fixed directions, N, (node, 3).
+        torques: on creases, positive if they fold valleys, N m, (crease,). A change of rest angles is equivalent to the
+            torque stiffness x angle.
+        displacements: of the held coordinates, m, (node, 3); 0 for free ones.
     """
 
     forces: Array
@@ -29,7 +29,7 @@ class Load:
 
 
 def no_load(net: Net) -> Load:
-    """Nothing acts; a start for `dataclasses.replace`."""
+    """Return a load of zero, to be changed by `dataclasses.replace`."""
     return Load(
         forces=np.zeros_like(net.nodes),
         torques=np.zeros(len(net.creases.points)),
@@ -38,10 +38,10 @@ def no_load(net: Net) -> Load:
 
 
 def check_load(net: Net, load: Load) -> None:
-    """Refuse a load that does not fit.
+    """Reject a load that does not fit a net.
 
     Raises:
-        InputError: shapes that differ, or displacements of coordinates that no support holds.
+        InputError: shapes differ, or coordinates without support are displaced.
     """
     shape = net.nodes.shape
     for name, got, need in (
@@ -59,34 +59,34 @@ def check_load(net: Net, load: Load) -> None:
 
 
 def point_forces(net: Net, points: Indices, forces: Array) -> Load:
-    """Forces on points, N, (point, 3), that keep their directions."""
+    """Return a load of forces on points, N, (point, 3), with fixed directions."""
     return replace(no_load(net), forces=net.points[points].T @ forces)
 
 
 def crease_torques(net: Net, creases: Indices, torques: Array | float) -> Load:
-    """Torques on creases, N m, positive where they fold valleys."""
+    """Return a load of torques on creases, N m, positive if they fold valleys."""
     load = no_load(net)
     load.torques[creases] = torques
     return load
 
 
 def held_displacements(net: Net, displacements: Array) -> Load:
-    """Motion of supports, m, (node, 3), 0 where free: what is to be moved is to be held."""
+    """Return a load of displaced supports, m, (node, 3); only held coordinates can be displaced."""
     return replace(no_load(net), displacements=displacements)
 
 
 def pressure(net: Net, shape: NetShape, triangles: Indices) -> Load:
-    """A pressure of 1 Pa on the right-hand backs of triangles: it pushes them along their normals.
+    """Return a pressure of 1 Pa on the backs of triangles, which pushes them along their right-hand normals.
 
     Args:
-        net: what is pressed.
-        shape: in which areas and normals are taken; the forces keep them.
-        triangles: points at their corners, counterclockwise seen from where it pushes them to, (triangle, 3).
+        net: the net.
+        shape: shape of which areas and normals are taken; the forces do not follow later rotations.
+        triangles: points at their corners, counterclockwise seen from their fronts, (triangle, 3).
     """
-    each = triangle_normals((net.points @ shape.positions)[triangles]) / 6
-    return point_forces(net, triangles.ravel(), np.repeat(each, 3, axis=0))
+    forces = triangle_normals((net.points @ shape.positions)[triangles]) / 6
+    return point_forces(net, triangles.ravel(), np.repeat(forces, 3, axis=0))
 
 
 def acceleration(net: Net, direction: Array) -> Load:
-    """What an acceleration of all supports, m/s^2, (3,), does to the masses on them."""
+    """Return the inertial forces on all masses under an acceleration of all supports, m/s^2, (3,)."""
     return replace(no_load(net), forces=-np.outer(np.asarray(net.mass_matrix.sum(axis=1)).ravel(), direction))

@@ -18,14 +18,14 @@ from forficula.statics.net.supports import supported
 
 _CORRECTIONS = 12
 _QUICK = 4  # corrections after which the next increment may be longer
-_HOME = 1e-7  # last correction, of an increment
-_ASTRAY = 0.5  # longest way aside, of an increment
-_BENT = 0.1  # largest difference of a factor's mean pace from that of its ends, of the larger of these
-_SHORTEST = 1e-5  # increment, of the first one
-_CORNER = 1e-2  # increment, of the first one, below which a corner is looked for
-_ALIGNED = 0.9  # cosine of the ways before and after it
-_HALVINGS = 16  # of an increment, to find where something happens
-_SAME = 1e-3  # of an increment: two things so near are one
+_HOME = 1e-7  # last correction, as a share of the increment
+_ASTRAY = 0.5  # longest deviation from the tangent, as a share of the increment
+_BENT = 0.1  # largest difference of the mean rate of the factor from that of its ends, as a share of the larger one
+_SHORTEST = 1e-5  # shortest increment, as a share of the first one
+_CORNER = 1e-2  # increment, as a share of the first one, below which a corner is searched for
+_ALIGNED = 0.9  # cosine of the tangents before and after a corner
+_HALVINGS = 16  # of an increment, to locate an event
+_SAME = 1e-3  # as a share of the increment: two events at this distance are one
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,12 +33,12 @@ class PathPoint:
     """An equilibrium on a path.
 
     Attributes:
-        shape: there.
-        factor: times which the load acts.
+        shape: shape of the net.
+        factor: load factor.
         energy: stored, J.
-        index: how many ways lead downhill at a constant factor: 0 where the load could rest on it.
+        index: number of directions in which the energy falls at a constant factor; 0 for a stable equilibrium.
         rising: whether the factor rises along the path.
-        corrections: of Newton's method.
+        corrections: number of corrections of Newton's method.
     """
 
     shape: NetShape
@@ -51,14 +51,14 @@ class PathPoint:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathEvent:
-    """Where the number of ways downhill changes on a path, or the load turns.
+    """Point of a path at which the index changes or the load factor has an extremum.
 
     Attributes:
-        kind: "limit", an extremum of the load, from which it snaps; "bifurcation", where another path crosses.
-        after: number of the point before it.
-        point: the equilibrium there.
-        mode: the way in which stiffness is lost, the largest coordinate 1, (node, 3); from a bifurcation that way leads
-            the other path.
+        kind: "limit", an extremum of the load, from which the net snaps; "bifurcation", where another path crosses.
+        after: number of the point before the event.
+        point: the equilibrium at the event.
+        mode: direction in which stiffness is lost, the largest coordinate 1, (node, 3); at a bifurcation, the direction
+            of the other path.
     """
 
     kind: Literal["limit", "bifurcation"]
@@ -72,11 +72,11 @@ class LoadPath:
     """Equilibria under a load, in the order of the path.
 
     Attributes:
-        load: times the factors of the points.
-        points: of the path, its start among them.
+        load: at a factor of 1.
+        points: of the path, including its start.
         events: limits and bifurcations, in order.
-        ended: "target", "count", "stop"; "stuck" where no shorter increment converged.
-        pins: coordinates, pairs of node and axis, held to take away motions of the whole.
+        ended: "target", "count" or "stop"; "stuck" if even the shortest increment did not converge.
+        pins: coordinates, pairs of node and axis, held to remove rigid-body motions.
     """
 
     load: Load
@@ -88,12 +88,12 @@ class LoadPath:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Station:
-    """A point with what the next increment needs: factors, and the way the path goes, of length 1, (node, 3)."""
+    """A point with the data for the next increment: factorisation, and unit tangent of the path, (node, 3)."""
 
     point: PathPoint
     parts: Factorisation
-    way: Array
-    pace: float  # change of the factor by length along the path
+    direction: Array
+    pace: float  # change of the factor per length along the path
 
 
 def load_path(
@@ -108,84 +108,86 @@ def load_path(
     stop: Callable[[PathPoint], bool] | None = None,
     events: int | None = None,
     rising: bool = True,
-    way: Array | None = None,
+    direction: Array | None = None,
 ) -> LoadPath:
     """Follow equilibria by modified generalised displacement control.
 
-    Every increment goes a given length along the tangent, forwards as the increment before it went, and is corrected
-    in the plane across that tangent (Leon, Lages, de Araujo and Paulino 2014, Mech. Res. Commun. 56, 123-129;
-    here the length of the predictor, not its factor, is kept, and halved where Newton's method does not converge). The
-    inertia of every point is that of the factors of its curvature.
+    Every increment moves a given length along the tangent, in the direction of the increment before it, and is
+    corrected in the plane normal to that tangent (Leon, Lages, de Araujo and Paulino 2014, Mech. Res. Commun. 56,
+    123-129; here the length of the predictor, not its factor, is kept, and halved if Newton's method does not
+    converge). The index of every point follows from the factorisation of its Hessian.
 
     Args:
-        net: not held as a whole where nothing acts on that; see `supported`.
+        net: need not be supported if the load moves no rigid body; see `supported`.
         start: an equilibrium at `factor`, or near one.
         load: forces, torques and displacements that act together.
         step: largest displacement of a coordinate in the first increment, m; None for 1/50 of the net's size.
-        increments: largest number of them.
+        increments: largest number of increments.
         factor: at the start.
-        target: ends the path where the factor passes it; the last point is exactly there. It may be that of the start,
-            to which the path then comes back.
-        stop: ends the path after the first point for which it says so.
-        events: ends the path after so many limits and bifurcations; None for any number.
+        target: factor that ends the path; the last point is exactly at it. If it is the factor of the start, the path
+            ends when it returns to this factor.
+        stop: ends the path after the first point for which it returns True.
+        events: ends the path after this number of limits and bifurcations; None for any number.
         rising: whether the factor rises at first.
-        way: in which the path leaves its start, (node, 3): the mode of a bifurcation, or its opposite, leads from the
-            point there onto the other path. None for the way of the load.
+        direction: in which the path leaves its start, (node, 3). The mode of a bifurcation, or its opposite, leads
+            onto the other path. None for the direction given by the load.
 
     Raises:
-        InputError: the load does not fit or is none, or would carry the whole away; no equilibrium near the start.
+        InputError: the load does not fit, is zero or would move the net as a rigid body; or there is no equilibrium
+            near the start.
     """
     check_load(net, load)
     if not any(np.any(each) for each in (load.forces, load.torques, load.displacements)):
         raise InputError("load: need one that acts, got none")
     net, pins = supported(net, load)
-    first = expand(net, start, load, factor) if way is not None else _settled(net, load, start, factor)
+    first = expand(net, start, load, factor) if direction is not None else _settled(net, load, start, factor)
     if first is None:
         raise InputError("start: need a shape at rest under the load at its start, got one that is not")
-    here = _station(net, load, first, factor, None, rising, 0)
-    if way is not None:
-        here = replace(here, way=way / np.linalg.norm(way), pace=0.0)
-    length = (net.size / 50 if step is None else step) / np.abs(here.way).max()
-    longest, points, found = length, [here.point], list[PathEvent]()
+    current = _station(net, load, first, factor, None, rising, 0)
+    if direction is not None:
+        current = replace(current, direction=direction / np.linalg.norm(direction), pace=0.0)
+    length = (net.size / 50 if step is None else step) / np.abs(current.direction).max()
+    longest, points, found = length, [current.point], list[PathEvent]()
     ended: Literal["target", "count", "stop", "stuck"] = "count"
     while len(points) <= increments:
-        there = _increment(net, load, here, length)
-        if there is None and length <= _CORNER * longest:
-            here, there = _around_corner(net, load, here, length)
-        if there is None:
+        following = _increment(net, load, current, length)
+        if following is None and length <= _CORNER * longest:
+            current, following = _around_corner(net, load, current, length)
+        if following is None:
             length /= 2
             if length < _SHORTEST * longest:
                 ended = "stuck"
                 break
             continue
-        branching = way is not None and len(points) == 1  # where the start is what happens
-        if not branching and length > _CORNER * longest and _bent(here, there, length):
+        branching = direction is not None and len(points) == 1  # the start itself is the bifurcation
+        if not branching and length > _CORNER * longest and _bent(current, following, length):
             length /= 2
             continue
-        new = [] if branching else _events_between(net, load, here, there, length, len(points) - 1)
-        passed = target is not None and _passes(here.point.factor, there.point.factor, target)
+        new = [] if branching else _events_between(net, load, current, following, length, len(points) - 1)
+        passed = target is not None and _passes(current.point.factor, following.point.factor, target)
         if target is not None and passed:
-            there = _at(net, load, here, there, length, target)
-            new = [event for event in new if (event.point.factor - target) * (here.point.factor - target) > 0]
+            following = _at(net, load, current, following, length, target)
+            new = [event for event in new if (event.point.factor - target) * (current.point.factor - target) > 0]
         found += new
-        points.append(there.point)
-        if passed or (stop is not None and stop(there.point)) or (events is not None and len(found) >= events):
+        points.append(following.point)
+        if passed or (stop is not None and stop(following.point)) or (events is not None and len(found) >= events):
             ended = "target" if passed else "stop"
             break
-        here = there
-        length = min(2 * length, longest) if there.point.corrections <= _QUICK else length
+        current = following
+        length = min(2 * length, longest) if following.point.corrections <= _QUICK else length
     return LoadPath(load=load, points=tuple(points), events=tuple(found), ended=ended, pins=pins)
 
 
-def _bent(here: _Station, there: _Station, length: float) -> bool:
-    """Whether the load did more within an increment than its paces at both ends tell, such as fall and rise again.
+def _bent(current: _Station, following: _Station, length: float) -> bool:
+    """Return whether the load factor varied within an increment more than its rates at both ends explain.
 
-    On the cubic that goes through both ends with both paces, the mean pace is that of the ends but for a difference
-    which falls with the square of the increment; where the load falls from a limit and has risen beyond it again as
-    the cube of the way, that is a sixth of the larger pace at least.
+    This detects a load that falls and rises again within an increment. On the cubic through both ends with both rates,
+    the mean rate differs from the mean of the end rates by an amount that decreases with the square of the increment.
+    If the load falls from a limit and rises beyond it again like the cube of the length, the difference is at least a
+    sixth of the larger rate.
     """
-    mean = (there.point.factor - here.point.factor) / length
-    return abs(mean - (here.pace + there.pace) / 2) > _BENT * max(abs(here.pace), abs(there.pace))
+    mean = (following.point.factor - current.point.factor) / length
+    return abs(mean - (current.pace + following.pace) / 2) > _BENT * max(abs(current.pace), abs(following.pace))
 
 
 def _passes(before: float, after: float, target: float) -> bool:
@@ -193,17 +195,17 @@ def _passes(before: float, after: float, target: float) -> bool:
 
 
 def _settled(net: Net, load: Load, start: NetShape, factor: float) -> Expansion | None:
-    """The equilibrium beside a shape at a constant factor; None where there is none near."""
-    here = expand(net, start, load, factor)
+    """Find the equilibrium near a shape at a constant factor; None if there is none."""
+    current = expand(net, start, load, factor)
     for _ in range(30):
         step = np.zeros_like(net.nodes)
-        step[net.free] = factored(here.free).solve(-here.slope[net.free])
+        step[net.free] = factored(current.free).solve(-current.slope[net.free])
         moved = np.abs(step).max(initial=0.0)
         if not moved <= 0.1 * net.size:
             break
-        here = expand(net, _moved(net, here.shape, step), load, factor)
+        current = expand(net, _moved(net, current.shape, step), load, factor)
         if moved <= _HOME * net.size / 100:
-            return here
+            return current
     return None
 
 
@@ -211,97 +213,97 @@ def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
     return shape_at(net, shape.positions + step, shape.angles)
 
 
-def _tangent(net: Net, load: Load, here: Expansion, parts: Factorisation) -> Array:
-    """Displacements by the factor, m, (node, 3)."""
-    push = load_slope(net, here.shape, load)
+def _tangent(net: Net, load: Load, current: Expansion, parts: Factorisation) -> Array:
+    """Return the derivative of displacements by the load factor, m, (node, 3)."""
+    push = load_slope(net, current.shape, load)
     if np.any(load.displacements):
-        push = push - (here.curvature @ load.displacements.ravel()).reshape(-1, 3)
+        push = push - (current.curvature @ load.displacements.ravel()).reshape(-1, 3)
     tangent = load.displacements.copy()
     tangent[net.free] += parts.solve(push[net.free])
     return tangent
 
 
 def _station(
-    net: Net, load: Load, here: Expansion, factor: float, before: Array | None, rising: bool, corrections: int
+    net: Net, load: Load, current: Expansion, factor: float, before: Array | None, rising: bool, corrections: int
 ) -> _Station:
-    """What an equilibrium says of the path, which goes on as before."""
-    parts = factored(here.free)
-    tangent = _tangent(net, load, here, parts)
+    """Return an equilibrium with its tangent, oriented like the tangent before it."""
+    parts = factored(current.free)
+    tangent = _tangent(net, load, current, parts)
     length = float(np.linalg.norm(tangent))
     if not (np.isfinite(length) and length):
         raise InputError("load: need one that moves the net, got one that does not")
     forwards = rising if before is None else float(np.sum(before * tangent)) > 0
     pace = (1.0 if forwards else -1.0) / length
     point = PathPoint(
-        shape=here.shape,
+        shape=current.shape,
         factor=factor,
-        energy=here.stored,
+        energy=current.stored,
         index=parts.index,
         rising=forwards,
         corrections=corrections,
     )
-    return _Station(point=point, parts=parts, way=pace * tangent, pace=pace)
+    return _Station(point=point, parts=parts, direction=pace * tangent, pace=pace)
 
 
-def _increment(net: Net, load: Load, here: _Station, length: float) -> _Station | None:
-    """The point of the path about so far on; None where Newton's method does not get there."""
-    factor = here.point.factor + length * here.pace
-    there = expand(net, _moved(net, here.point.shape, length * here.way), load, factor)
+def _increment(net: Net, load: Load, current: _Station, length: float) -> _Station | None:
+    """Find the next point of the path at about the given length; None if Newton's method does not converge."""
+    factor = current.point.factor + length * current.pace
+    following = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
     aside = np.zeros_like(net.nodes)
     for corrections in range(_CORRECTIONS):
-        if not np.all(np.isfinite(there.slope)):
+        if not np.all(np.isfinite(following.slope)):
             return None
-        parts = factored(there.free)
+        parts = factored(following.free)
         step = np.zeros_like(net.nodes)
-        step[net.free] = parts.solve(-there.slope[net.free])
-        tangent = _tangent(net, load, there, parts)
-        change = -float(np.sum(here.way * step)) / (float(np.sum(here.way * tangent)) or np.nan)
+        step[net.free] = parts.solve(-following.slope[net.free])
+        tangent = _tangent(net, load, following, parts)
+        change = -float(np.sum(current.direction * step)) / (float(np.sum(current.direction * tangent)) or np.nan)
         step = step + change * tangent
         aside, moved = aside + step, float(np.linalg.norm(step))
         if not np.linalg.norm(aside) <= _ASTRAY * length:
             return None
         factor += change
-        there = expand(net, _moved(net, there.shape, step), load, factor)
+        following = expand(net, _moved(net, following.shape, step), load, factor)
         if moved <= _HOME * length:
-            # beyond contact of panels that lock, where the path does not lead, the energy is infinite
-            within = np.isfinite(there.stored)
-            return _station(net, load, there, factor, here.way, True, corrections) if within else None
+            # the energy is infinite beyond the contact of locking panels, where no path leads
+            within = np.isfinite(following.stored)
+            return _station(net, load, following, factor, current.direction, True, corrections) if within else None
     return None
 
 
-def _around_corner(net: Net, load: Load, here: _Station, length: float) -> tuple[_Station, _Station | None]:
-    """Past a kink of a law, such as a tendon that goes slack: the way turns at once to that of the other side."""
-    factor = here.point.factor + length * here.pace
-    over = expand(net, _moved(net, here.point.shape, length * here.way), load, factor)
+def _around_corner(net: Net, load: Load, current: _Station, length: float) -> tuple[_Station, _Station | None]:
+    """Pass a kink of a law, such as a tendon that goes slack, at which the tangent turns abruptly."""
+    factor = current.point.factor + length * current.pace
+    over = expand(net, _moved(net, current.point.shape, length * current.direction), load, factor)
     tangent = _tangent(net, load, over, factored(over.free))
     for pace in (1 / np.linalg.norm(tangent), -1 / np.linalg.norm(tangent)):
-        turned = replace(here, way=pace * tangent, pace=float(pace))
-        there = _increment(net, load, turned, length)
-        # the other orientation would lead back to this side, or to nothing
-        if there is not None and np.sum(there.way * turned.way) > _ALIGNED:
-            return turned, there
-    return here, None
+        turned = replace(current, direction=pace * tangent, pace=float(pace))
+        following = _increment(net, load, turned, length)
+        # the opposite orientation would lead back, or to no equilibrium
+        if following is not None and np.sum(following.direction * turned.direction) > _ALIGNED:
+            return turned, following
+    return current, None
 
 
 def _events_between(
-    net: Net, load: Load, here: _Station, there: _Station, length: float, after: int
+    net: Net, load: Load, current: _Station, following: _Station, length: float, after: int
 ) -> list[PathEvent]:
-    """What happens within an increment, in order."""
+    """Return the events within an increment, in order."""
     events = list[tuple[float, PathEvent]]()
     places = list[float]()
-    if there.point.rising != here.point.rising:
-        places.append(_halved(net, load, here, length, lambda point: point.rising != here.point.rising))
-    if there.point.index != here.point.index:
-        at = _halved(net, load, here, length, lambda point: point.index != here.point.index)
+    if following.point.rising != current.point.rising:
+        places.append(_halved(net, load, current, length, lambda point: point.rising != current.point.rising))
+    if following.point.index != current.point.index:
+        at = _halved(net, load, current, length, lambda point: point.index != current.point.index)
         if not any(abs(at - place) <= _SAME * length for place in places):
             places.append(at)
     for number, place in enumerate(places):
-        # where stiffness is lost no increment may end, but one just short of it does
+        # an increment may not converge exactly where stiffness is lost, but one just short of it does
         short = place - length / 2**_HALVINGS
-        point = (_increment(net, load, here, place) or _increment(net, load, here, short) or there).point
+        point = (_increment(net, load, current, place) or _increment(net, load, current, short) or following).point
         mode = np.zeros_like(net.nodes)
         mode[net.free] = softest(expand(net, point.shape, load, point.factor).free, 1)[1][:, 0]
-        limit = number == 0 and there.point.rising != here.point.rising
+        limit = number == 0 and following.point.rising != current.point.rising
         events.append(
             (
                 place,
@@ -316,11 +318,11 @@ def _events_between(
     return [event for _, event in sorted(events, key=lambda each: each[0])]
 
 
-def _halved(net: Net, load: Load, here: _Station, length: float, passed: Callable[[PathPoint], bool]) -> float:
-    """How far on something has happened, by halving the increment."""
+def _halved(net: Net, load: Load, current: _Station, length: float, passed: Callable[[PathPoint], bool]) -> float:
+    """Return the length at which an event has passed, by halving the increment."""
     low, high = 0.0, length
     for _ in range(_HALVINGS):
-        middle = _increment(net, load, here, (low + high) / 2)
+        middle = _increment(net, load, current, (low + high) / 2)
         if middle is not None and not passed(middle.point):
             low = (low + high) / 2
         else:
@@ -328,18 +330,18 @@ def _halved(net: Net, load: Load, here: _Station, length: float, passed: Callabl
     return high
 
 
-def _at(net: Net, load: Load, here: _Station, there: _Station, length: float, factor: float) -> _Station:
-    """The point between two at which the factor is a given one."""
-    low, high, begin = 0.0, length, here
+def _at(net: Net, load: Load, current: _Station, following: _Station, length: float, factor: float) -> _Station:
+    """Find the point between two others at a given factor."""
+    low, high, begin = 0.0, length, current
     for _ in range(_HALVINGS):
-        share = (factor - begin.point.factor) / (there.point.factor - begin.point.factor)
-        positions = begin.point.shape.positions * (1 - share) + there.point.shape.positions * share
+        share = (factor - begin.point.factor) / (following.point.factor - begin.point.factor)
+        positions = begin.point.shape.positions * (1 - share) + following.point.shape.positions * share
         last = _settled(net, load, shape_at(net, positions, begin.point.shape.angles), factor)
         if last is not None and np.linalg.norm(last.shape.positions - positions) <= high - low:
-            return _station(net, load, last, factor, here.way, True, 0)
-        middle = _increment(net, load, here, (low + high) / 2)
-        if middle is None or (middle.point.factor - factor) * (here.point.factor - factor) <= 0:
-            high, there = (low + high) / 2, middle or there
+            return _station(net, load, last, factor, current.direction, True, 0)
+        middle = _increment(net, load, current, (low + high) / 2)
+        if middle is None or (middle.point.factor - factor) * (current.point.factor - factor) <= 0:
+            high, following = (low + high) / 2, middle or following
         else:
             low, begin = (low + high) / 2, middle
-    return there
+    return following

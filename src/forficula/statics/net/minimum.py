@@ -1,4 +1,4 @@
-"""Where a net rests: the minimum downhill from a shape, and the stationary point beside it."""
+"""Equilibria of a net: the energy minimum reached downhill from a shape, and the stationary point nearest to it."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ _SMALLEST_SHIFT, _LARGEST_SHIFT = 1e-9, 1e3  # of the largest stiffness
 _HOME = 1e-9  # step that ends the search, of the net's size
 _PUSH = 1e-3
 _ROUNDING = 1e-13
-# a curvature below this share of the largest one is none
+# stiffness below this share of the largest one counts as zero
 _NEUTRAL = 1e-11
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetRest:
-    """Where a net is in equilibrium.
+    """An equilibrium of a net.
 
     Attributes:
-        shape: there.
-        energy: stored, that of the weight included (0 at z = 0), J.
-        slope: the largest force on a free coordinate that is left, N.
-        index: how many ways lead downhill: 0 at a minimum, 1 at a saddle between two.
-        neutral: how many more ways lead along no slope at all.
-        pins: coordinates, pairs of node and axis, held to take away motions of the whole.
-        steps: taken.
-        settled: whether the last step was none.
+        shape: shape of the net.
+        energy: stored energy, including that of the weight (0 at z = 0), J.
+        slope: largest residual force on a free coordinate, N.
+        index: number of directions in which the energy falls: 0 at a minimum, 1 at a saddle between two minima.
+        neutral: number of further directions without stiffness.
+        pins: coordinates, pairs of node and axis, held to remove rigid-body motions.
+        steps: number of steps taken.
+        settled: whether the search converged.
     """
 
     shape: NetShape
@@ -50,7 +50,7 @@ class NetRest:
 
     @property
     def stable(self) -> bool:
-        """Whether it stays there after any small push."""
+        """Return whether the net stays at the equilibrium after any small push."""
         return self.settled and self.index == 0 and self.neutral == 0
 
 
@@ -63,83 +63,85 @@ def minimum(
     longest_step: float | None = None,
     stop: Callable[[NetShape], bool] | None = None,
 ) -> NetRest:
-    """Go downhill to rest.
+    """Find the energy minimum that is reached by descending from a shape.
 
-    Every step minimises the energy plus shift / 2 |step|^2 (proximal steps, Rockafellar 1976, which follow the way of a
-    slow motion that equal dampers brake) by Newton's method, whose corrections bring stiff bars back to their lengths
-    before the energy is judged; the shift falls to 0, and the end is Newton's.
+    Every step minimises the energy plus shift / 2 |step|^2 by Newton's method (proximal steps, Rockafellar 1976, which
+    follow a slow motion with equal dampers on all coordinates). The corrections restore the lengths of stiff bars
+    before the energy is compared. The shift decreases to 0, so that the last steps are those of Newton's method.
 
     Args:
-        net: not held as a whole where nothing acts on that; see `supported`.
-        start: m.
-        load: that acts; its displacements are not applied to the start.
-        factor: times which it does.
+        net: need not be supported if the load moves no rigid body; see `supported`.
+        start: start shape.
+        load: acting load; its displacements are not applied to the start.
+        factor: of the load.
         longest_step: of any coordinate, m; None for a tenth of the net's size.
-        stop: ends it on the way, not settled, at the first shape for which it says so.
+        stop: ends the search, not settled, at the first shape for which it returns True.
 
     Raises:
-        InputError: the load does not fit, or would carry the whole away.
+        InputError: the load does not fit, or would move the net as a rigid body.
     """
     if load is not None:
         check_load(net, load)
     net, pins = supported(net, load)
     longest = longest_step if longest_step is not None else net.size / 10
-    here, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
-    parts, most = factored(here.free), 0.0
-    while steps < _MOST_STEPS and not settled and not (stop is not None and stop(here.shape)):
+    current, shift, steps, settled = expand(net, start, load, factor), 0.0, 0, False
+    parts, most = factored(current.free), 0.0
+    while steps < _MOST_STEPS and not settled and not (stop is not None and stop(current.shape)):
         steps += 1
-        stiffest = float(here.free.diagonal().max(initial=0.0)) or 1.0
-        # of the way so far: where a net of few coordinates goes over an inflection, nothing is stiff
+        stiffest = float(current.free.diagonal().max(initial=0.0)) or 1.0
+        # largest value so far, because at an inflection a net of few coordinates has no stiffness
         most = max(most, _LARGEST_SHIFT * stiffest)
         while parts.index and shift <= most:
             shift = _raised(shift, stiffest)
-            parts = factored(here.free, shift)
-        taken, corrections = _proximal_step(net, here, parts, shift, load, factor, longest)
+            parts = factored(current.free, shift)
+        taken, corrections = _proximal_step(net, current, parts, shift, load, factor, longest)
         if taken is None:
             if shift > most:
                 break
             shift = _raised(shift, stiffest)
         else:
-            near = bool(np.abs(taken.positions - here.shape.positions).max() <= _HOME * net.size)
-            here = expand(net, taken, load, factor)
-            # where a shift remains, it is no minimum: it rests there only if nothing pushes
-            pushed = np.abs(here.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
+            near = bool(np.abs(taken.positions - current.shape.positions).max() <= _HOME * net.size)
+            current = expand(net, taken, load, factor)
+            # while a shift remains, the shape is a minimum only if no force is left
+            pushed = np.abs(current.slope[net.free]).max(initial=0.0) > _PUSH * _HOME * net.size * stiffest
             settled = near and (shift <= _SMALLEST_SHIFT * stiffest or not pushed)
             shift = shift / 10 if corrections <= 2 else shift / 2 if corrections <= 3 else shift
             shift = 0.0 if shift < _SMALLEST_SHIFT * stiffest else shift
-        parts = factored(here.free, shift)
-    return _rest(net, here, pins, steps, settled)
+        parts = factored(current.free, shift)
+    return _rest(net, current, pins, steps, settled)
 
 
 def stationary(net: Net, start: NetShape, load: Load | None = None, factor: float = 0.0) -> NetRest:
-    """The equilibrium beside a shape, stable or not, by Newton's method on the slope.
+    """Find the equilibrium near a shape, stable or not, by Newton's method on the gradient.
 
     Args:
         net: as for `minimum`.
-        start: near by.
-        load: that acts; its displacements are not applied to the start.
-        factor: times which it does.
+        start: shape near the equilibrium.
+        load: acting load; its displacements are not applied to the start.
+        factor: of the load.
     """
     net, pins = supported(net, load)
-    here, settled, steps = expand(net, start, load, factor), False, 0
+    current, settled, steps = expand(net, start, load, factor), False, 0
     while steps < 50 and not settled:
-        step = -factored(here.free).solve(here.slope[net.free])
+        step = -factored(current.free).solve(current.slope[net.free])
         most = np.abs(step).max(initial=0.0)
         settled = bool(most <= _HOME * net.size)
-        here = expand(net, _moved(net, here.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300))), load, factor)
+        current = expand(
+            net, _moved(net, current.shape, step * min(1.0, 0.05 * net.size / max(most, 1e-300))), load, factor
+        )
         steps += 1
-    return _rest(net, here, pins, steps, settled)
+    return _rest(net, current, pins, steps, settled)
 
 
-def _rest(net: Net, here: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
-    near = _NEUTRAL * float(np.abs(here.free.data).max(initial=0.0))
-    index = factored(here.free, near).index
+def _rest(net: Net, current: Expansion, pins: tuple[tuple[int, int], ...], steps: int, settled: bool) -> NetRest:
+    near = _NEUTRAL * float(np.abs(current.free.data).max(initial=0.0))
+    index = factored(current.free, near).index
     return NetRest(
-        shape=here.shape,
-        energy=here.stored,
-        slope=float(np.abs(here.slope[net.free]).max(initial=0.0)),
+        shape=current.shape,
+        energy=current.stored,
+        slope=float(np.abs(current.slope[net.free]).max(initial=0.0)),
         index=index,
-        neutral=factored(here.free, -near).index - index,
+        neutral=factored(current.free, -near).index - index,
         pins=pins,
         steps=steps,
         settled=settled,
@@ -157,28 +159,28 @@ def _moved(net: Net, shape: NetShape, step: Array) -> NetShape:
 
 
 def _proximal_step(
-    net: Net, here: Expansion, parts: Factorisation, shift: float, load: Load | None, factor: float, longest: float
+    net: Net, current: Expansion, parts: Factorisation, shift: float, load: Load | None, factor: float, longest: float
 ) -> tuple[NetShape | None, int]:
-    """A shape of less energy, None where the step does not get there, and how many corrections it took."""
-    down = -here.slope[net.free]
+    """Return a shape of less energy, None if the step fails, and the number of corrections."""
+    down = -current.slope[net.free]
     step = parts.solve(down)
     promise, steepest = float(down @ step) / 2, np.abs(down).max(initial=0.0)
     for corrections in range(_CORRECTIONS):
         if not np.abs(step).max(initial=0.0) <= longest:
             return None, corrections
-        there = expand(net, _moved(net, here.shape, step), load, factor)
-        slope = there.slope[net.free]
-        gain = here.energy - there.energy - shift / 2 * float(step @ step)
-        rounded = abs(gain) <= _rounding(net, here) and np.abs(slope).max(initial=0.0) <= 2 * steepest
+        following = expand(net, _moved(net, current.shape, step), load, factor)
+        slope = following.slope[net.free]
+        gain = current.energy - following.energy - shift / 2 * float(step @ step)
+        rounded = abs(gain) <= _rounding(net, current) and np.abs(slope).max(initial=0.0) <= 2 * steepest
         if gain >= 0.1 * promise or rounded:
-            return there.shape, corrections
+            return following.shape, corrections
         if not np.all(np.isfinite(slope)):
             return None, corrections
-        step = step - factored(there.free, shift).solve(slope + shift * step)
+        step = step - factored(following.free, shift).solve(slope + shift * step)
     return None, _CORRECTIONS
 
 
-def _rounding(net: Net, here: Expansion) -> float:
-    """Differences of energy that are those of its last digits."""
-    stiffest = float(np.abs(here.free.data).max(initial=0.0))
-    return _ROUNDING * (abs(here.energy) + abs(here.stored) + stiffest * _HOME * net.size**2)
+def _rounding(net: Net, current: Expansion) -> float:
+    """Return the difference of energies that counts as rounding."""
+    stiffest = float(np.abs(current.free.data).max(initial=0.0))
+    return _ROUNDING * (abs(current.energy) + abs(current.stored) + stiffest * _HOME * net.size**2)

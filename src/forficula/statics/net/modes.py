@@ -16,19 +16,19 @@ from forficula.statics.net.factor import factored
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import rigid_motions
 
-_DENSE = 200  # coordinates up to which all modes are worked out
-_SHIFT = 1e-6  # below 0, of the scale of the eigenvalues
-_RIGID = 1e-3  # largest share of a mode that is no motion of the whole
+_DENSE = 200  # coordinates up to which all modes are computed
+_SHIFT = 1e-6  # below 0, as a share of the scale of the eigenvalues
+_RIGID = 1e-3  # largest deforming share of a mode that counts as a rigid-body motion
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Modes:
-    """Modes of a net, from the slowest on.
+    """Natural modes of a net, the slowest first.
 
     Attributes:
-        frequencies: Hz, (mode,); negative ones are the rates of growth of what does not hold, over 2 pi.
-        shapes: whose kinetic energy at 1 m/s is 1/2 J, (mode, node, 3).
-        rigid: whether they move the whole without straining it, (mode,).
+        frequencies: Hz, (mode,); a negative one is the growth rate of an unstable mode, divided by 2 pi.
+        shapes: normalised to a kinetic energy of 1/2 J at 1 m/s, (mode, node, 3).
+        rigid: whether a mode is a rigid-body motion, (mode,).
     """
 
     frequencies: Array
@@ -37,18 +37,18 @@ class Modes:
 
 
 def natural_modes(net: Net, shape: NetShape, count: int = 10) -> Modes:
-    """The slowest modes about a shape at rest: curvature and masses as a generalised eigenproblem.
+    """Compute the slowest modes about a resting shape from the generalised eigenproblem of Hessian and masses.
 
-    Larger nets by Lanczos' method about a shift a little below 0 (Ericsson and Ruhe 1980, doi
-    10.1090/S0025-5718-1980-0583502-2), which stays regular where the whole may move.
+    Larger nets are solved by Lanczos' method about a shift slightly below 0 (Ericsson and Ruhe 1980, doi
+    10.1090/S0025-5718-1980-0583502-2), which stays regular if rigid-body motions are free.
 
     Args:
-        net: whose supports hold what they do, and no more.
+        net: net with its own supports only.
         shape: at rest.
-        count: how many modes, those of the whole among them.
+        count: number of modes, including rigid-body motions.
 
     Raises:
-        InputError: no mass that moves.
+        InputError: no mass moves.
     """
     curvature = expand(net, shape).free
     flags = net.free.ravel()
@@ -80,7 +80,7 @@ def natural_modes(net: Net, shape: NetShape, count: int = 10) -> Modes:
 
 
 def _all_modes(curvature: csc_array, masses: csc_array) -> tuple[Array, Array]:
-    """All modes; those of coordinates without a mass follow the others at once."""
+    """Compute all modes; coordinates without a mass follow the others statically."""
     stiff, heavy = curvature.toarray(), masses.toarray()
     light = np.asarray(np.abs(heavy).sum(axis=1)) == 0
     follow = np.eye(len(stiff))[:, ~light]

@@ -1,4 +1,4 @@
-"""A net of points, bars, creases, tendons and membranes, as statics takes it."""
+"""A net of points, bars, creases, tendons and membranes: the model of the static solver for nets."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NONE = np.zeros(0)
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Springs:
-    """Two-sided bars: the energy is stiffness (length - rest_length)^2 / 2.
+    """Bars that pull and push: the energy is stiffness (length - rest_length)^2 / 2.
 
     Attributes:
         points: their ends, (spring, 2).
@@ -37,12 +37,12 @@ class Springs:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetCreases:
-    """Where panels turn against one another, diagonals of facets among them.
+    """Creases at which panels turn against each other, including diagonals of facets.
 
     Attributes:
         points: tail, head and the left corner of the panel on the left; tail, head and the right corner of the panel on
-            the right, (crease, 6). Where the crease does not open, the two tails are one point, and the two heads.
-        law: whose numbers are one or (crease,).
+            the right, (crease, 6). If the crease does not open, both tails are the same point, and so are both heads.
+        law: its numbers are scalars or (crease,).
     """
 
     points: Indices = field(default_factory=lambda: np.zeros((0, 6), dtype=np.int64))
@@ -55,7 +55,7 @@ class Tendons:
 
     Attributes:
         points: their ends, (tendon, 2).
-        law: whose numbers are (tendon,).
+        law: its numbers are (tendon,).
     """
 
     points: Indices = field(default_factory=lambda: _NO_PAIRS)
@@ -68,7 +68,7 @@ class Triangles:
 
     Attributes:
         points: corners, counterclockwise, (triangle, 3).
-        built: where the corners are without stress, m, (triangle, 3, 3): corner by corner.
+        built: positions of the corners without stress, m, (triangle, 3, 3): corner by corner.
         youngs_modulus: Pa, one or (triangle,).
         poisson_ratio: one or (triangle,).
         thickness: m, one or (triangle,).
@@ -83,21 +83,21 @@ class Triangles:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Net:
-    """Nodes with coordinates, and all that stores energy between points that are combinations of them.
+    """Nodes with coordinates, and elastic parts between points that are weighted sums of nodes.
 
     Attributes:
         nodes: as built, m, (node, 3).
         free: coordinates that no support holds, (node, 3).
         points: weights of the nodes, (point, node); rows add up to 1.
         masses: lumped, kg, (node,); or a matrix, the same for x, y and z, (node, node).
-        springs: two-sided bars.
+        springs: bars that pull and push.
         creases: between panels.
         tendons: that only pull.
         membranes: None for none.
         gravity: acceleration along -z, m/s^2.
 
     Raises:
-        InputError: arrays that do not fit one another, numbers out of their bounds.
+        InputError: arrays do not fit each other, or numbers are out of bounds.
     """
 
     nodes: Array
@@ -140,12 +140,12 @@ class Net:
 
     @property
     def mass_matrix(self) -> csr_array:
-        """Masses by node, the same for x, y and z, kg, (node, node)."""
+        """Return the mass matrix of the nodes, the same for x, y and z, kg, (node, node)."""
         return csr_array(self.masses if self.masses.ndim == 2 else diags_array(np.asarray(self.masses)))
 
     @cached_property
     def size(self) -> float:
-        """The largest extent as built of what has a mass or moves, m."""
+        """Return the largest extent as built of nodes that have a mass or move, m."""
         heavy = np.asarray(abs(self.mass_matrix).sum(axis=1)).ravel() > 0
         moving = heavy | self.free.any(axis=1)
         return float(np.ptp(self.nodes[moving] if moving.any() else self.nodes, axis=0).max())
@@ -153,11 +153,11 @@ class Net:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetShape:
-    """Where a net is.
+    """Shape of a net.
 
     Attributes:
         positions: of the nodes, m, (node, 3).
-        angles: of the creases, rad, (crease,); beyond +-pi where a panel went through the other one.
+        angles: of the creases, rad, (crease,); beyond +-pi if one panel went through the other.
     """
 
     positions: Array

@@ -1,4 +1,4 @@
-"""What a drive that grows slowly does to a net: where it snaps, when it is at its goal, where it rests when let go."""
+"""Course of a net under a slowly growing drive: snaps, the drive at its goal, and the resting shape after release."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ from forficula.structure import (
     goal_of,
 )
 
-_MOST = 4.0  # of a drive's strength: how far it is followed where that does not suffice
+_MOST = 4.0  # largest multiple of a drive's strength if its strength is not sufficient
 _INCREMENTS = 120
-_FINE = 0.008  # first increment of the equilibria through a snap, of the net's size: they are drawn
+_FINE = 0.008  # first increment of the equilibria through a snap, of the net's size; short because they are drawn
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Course:
-    """What a slowly growing drive does, from a state in which the net rests.
+    """Effect of a slowly growing drive on a net that starts at rest.
 
     Attributes:
-        name: of the transition that it makes, or of the drive.
-        drive: whose strength is the factor 1.
-        load: of that.
-        start: where it begins.
-        slow: what the net does, up to the goal, or as far as it was followed.
-        through: the equilibria on and beyond the first path, stable or not, where it snaps
-            and they were asked for; else None.
-        least: size of the drive at which the goal is first reached, in its SI unit; None where it never is, or where
-            there is no goal.
-        largest_force: on all points of a displacement together, up to there, along it, N; None of other drives.
-        rest: where it comes to rest when let go at the end.
+        name: of the transition that the drive makes, or of the drive.
+        drive: its strength is the load factor 1.
+        load: of the drive.
+        start: equilibrium at the start.
+        slow: path of the net, up to the goal or as far as it was followed.
+        through: the equilibria on and beyond the first path, stable or not; None if the net does not snap, or if they
+            were not requested.
+        least: size of the drive at which the goal is first reached, in its SI unit; None if it is never reached, or
+            without a goal.
+        largest_force: largest total force along a displacement up to the goal, N; None for other drives.
+        rest: where the net comes to rest when released at the end.
     """
 
     name: str
@@ -73,27 +73,27 @@ def drive_course(
     """Let a drive grow slowly from a stable state, to the goal of a transition or to its own strength.
 
     Args:
-        structure: that the net is of.
-        net: of it.
+        structure: the structure.
+        net: net of the structure.
         start: stable.
-        drive: of some strength.
-        transition: that it makes; None for none.
-        through_snaps: whether to follow the equilibria through its snaps, too, which takes about as long as all else.
+        drive: with a strength other than 0.
+        transition: that the drive makes; None for none.
+        through_snaps: whether to follow the equilibria through its snaps as well, which doubles the time.
 
     Raises:
-        InputError: it would carry the whole away.
+        InputError: the drive would move the net as a rigid body.
     """
     free, net = net, displaced_net(structure, net, drive)
     load = motor_load(structure, net, drive.strengths)
     goal = None if transition is None else goal_of(structure, transition.goal)
 
-    def there(shape: NetShape) -> bool:
+    def at_goal(shape: NetShape) -> bool:
         return goal is not None and short_of(structure, net, goal, shape) <= 0
 
     end = 1.0 if goal is None else _MOST
-    # a displacement tells its force all along the way, which is drawn
+    # the force of a displacement is drawn along the whole path, which needs short steps
     step = _FINE * net.size if displaces(structure, drive) else None
-    slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=there)
+    slow = slow_path(net, start.shape, load, end=end, step=step, increments=_INCREMENTS, stop=at_goal)
     last = slow.points[-1] if len(slow.snaps) < len(slow.paths) else None
     shape = slow.snaps[-1].after.shape if last is None else last.shape
     factor = slow.snaps[-1].factor if last is None else last.factor
@@ -123,10 +123,10 @@ def _largest_force(structure: Structure, net: Net, drive: Drive, points: Sequenc
 
 
 def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
-    """A net of which what a drive displaces is held along its way.
+    """Return a net in which the coordinates that a drive displaces are held.
 
     Raises:
-        InputError: a way that is not along an axis.
+        InputError: the displacement is not along an axis.
     """
     held = net.free.copy()
     for motor, share in zip(structure.motors, drive.shares, strict=True):
@@ -140,27 +140,27 @@ def displaced_net(structure: Structure, net: Net, drive: Drive) -> Net:
 
 
 def watched(structure: Structure, net: Net, shape: NetShape) -> Array:
-    """What goals are bounds on: angles and distances, rad and m, (coordinate,)."""
+    """Return the coordinates that goals bound: angles and distances, rad and m, (coordinate,)."""
     pairs = [list(each.points) for each in distances_of(structure) if each.points is not None]
     distances = [np.linalg.norm(np.diff(places(net, shape)[pair], axis=0)) for pair in pairs]
     return goal_coordinates(structure, own_angles(structure, shape), np.array(distances))
 
 
 def short_of(structure: Structure, net: Net, goal: StageGoal, shape: NetShape) -> float:
-    """By how much a shape is out of a goal's bounds, rad or m; not above 0 within."""
+    """Return by how much a shape is outside a goal's bounds, rad or m; <= 0 within them."""
     read = watched(structure, net, shape)
     return float(max(np.max(goal.least - read, initial=-np.inf), np.max(read - goal.most, initial=-np.inf)))
 
 
 def displaces(structure: Structure, drive: Drive) -> bool:
-    """Whether a drive moves points by a way, whatever force that takes."""
+    """Return whether a drive prescribes displacements of points instead of forces or torques."""
     return driven_motor(structure, drive).kind == "displacement"
 
 
 def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
-    """How far a drive has gone on the way that it pushes: m of its points, or rad of its hinges, weighted mean.
+    """Return the displacement along a drive: weighted mean over its points, m, or its hinges, rad.
 
-    The weights are the shares of its motors, of which those count that are of the kind of the first.
+    The weights are the shares of its motors. Only motors of the same kind as the first one count.
     """
     kind, far, weight = driven_motor(structure, drive).kind, 0.0, 0.0
     for motor, share in zip(structure.motors, drive.shares, strict=True):
@@ -175,9 +175,9 @@ def gone(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float
 
 
 def reaction(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> float:
-    """The force that a displacement takes, on all its points together and along it, N.
+    """Compute the force of a displacement on all its points, in its direction, N.
 
-    What is stored changes by it times the way: it is the slope of the potential by how far the drive has gone.
+    It is the derivative of the potential by the displacement of the drive.
     """
     slope, force = expand(net, shape).slope, 0.0
     for motor, share in zip(structure.motors, drive.shares, strict=True):
@@ -187,13 +187,13 @@ def reaction(structure: Structure, net: Net, drive: Drive, shape: NetShape) -> f
 
 
 def _first_at(structure: Structure, net: Net, goal: StageGoal, points: Sequence[PathPoint]) -> float | None:
-    """The factor at which a goal is first reached, between two points in proportion; None where it never is."""
-    before, beside = None, np.inf
+    """Return the factor at which a goal is first reached, interpolated between points; None if it is never reached."""
+    before, missing = None, np.inf
     for point in points:
         out = short_of(structure, net, goal, point.shape)
         if out <= 0:
-            if before is None or not np.isfinite(beside) or point.factor <= before.factor:
+            if before is None or not np.isfinite(missing) or point.factor <= before.factor:
                 return float(point.factor)
-            return float(before.factor + (point.factor - before.factor) * beside / (beside - out))
-        before, beside = point, out
+            return float(before.factor + (point.factor - before.factor) * missing / (missing - out))
+        before, missing = point, out
     return None

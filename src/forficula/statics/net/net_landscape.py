@@ -1,4 +1,4 @@
-"""The landscape of a net: its stable states, the saddles between them, and what its drives do."""
+"""Energy landscape of a net: its stable states, the saddles between them, and the effects of its drives."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ from forficula.structure import Structure, drive_of, first_state, goal_of, state
 Progress = Callable[[str], None]
 
 _TRIES = 16  # pushes of a search for stable states
-_SHOWN = 4  # states that no protocol names, of which more is worked out
-_PATHS, _INCREMENTS = 4, 100  # tried for a saddle, and increments of each
-_OFF = 1e-3  # of the net's size: a push off a ridge
-_RIDGES = 8
-_SAME = 1e-3  # rad; hinges that rest no farther apart do so at one place, to what tables show
+_SHOWN = 4  # number of listed states that no protocol names
+_PATHS, _INCREMENTS = 4, 100  # paths tried for a saddle, and increments of each
+_OFF = 1e-3  # of the net's size: a push off an unstable equilibrium
+_RIDGES = 8  # largest number of such pushes
+_SAME = 1e-3  # rad; resting angles within this difference are equal in tables
 
 
 def net_landscape(design: Design, structure: Structure, progress: Progress = lambda _: None) -> EnergyLandscape:
-    """Survey the statics of sliding points, or of plates in loops or free.
+    """Compute the landscape of sliding points, or of plates that are in loops or free.
 
     Args:
         design: of the structure.
-        structure: of these.
-        progress: is told what is worked out.
+        structure: a net.
+        progress: called with the name of each step of the computation.
 
     Raises:
-        InputError: it is no net.
+        InputError: the structure is not a net.
     """
     net = net_of(structure)
-    progress("where it rests, and what its drives do")
+    progress("resting shape and effects of the drives")
     built = start_shape(structure, net)
     first, left = _settled(net, built)
     courses, refused = _courses(structure, net, first)
@@ -60,7 +60,7 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
     return EnergyLandscape(
         design=design,
         structure=structure,
-        rests=_told_rests(structure, net, rests),
+        rests=_landscape_rests(structure, net, rests),
         states=tuple(states),
         passes=passes,
         courses=courses,
@@ -70,10 +70,10 @@ def net_landscape(design: Design, structure: Structure, progress: Progress = lam
 
 
 def slow_courses(structure: Structure) -> tuple[Course, ...]:
-    """What the transitions of a net do as their drives grow slowly, one after another; without its other states.
+    """Compute the courses of a net's transitions under slowly growing drives, without its other states.
 
     Raises:
-        InputError: it is no net.
+        InputError: the structure is not a net.
     """
     net = net_of(structure)
     first, _ = _settled(net, start_shape(structure, net))
@@ -81,7 +81,7 @@ def slow_courses(structure: Structure) -> tuple[Course, ...]:
 
 
 def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
-    """Where it comes to rest when let go, pushed off ridges; and what is to be said of that."""
+    """Return where a net comes to rest when released, pushed off unstable equilibria, and a remark on such pushes."""
     rest, off = minimum(net, built), 0
     while rest.settled and rest.index and off < _RIDGES:
         held, _ = supported(net)
@@ -93,13 +93,14 @@ def _settled(net: Net, built: NetShape) -> tuple[NetRest, tuple[str, ...]]:
     if not off:
         return rest, ()
     return rest, (
-        "let go as built, it comes to a ridge from which several ways lead down; the one taken here leads to the lower"
-        " of the two ends of its softest mode, or where they are alike along that mode's largest coordinate",
+        "released as built, it comes to an unstable equilibrium, from which it can move to several states; the state"
+        " taken here is the one of lower energy on both sides of its softest mode or, if the energies are equal, the"
+        " one in the direction of the mode's largest coordinate",
     )
 
 
 def _courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Course, ...], tuple[str, ...]]:
-    """What transitions do, one after another, then what all other drives do; and why some do nothing."""
+    """Return the courses of transitions, one after another, then of all other drives, and why some are missing."""
     courses, refused = _transition_courses(structure, net, first)
     driven = {drive_of(structure, transition.drive).name for transition in structure.transitions}
     done = driven | {part for name in driven for part in name.split(" and ")}
@@ -109,33 +110,33 @@ def _courses(structure: Structure, net: Net, first: NetRest) -> tuple[tuple[Cour
         try:
             courses.append(drive_course(structure, net, first, drive, None))
         except InputError as error:
-            refused.append(f'what "{drive.name}" does cannot be told: {error}')
+            refused.append(f'the effect of "{drive.name}" cannot be computed: {error}')
     return tuple(courses), tuple(refused)
 
 
 def _transition_courses(
     structure: Structure, net: Net, first: NetRest, *, through_snaps: bool = True
 ) -> tuple[list[Course], list[str]]:
-    """What transitions do, each from where the one before left it; and why some cannot be told."""
-    courses, refused, here = list[Course](), list[str](), first
+    """Return the courses of transitions, each from the end of the one before, and why some are missing."""
+    courses, refused, start = list[Course](), list[str](), first
     for transition in structure.transitions:
         drive = drive_of(structure, transition.drive)
-        if refused or not here.stable or not any(drive.strengths):
+        if refused or not start.stable or not any(drive.strengths):
             continue
         try:
-            courses.append(drive_course(structure, net, here, drive, transition, through_snaps=through_snaps))
+            courses.append(drive_course(structure, net, start, drive, transition, through_snaps=through_snaps))
         except InputError as error:
-            # where the next would begin is not known
-            refused.append(f'what "{drive.name}" does, and what comes after it, cannot be told: {error}')
+            # the start of the next transition is unknown
+            refused.append(f'the effects of "{drive.name}" and of later transitions cannot be computed: {error}')
             continue
-        here = courses[-1].rest
+        start = courses[-1].rest
     return courses, refused
 
 
 def _rests(
     structure: Structure, net: Net, first: NetRest, courses: Sequence[Course]
 ) -> tuple[tuple[str, NetRest, bool], ...]:
-    """Where it rests, by the names of the protocol."""
+    """Return where the net rests, by the names of the protocol, and whether it is within the named state."""
     places = [(first_state(structure, [state.name for state in structure.states]), first)]
     by_name = {course.name: course for course in courses}
     places += [(each.state, by_name[each.name].rest) for each in structure.transitions if each.name in by_name]
@@ -147,8 +148,8 @@ def _rests(
     return tuple(found)
 
 
-def _told_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
-    """The rests of the protocol with what they store, and which of them are at one place."""
+def _landscape_rests(structure: Structure, net: Net, found: Sequence[tuple[str, NetRest, bool]]) -> tuple[Rest, ...]:
+    """Return the rests of the protocol with their stored energies, and which of them are equal."""
     rests = list[Rest]()
     for name, rest, within in found:
         angles = own_angles(structure, rest.shape)
@@ -174,20 +175,20 @@ def _states(
     rests: Sequence[tuple[str, NetRest, bool]],
     progress: Progress,
 ) -> list[NetState]:
-    """What is told of states: of those of the protocol, and the lowest others in which no panels pass one another."""
+    """Return the listed states: those of the protocol, and the lowest others in which no panels cross."""
     triangles, states, others = panels(structure), list[NetState](), 0
     for rest, found in zip(search.states, search.counts, strict=True):
         name = _name(net, rest, rests)
         others += not name
         if name or (others <= _SHOWN and not panels_pass(net, rest.shape, triangles)):
-            called = name or f"state {len(states) + 1}"
-            progress(f"what it withstands: {name}" if name else called)
-            states.append(net_state(structure, net, rest, called, found, loads=bool(name)))
+            label = name or f"state {len(states) + 1}"
+            progress(f"loads that it withstands: {name}" if name else label)
+            states.append(net_state(structure, net, rest, label, found, loads=bool(name)))
     return states
 
 
 def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) -> str:
-    """What the protocol calls a state, where it rests there; else nothing."""
+    """Return the protocol's name of a state; empty if it has none."""
     for name, rest, within in rests:
         if name and within and rest.stable and same_shape(net, rest.shape, state.shape):
             return name
@@ -195,9 +196,9 @@ def _name(net: Net, state: NetRest, rests: Sequence[tuple[str, NetRest, bool]]) 
 
 
 def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
-    """Saddles between neighbours: the pairs of states by which all hang together over the shortest ways.
+    """Find saddles between neighbouring states: pairs that form the minimum spanning tree of all states.
 
-    A saddle that is found on such a way and joins two other states is kept for these.
+    A saddle that joins two other states than the requested ones is kept for those.
     """
     if len(states) < 2:
         return ()
@@ -217,19 +218,19 @@ def _passes(net: Net, states: Sequence[NetState]) -> tuple[Pass, ...]:
 
 
 def _number(net: Net, states: Sequence[NetState], rest: NetRest) -> int | None:
-    """The number of the state that a rest is, None for another one."""
+    """Return the number of the state that an equilibrium belongs to; None if it is not listed."""
     same = (number for number, state in enumerate(states) if same_shape(net, state.rest.shape, rest.shape))
     return next(same, None)
 
 
 def _apart(one: NetShape, other: NetShape) -> float:
-    """How far two shapes differ: by all distances of the nodes, which motions of the whole leave."""
+    """Return the difference of two shapes by all distances of nodes, which rigid-body motions do not change."""
     first, second = (np.linalg.norm(each.positions[:, None] - each.positions[None], axis=2) for each in (one, other))
     return float(np.linalg.norm(first - second)) + 1e-9 * float(np.linalg.norm(one.angles - other.angles))
 
 
 def _alone(count: int, passes: Sequence[Pass]) -> list[int]:
-    """States that no chain of passes joins to the first."""
+    """Return the states that no chain of passes joins to the first."""
     if not count:
         return []
     rows, columns = [each.ends[0] for each in passes], [each.ends[1] for each in passes]
@@ -245,37 +246,37 @@ def _remarks(
     passes: Sequence[Pass],
     courses: Sequence[Course],
 ) -> list[str]:
-    """What is to be known of what was found, and of what was not."""
+    """Return remarks on the extent of the results and on missing ones."""
     whole, count = structure.appearance.whole, len(search.states)
     remarks = [
-        f"states were looked for downhill from where the protocol leaves the {whole} and from {search.tries} pushes"
-        f" (seed {search.seed}): there may be more than these {count}"
+        f"the search for stable states of the {whole} started from the states of the protocol and from {search.tries}"
+        f" random pushes (seed {search.seed}): there may be more than the {count} found"
     ]
     if len(states) < count:
         remarks.append(
-            f"of {count} states that were found {len(states)} are told of: those that the protocol names, and the"
-            f" lowest others in which no panels pass through one another, up to {_SHOWN}"
+            f"{len(states)} of the {count} states found are listed: those that the protocol names, and up to {_SHOWN}"
+            " others of lowest energy in which no panels pass through one another"
         )
     remarks += [
-        f'in "{state.name}" panels pass through one another, which nothing here keeps them from: a locking law'
-        ' (crease.law = "locking") or stops (crease.fold_limit) would'
+        f'in "{state.name}" panels pass through one another, because their contact is not modelled: a locking law'
+        ' (crease.law = "locking") or stops (crease.fold_limit) prevent it'
         for state in states
         if state.passing
     ]
     if search.failed:
-        remarks.append(f"{search.failed} of the tries came to rest in no stable state")
+        remarks.append(f"{search.failed} of the tries ended in no stable state")
     if not count:
-        remarks.append("something moves without any force: a crease without a spring, or a support that is missing")
+        remarks.append("a part can move without any force: a crease has no spring, or a support is missing")
     remarks += [
-        f'no saddle was found that leads from "{states[number].name}" to the first of the states'
+        f'no saddles were found that connect "{states[number].name}" to the first state'
         for number in _alone(len(states), passes)
     ]
     for course in courses:
         if any(snap.kind != "limit" for snap in course.slow.snaps):
             remarks.append(
-                f'under "{course.name}" the way branches, and imperfections decide which branch is taken; here it is'
-                " the one that leads further down"
+                f'under "{course.name}" the path branches, and imperfections decide which branch a structure takes;'
+                " the branch of lower energy is shown"
             )
         if course.slow.ended == "lost":
-            remarks.append(f'the path under "{course.name}" was followed as far as is shown, and not to its end')
+            remarks.append(f'the path under "{course.name}" was followed only as far as shown, not to its end')
     return remarks

@@ -1,4 +1,4 @@
-"""The net that a structure of sliding points or of plates is, and what its drives do to it."""
+"""Conversion of a structure of sliding points or of plates into a net, and of its drives into loads."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Flags = NDArray[np.bool_]
 
 
 def is_net(structure: Structure) -> bool:
-    """Whether all that moves are points that slide, or plates that are in loops or lie free."""
+    """Return whether all moving parts are sliding points, or plates that are in loops or free."""
     if structure.bars or structure.limits:
         return False
     jointed = any(hinge.flaps is None for hinge in structure.hinges)
@@ -37,12 +37,13 @@ def is_net(structure: Structure) -> bool:
 
 
 def net_of(structure: Structure) -> Net:
-    """Take a structure as a net: a node for every point, four for every plate; joints are pins far stiffer than all.
+    """Convert a structure into a net: a node for every point, four nodes for every plate, stiff pins for joints.
 
-    The springs of the structure come first, then the bars of plates and the pins.
+    Pins are far stiffer than all other parts. The springs of the structure come first, then the bars of plates and the
+    pins.
 
     Raises:
-        InputError: bodies that turn in a tree, or points beside the origins of bodies that slide.
+        InputError: bodies turn in a tree, or points are away from the origins of sliding bodies.
     """
     if not is_net(structure):
         raise InputError(f"{structure.name}: need points that slide and springs between them, got joints")
@@ -69,34 +70,34 @@ def net_of(structure: Structure) -> Net:
 
 
 def places(net: Net, shape: NetShape) -> Array:
-    """Where the points of the structure are, and after them those that joints have, m, (point, 3)."""
+    """Return the positions of the structure's points, followed by those of joints, m, (point, 3)."""
     return np.asarray(net.points @ shape.positions)
 
 
 def panels(structure: Structure) -> Indices:
-    """Triangles of facets and of plates, points at their corners, (triangle, 3)."""
+    """Return the triangles of facets and of plates, as points at their corners, (triangle, 3)."""
     fans = [(plate.points[0], one, other) for plate in structure.plates for one, other in pairwise(plate.points[1:])]
     return np.concatenate((facet_triangles(structure)[0], np.array(fans, dtype=np.int64).reshape(-1, 3)))
 
 
 def start_shape(structure: Structure, net: Net) -> NetShape:
-    """The shape as built, with panels that lie on one another on the side where they start."""
+    """Return the shape as built, with the start angles telling apart panels that lie on one another."""
     start = np.array([hinge.start for hinge in structure.hinges])
     return shape_at(net, net.nodes, _senses(structure) * start)
 
 
 def own_angles(structure: Structure, shape: NetShape) -> Array:
-    """Angles of the hinges in their own senses, rad, (hinge,)."""
+    """Return the angles of the hinges in their own senses, rad, (hinge,)."""
     return np.asarray(_senses(structure) * shape.angles)
 
 
 def bends(structure: Structure) -> Flags:
-    """Which hinges are bends of panels, (hinge,)."""
+    """Return which hinges are bends of panels, (hinge,)."""
     return np.array([hinge.role == BEND for hinge in structure.hinges], dtype=np.bool_)
 
 
 def valley_law(structure: Structure) -> CreaseLaw:
-    """The law of the creases' springs by fold angles, valleys positive, where the structure has them in own senses."""
+    """Return the law of the creases' springs by fold angles, valleys positive, instead of by their own senses."""
     law = crease_law(structure, np.arange(len(structure.hinges)), rigid_stops=True)
     back = _senses(structure) < 0
     below, above, lower, upper = (np.asarray(each) for each in (law.lock_below, law.lock_above, law.lower, law.upper))
@@ -111,13 +112,13 @@ def valley_law(structure: Structure) -> CreaseLaw:
 
 
 def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> Load:
-    """What motors do, each set to a value: N m, N, m of held points, or rad by which springs rest further on.
+    """Return the load of motors at given settings: N m, N, m of held points, or rad of changed rest angles.
 
-    A spring that rests further on by some angle pushes as the torque stiffness x angle does, wherever it locks.
+    A change of a spring's rest angle is equivalent to the torque stiffness x angle, wherever the spring locks.
 
     Args:
-        structure: whose motors they are.
-        net: of it.
+        structure: the structure with the motors.
+        net: net of the structure.
         settings: by motor.
     """
     load, senses = no_load(net), _senses(structure)
@@ -138,7 +139,7 @@ def motor_load(structure: Structure, net: Net, settings: tuple[float, ...]) -> L
 
 
 class _Laid(NamedTuple):
-    """What a net is laid on: nodes, points of these, creases between points, and bars that are far stiffer than all."""
+    """Frame of a net: nodes, points, creases between points, and bars that are far stiffer than all other parts."""
 
     nodes: Array
     free: Flags
@@ -150,7 +151,7 @@ class _Laid(NamedTuple):
 
 
 def _plates(structure: Structure) -> _Laid:
-    """Four nodes for every plate, and one for every point of the ground."""
+    """Return the frame of plates: four nodes for every plate, and one for every point of the ground."""
     plates, rows = plate_nodes(structure), list[dict[int, float]]()
     ground = list[Array]()
     for point in structure.points:
@@ -194,7 +195,7 @@ def _plates(structure: Structure) -> _Laid:
 
 
 def _nodes(structure: Structure) -> _Laid:
-    """A node for every point."""
+    """Return the frame of sliding points: a node for every point."""
     nodes = built_points(structure)
     free, masses = np.zeros(nodes.shape, dtype=np.bool_), np.zeros(len(nodes))
     carried = set[int]()
@@ -220,7 +221,7 @@ def _senses(structure: Structure) -> Indices:
 
 
 def _membranes(structure: Structure) -> Triangles | None:
-    """All triangles, each with the numbers of its own membrane."""
+    """Return the triangles of all membranes, each with the law of its membrane."""
     if not structure.membranes:
         return None
     at = {point.body: number for number, point in enumerate(structure.points)}

@@ -1,4 +1,4 @@
-"""A state in which a net rests: what it stores, what it reads, how it moves and what it withstands."""
+"""A stable state of a net: stored energies, readings, modes, and the loads that it withstands."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from forficula.statics.net.passing import panels_pass
 from forficula.statics.net.rigidity import rigidity
 from forficula.structure import Measure, Motor, Structure, read_angles, springs_name
 
-_MODES = 4  # told of every state, beside motions of the whole
-_STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and how many
-_STRAINED = 0.05  # of a bar: where a path to collapse ends, for panels tear or crumple
+_MODES = 4  # reported for every state, besides rigid-body motions
+_STEPS, _INCREMENTS = (0.04, 0.01), 40  # first increments of a path to collapse, of the net's size, and their number
+_STRAINED = 0.05  # strain of a bar that ends a path to collapse, because panels tear or crumple
 _ROUNDING = 1e-15
 _LARGEST = 1500  # free coordinates up to which mechanisms are counted
 
 
 @dataclass(frozen=True, kw_only=True)
 class Mobility:
-    """How a net can move without stretching bars or bending panels, and what it can hold by itself.
+    """Mobility of a net without stretching bars or bending panels.
 
     Attributes:
-        degrees_of_freedom: mechanisms of first order, beside motions of the whole.
-        self_stresses: stresses in equilibrium without a load.
+        degrees_of_freedom: number of first-order mechanisms, besides rigid-body motions.
+        self_stresses: number of states of self-stress, which are stresses in equilibrium without a load.
     """
 
     degrees_of_freedom: int
@@ -44,14 +44,14 @@ class Mobility:
 
 @dataclass(frozen=True, kw_only=True)
 class Withstood:
-    """How much of a load a state withstands.
+    """Largest load of one kind that a state withstands.
 
     Attributes:
-        load: what it is, in words.
-        unit: SI, of the value.
-        value: at which the state is lost, or the largest reached.
-        kind: "limit", past which nothing holds it near by; "bifurcation", past which it gives way sideways; "none"
-            where it held as far as the load was followed, at most until a bar is strained by 5 %.
+        load: name of the load.
+        unit: SI unit of the value.
+        value: at which the state is lost, or the largest value reached.
+        kind: "limit", beyond which there is no equilibrium nearby; "bifurcation", beyond which the net deflects
+            sideways; "none" if the state held as far as the load was followed, at most until a bar is strained by 5 %.
     """
 
     load: str
@@ -62,23 +62,23 @@ class Withstood:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class NetState:
-    """A stable state.
+    """A stable state of a net.
 
     Attributes:
-        name: that a protocol gives it; "state 2" where none does, the second by its energy.
-        rest: where it is.
-        energy: stored, J, that of the weight included (0 at z = 0).
-        stored: the same by what stores it, J; what the structure does not have is left out.
+        name: name in the protocol; otherwise a number by energy, such as "state 2".
+        rest: the equilibrium.
+        energy: stored energy, including that of the weight (0 at z = 0), J.
+        stored: energy by the part that stores it, J; parts that the structure does not have are left out.
         readings: of the measures, rad or m, by name, each (coordinate,).
-        frequencies: of the slowest modes that are no motions of the whole, Hz, (mode,).
-        modes: these, kinetic energy 1/2 J at 1 m/s, (mode, node, 3).
-        mobility: there; None for a net too large, or of plates.
-        strain: the largest of a bar, by size; 0 without bars.
-        stress: the largest of a bar with a cross-section or of a membrane, by size, Pa.
-        extension: the largest of a tendon, beyond its resting length and by that.
-        withstands: loads that grow from none, of states that a protocol names.
+        frequencies: of the slowest modes that are not rigid-body motions, Hz, (mode,).
+        modes: shapes of these modes, kinetic energy 1/2 J at 1 m/s, (mode, node, 3).
+        mobility: in this state; None for a net that is too large, or of plates.
+        strain: largest magnitude of the strain of a bar; 0 without bars.
+        stress: largest magnitude of the stress of a bar with a cross-section or of a membrane, Pa.
+        extension: largest extension of a tendon divided by its resting length.
+        withstands: largest loads, for states that a protocol names.
         passing: whether panels pass through one another.
-        found: how often the search came to it.
+        found: how often the search reached this state.
     """
 
     name: str
@@ -98,33 +98,33 @@ class NetState:
 
 
 def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: int, *, loads: bool) -> NetState:
-    """What is to be told of a stable state.
+    """Compute the properties of a stable state.
 
     Args:
-        structure: that the net is of.
-        net: of it.
-        rest: where it is.
+        structure: the structure.
+        net: net of the structure.
+        rest: the equilibrium.
         name: of the state.
-        found: how often the search came to it.
-        loads: whether to find out what it withstands.
+        found: how often the search reached the state.
+        loads: whether to compute the loads that the state withstands.
     """
-    borne = strength(net, rest.shape)
+    strained = strength(net, rest.shape)
     modes = natural_modes(net, rest.shape, 6 + _MODES)
-    own = np.flatnonzero(~modes.rigid)[:_MODES]
+    deforming = np.flatnonzero(~modes.rigid)[:_MODES]
     areas = np.array([spring.area for spring in structure.springs])
-    by_area = np.divide(borne.forces[: len(areas)], areas, out=np.zeros_like(areas), where=areas > 0)
+    by_area = np.divide(strained.forces[: len(areas)], areas, out=np.zeros_like(areas), where=areas > 0)
     return NetState(
         name=name,
         rest=rest,
         energy=known(net, rest.energy),
         stored=stored_parts(structure, net, rest.shape),
         readings={each.name: readings(structure, net, each, rest.shape) for each in structure.measures},
-        frequencies=modes.frequencies[own],
-        modes=modes.shapes[own],
+        frequencies=modes.frequencies[deforming],
+        modes=modes.shapes[deforming],
         mobility=mobility(structure, net, rest.shape),
-        strain=float(np.abs(borne.strains).max(initial=0.0)),
-        stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(borne.stresses).max(initial=0.0))),
-        extension=float(borne.extensions.max(initial=0.0)),
+        strain=float(np.abs(strained.strains).max(initial=0.0)),
+        stress=float(max(np.abs(by_area).max(initial=0.0), np.abs(strained.stresses).max(initial=0.0))),
+        extension=float(strained.extensions.max(initial=0.0)),
         withstands=tuple(_withstands(structure, net, rest)) if loads else (),
         passing=panels_pass(net, rest.shape, panels(structure)),
         found=found,
@@ -132,7 +132,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
 
 
 def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) -> Array:
-    """What a measure reads in a shape, rad of each of its hinges, or m, (coordinate,)."""
+    """Return the readings of a measure in a shape: rad for each of its hinges, or m, (coordinate,)."""
     if measure.points is not None:
         one, other = places(net, shape)[list(measure.points)]
         return np.array([np.linalg.norm(other - one)])
@@ -140,7 +140,7 @@ def readings(structure: Structure, net: Net, measure: Measure, shape: NetShape) 
 
 
 def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, float]:
-    """Energy by what stores it, J; what the structure does not have is left out."""
+    """Return the energy by the part that stores it, J; parts that the structure does not have are left out."""
     bars, folds, tendons, membranes, weight = stored_by_part(net, shape)
     flat = bends(structure)
     parts = {
@@ -151,18 +151,18 @@ def stored_parts(structure: Structure, net: Net, shape: NetShape) -> dict[str, f
         "membranes": (bool(structure.membranes), membranes),
         "weight": (bool(structure.gravity), weight),
     }
-    return {name: known(net, energy) for name, (there, energy) in parts.items() if there}
+    return {name: known(net, energy) for name, (present, energy) in parts.items() if present}
 
 
 def known(net: Net, energy: float) -> float:
-    """An energy, J, without what is rounding beside that of all creases and bars turned and stretched by 1."""
+    """Return an energy, J; 0 if it is rounding relative to the energy of all creases and bars at a strain of 1."""
     springs = np.sum(net.springs.stiffness * net.springs.rest_length**2)
     scale = float(np.sum(net.creases.law.stiffness)) + float(springs)
     return energy if abs(energy) > _ROUNDING * scale else 0.0
 
 
 def mobility(structure: Structure, net: Net, shape: NetShape) -> Mobility | None:
-    """Mechanisms and states of self-stress, where panels stay flat; None for a net too large, or of plates."""
+    """Count mechanisms and states of self-stress with flat panels; None for a net that is too large, or of plates."""
     if np.count_nonzero(net.free) > _LARGEST or structure.plates:
         return None
     found = rigidity(_unstretched(net), shape, bends(structure))
@@ -170,7 +170,7 @@ def mobility(structure: Structure, net: Net, shape: NetShape) -> Mobility | None
 
 
 def _unstretched(net: Net) -> Net:
-    """A net whose membranes are bars along their sides, for they stretch as little."""
+    """Return a net with bars along the sides of membranes, because both hardly stretch."""
     if net.membranes is None:
         return net
     corners = net.membranes.points
@@ -182,7 +182,7 @@ def _unstretched(net: Net) -> Net:
 
 
 def _withstands(structure: Structure, net: Net, rest: NetRest) -> list[Withstood]:
-    """Every load that is tried; those that would carry the whole away are left out."""
+    """Return every load that is tried, without those that would move the net as a rigid body."""
     found = []
     for words, unit, load in _loads(structure, net, rest.shape):
         lost = _lost(net, rest, load)
@@ -192,7 +192,7 @@ def _withstands(structure: Structure, net: Net, rest: NetRest) -> list[Withstood
 
 
 def _lost(net: Net, rest: NetRest, load: Load) -> Collapse | None:
-    """Where a load carries a state away; None where the whole would go, or no path is found."""
+    """Find the loss of a state under a load; None for a rigid-body motion, and if no path is found."""
 
     def strained(point: PathPoint) -> bool:
         return bool(np.abs(strength(net, point.shape).strains).max(initial=0.0) > _STRAINED)
@@ -202,14 +202,14 @@ def _lost(net: Net, rest: NetRest, load: Load) -> Collapse | None:
             lost = collapse(net, rest, load, stop=strained, step=step * net.size, increments=_INCREMENTS)
         except InputError:
             return None
-        # a load that grew from nothing acts its own way; else an increment took another path for its own
+        # a load that grows from zero has a positive factor; otherwise an increment switched to another path
         if lost.factor > 0:
             return lost
     return None
 
 
 def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, str, Load]]:
-    """Loads in words, with the SI unit of their size: forces of drives, accelerations, pressure, torques on creases."""
+    """Return names, SI units and loads: forces of drives, accelerations, pressure, torques on creases."""
     loads = []
     for number, motor in enumerate(structure.motors):
         if motor.kind == "force":
@@ -234,7 +234,7 @@ def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, s
 
 
 def _groups(structure: Structure) -> list[tuple[str, Motor]]:
-    """The creases that measures watch, as what a torque could act on; all of them where none is chosen."""
+    """Return the groups of creases that measures use, as motors for a torque; all creases if no group is chosen."""
     watched = [each for each in structure.measures if each.kind == "angle"]
     chosen = [each for each in watched if each.name != "creases"] or watched
     return [(each.name, Motor(name=each.name, hinges=each.hinges)) for each in chosen if each.hinges]
@@ -247,9 +247,9 @@ class Strength:
     Attributes:
         strains: of the bars, (spring,); 0 for those without a resting length.
         forces: of the bars, tension positive, N, (spring,).
-        moments: of the creases, slopes of their energies by their angles, N m, (crease,).
+        moments: of the creases, derivatives of their energies by their angles, N m, (crease,).
         pulls: of the tendons, N, (tendon,).
-        extensions: of the tendons beyond their resting lengths, over these, (tendon,).
+        extensions: of the tendons, divided by their resting lengths, (tendon,).
         stresses: of the membranes, principal second Piola-Kirchhoff stresses, the larger first, Pa, (triangle, 2).
     """
 
@@ -262,7 +262,7 @@ class Strength:
 
 
 def strength(net: Net, shape: NetShape) -> Strength:
-    """What every part bears."""
+    """Compute strains, forces and moments of all parts of a net in a shape."""
     bars, tendons, _, _ = sides_of(net, shape.positions)
     rest, length = net.springs.rest_length, np.linalg.norm(bars, axis=1)
     law, span = net.tendons.law, np.linalg.norm(tendons, axis=1)

@@ -1,4 +1,4 @@
-"""Panels that pass through one another in a shape, for nothing keeps them from it."""
+"""Panels that pass through one another in a shape, because their contact is not modelled."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from forficula.pattern.drawings.flat_faces import parts_of
 from forficula.statics.net.net import Net, NetShape
 
 _TURNED = 1e-3  # rad beyond 180 deg
-_WITHIN = 1e-6  # share of a side or a panel by which it is pierced at least
+_WITHIN = 1e-6  # least share of a side or a panel by which it is pierced
 
 
 def panels_pass(net: Net, shape: NetShape, triangles: Indices) -> bool:
-    """Whether a crease is folded beyond 180 deg, or a side of one triangle goes through another.
+    """Return whether a crease is folded beyond 180 deg, or a side of one triangle pierces another.
 
-    Triangles that share a corner pass through one another at their creases only.
+    Triangles that share a corner are compared only at their crease.
 
     Args:
-        net: whose points the corners are.
-        shape: there.
+        net: the net.
+        shape: of the net.
         triangles: points at the corners, (triangle, 3).
     """
     if np.abs(shape.angles).max(initial=0.0) > np.pi + _TURNED:
@@ -35,9 +35,9 @@ def _joined(net: Net) -> Indices:
 
 
 def _pierced(corners: Array, triangles: Indices) -> Flags:
-    """Whether sides of the first of two go through the second, of all pairs apart whose boxes meet, (pair, side).
+    """Return whether sides of a triangle pierce another one, for all pairs whose boxes overlap, (pair, side).
 
-    By Moller and Trumbore (1997, doi 10.1080/10867651.1997.10487468).
+    The test is that of Moller and Trumbore (1997, doi 10.1080/10867651.1997.10487468).
     """
     low, high = corners.min(axis=1), corners.max(axis=1)
     near = np.all((low[:, None] <= high[None]) & (high[:, None] >= low[None]), axis=2)

@@ -1,4 +1,4 @@
-"""Rigid plates as parts of a net: four stiff nodes each, of which every place on the plate is a combination."""
+"""Rigid plates as parts of a net: four nodes each, of which every position on the plate is a weighted sum."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from forficula.pattern.rotation import frame_along
 from forficula.structure import Hinge, Structure, mass_of
 from forficula.structure.tree import built_frames
 
-_STIFF = 1e6  # bars of plates and pins of joints, by the stiffest of all else
+_STIFF = 1e6  # stiffness of bars of plates and pins of joints, divided by that of the stiffest other part
 _ENDS = tuple((one, other) for one in range(4) for other in range(one))
 
 
@@ -20,11 +20,11 @@ class PlateNodes:
     """The nodes of all plates.
 
     Attributes:
-        nodes: four of each plate that is no copy: its origin and along its axes, m, (node, 3).
-        first: number of the first one of each body, that of the original for a copy, (body,).
-        free: whether it may move, (body,).
-        size: of the axes, m.
-        mass: the same for x, y and z, kg, (node, node).
+        nodes: four of each plate that is not a copy: at its origin and along its axes, m, (node, 3).
+        first: number of the first node of each body, that of the original for a copy, (body,).
+        free: whether a body may move, (body,).
+        size: distance of the nodes along the axes from the origin, m.
+        mass: mass matrix, the same for x, y and z, kg, (node, node).
         bars: pairs of nodes.
     """
 
@@ -37,37 +37,37 @@ class PlateNodes:
 
 
 def plate_nodes(structure: Structure) -> PlateNodes:
-    """Give every plate its nodes.
+    """Compute the nodes of every plate.
 
-    A plate's kinetic energy is that of the nodes with the masses A [[m, m c], [m c, S]] A^T, c its centre, S the
-    integral of r r^T, and A that takes (1, r) to the weights of the nodes.
+    A plate's kinetic energy is that of the nodes with the mass matrix A [[m, m c], [m c, S]] A^T, where c is its
+    centre, S the integral of r r^T, and A maps (1, r) to the weights of the nodes.
     """
     origins, _ = built_frames(structure)
     size = structure.span / 4
     copies = {closure.bodies[1]: closure.bodies[0] for closure in structure.closures}
-    own = [body for body in range(len(structure.bodies)) if body not in copies]
+    originals = [body for body in range(len(structure.bodies)) if body not in copies]
     hinged = {hinge.body for hinge in structure.hinges}
-    mass = np.zeros((4 * len(own), 4 * len(own)))
-    for place, body in enumerate(own):
+    mass = np.zeros((4 * len(originals), 4 * len(originals)))
+    for index, body in enumerate(originals):
         weight, centre, inertia = mass_of(structure, body)
         spread = np.trace(inertia) / 2 * np.eye(3) - inertia + weight * np.outer(centre, centre)
         moments = np.block([[np.array([[weight]]), weight * centre[None]], [weight * centre[:, None], spread]])
         shares = np.block([[np.ones((1, 1)), -np.ones((1, 3)) / size], [np.zeros((3, 1)), np.eye(3) / size]])
-        alike = 1 + list(copies.values()).count(body)
-        mass[4 * place : 4 * place + 4, 4 * place : 4 * place + 4] = alike * shares @ moments @ shares.T
+        count = 1 + list(copies.values()).count(body)
+        mass[4 * index : 4 * index + 4, 4 * index : 4 * index + 4] = count * shares @ moments @ shares.T
     axes = np.concatenate((np.zeros((1, 3)), size * np.eye(3)))
     return PlateNodes(
-        nodes=np.concatenate([origins[body] + axes for body in own]),
-        first=tuple(4 * own.index(copies.get(body, body)) for body in range(len(structure.bodies))),
+        nodes=np.concatenate([origins[body] + axes for body in originals]),
+        first=tuple(4 * originals.index(copies.get(body, body)) for body in range(len(structure.bodies))),
         free=tuple(bool(each.slides) or body in hinged for body, each in enumerate(structure.bodies)),
         size=size,
         mass=mass,
-        bars=tuple((4 * place + one, 4 * place + other) for place in range(len(own)) for one, other in _ENDS),
+        bars=tuple((4 * index + one, 4 * index + other) for index in range(len(originals)) for one, other in _ENDS),
     )
 
 
 def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Array) -> dict[int, float]:
-    """Weights of nodes that give a place, in the axes of a body, by their numbers."""
+    """Return the weights of nodes, by number, for a position in the axes of a body."""
     closure = next((each for each in structure.closures if each.bodies[1] == body), None)
     if closure is not None:
         place = closure.position + closure.frame @ place
@@ -77,9 +77,9 @@ def place_weights(structure: Structure, plates: PlateNodes, body: int, place: Ar
 
 
 def joint_places(structure: Structure, hinge: Hinge, size: float) -> list[tuple[int, Array]]:
-    """Bodies and places of the two flaps of a joint, as those of a crease whose angle is sense x that of the joint.
+    """Return bodies and positions of the two flaps of a joint as a crease whose angle is sense x that of the joint.
 
-    Seen along the crease, which runs against the axis, the left flap is on the body's parent.
+    The crease runs against the hinge axis. Seen along the crease, the left flap is on the body's parent.
     """
     body = structure.bodies[hinge.body]
     axis = hinge.axis / np.linalg.norm(hinge.axis)
@@ -93,7 +93,7 @@ def joint_places(structure: Structure, hinge: Hinge, size: float) -> list[tuple[
 
 
 def stiffness_of(structure: Structure, size: float) -> float:
-    """Of bars in plates and pins of joints, N/m."""
+    """Return the stiffness of bars in plates and of pins of joints, N/m."""
     springs = [spring.stiffness for spring in structure.springs]
     tendons = [float(tendon.law.elastic.stiffness(1.1 * tendon.law.rest_length + size)) for tendon in structure.tendons]
     turning = [hinge.stiffness / size**2 for hinge in structure.hinges]

@@ -1,4 +1,4 @@
-"""How many ways a net can move without straining its bars and facets, and how many stresses it can hold by itself."""
+"""Numbers of mechanisms and of states of self-stress of a net with rigid bars and flat facets."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from forficula.statics.net.supports import loose_motions
 
 @dataclass(frozen=True, kw_only=True)
 class NetRigidity:
-    """What the rigidity matrix of a net says.
+    """Counts that follow from the rigidity matrix of a net.
 
     Attributes:
-        degrees_of_freedom: mechanisms of first order, beside motions of the whole.
-        rigid_motions: of the whole, that the supports leave.
-        self_stresses: stresses in equilibrium without a load.
+        degrees_of_freedom: number of first-order mechanisms, besides rigid-body motions.
+        rigid_motions: number of rigid-body motions that the supports allow.
+        self_stresses: number of states of self-stress, which are stresses in equilibrium without a load.
     """
 
     degrees_of_freedom: int
@@ -30,18 +30,18 @@ class NetRigidity:
 
 
 def rigidity_matrix(net: Net, shape: NetShape, stiff: Flags) -> csr_array:
-    """Changes of the bars' lengths and of stiff creases' angles (times the net's size) by displacements.
+    """Compute the derivatives of bar lengths and of stiff creases' angles (times the net's size) by displacements.
 
-    The rows of a truss (Pellegrino and Calladine 1986, doi 10.1016/0020-7683(86)90014-4), and facets kept flat as by
-    Schenk and Guest (2011, Origami 5, 291-303).
+    The rows are those of a truss (Pellegrino and Calladine 1986, doi 10.1016/0020-7683(86)90014-4), with facets kept
+    flat as by Schenk and Guest (2011, Origami 5, 291-303).
 
     Args:
-        net: whose bars with a resting length count.
-        shape: there.
+        net: net; only its bars with a resting length count.
+        shape: of the net.
         stiff: creases that do not turn, such as diagonals of flat facets, (crease,).
 
     Returns:
-        (bar and stiff crease, free coordinate), without a unit.
+        Dimensionless matrix, (bar and stiff crease, free coordinate).
     """
     slopes, layout = angle_slopes(net, shape)
     bars, tendons = layout.counts[:2]
@@ -68,5 +68,5 @@ def rigidity(net: Net, shape: NetShape, stiff: Flags) -> NetRigidity:
 
 
 def _rows(numbers: Array, columns: Indices, width: int) -> csr_array:
-    count, each = numbers.shape
-    return csr_array((numbers.ravel(), columns.ravel(), each * np.arange(count + 1)), shape=(count, width))
+    count, per_row = numbers.shape
+    return csr_array((numbers.ravel(), columns.ravel(), per_row * np.arange(count + 1)), shape=(count, width))

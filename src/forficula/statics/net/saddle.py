@@ -1,4 +1,4 @@
-"""The saddle between two stable states of a net, and the barriers that it is."""
+"""Saddle between two stable states of a net, and its barriers."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from forficula.statics.net.stable_states import same_shape
 from forficula.statics.net.supports import supported
 
 _OFF = 1e-3  # push off the saddle, of the net's size
-_STEP = 0.02  # longest one downhill of it, of the net's size
+_STEP = 0.02  # longest step downhill from it, of the net's size
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Saddle:
-    """A stationary point with one way downhill, to either side of it.
+    """A stationary point with one unstable direction.
 
     Attributes:
-        rest: there, of index 1.
-        ends: the stable states downhill of it, that of the start first where it is one of them.
-        joins: whether they are the two states asked for.
-        path: of loads that led there.
+        rest: the equilibrium, of index 1.
+        ends: the stable states downhill from it, the start state first if it is one of them.
+        joins: whether they are the two requested states.
+        path: load path that led to it.
     """
 
     rest: NetRest
@@ -37,7 +37,7 @@ class Saddle:
 
     @property
     def barriers(self) -> tuple[float, float]:
-        """Energies to climb from either end, J; another saddle may be lower."""
+        """Return the energies to climb from either end, J; another saddle may be lower."""
         return self.rest.energy - self.ends[0].energy, self.rest.energy - self.ends[1].energy
 
 
@@ -52,36 +52,36 @@ def find_saddle(
     tries: int = 6,
     seed: int = 0,
 ) -> Saddle | None:
-    """Follow a load from one state towards the other to where it is none again, then Newton's method on the slope.
+    """Follow a load from one state towards the other until it is zero again, then apply Newton's method.
 
-    Torques on creases turn with the net, as dead loads do not; they are what rest angles moved to those of the other
-    state would do. Tries go to and fro, from the second pair on with random shares of the torques, which leave paths
-    that symmetry keeps on a ridge.
+    The load is a set of torques on creases, which turn with the net as dead loads do not. They are equivalent to moving
+    the rest angles to those of the other state. Tries alternate between both directions. From the second pair on, the
+    torques have random weights, to leave paths that symmetry keeps on a ridge.
 
     Args:
         net: as for `minimum`.
         first: a stable state.
-        second: another one.
-        load: that leads from the first towards the second; None for the torques, and where these are none for forces
-            towards its places.
+        second: another stable state.
+        load: load that leads from the first towards the second state; None for the torques or, if they are all zero,
+            for forces towards the positions of the second state.
         step: as for `load_path`.
         increments: of each path.
-        tries: how many paths.
-        seed: of the shares.
+        tries: number of paths.
+        seed: of the random weights.
 
     Returns:
-        The first saddle found that joins the two; one with other ends where there is none such; None for none at all.
+        The first saddle found that joins both states; otherwise one with other ends; None if no saddle was found.
     """
     random, other = np.random.default_rng(seed), None
     for number in range(tries):
-        here, there = (first, second) if number % 2 == 0 else (second, first)
-        towards = _towards(net, here, there) if load is None else load
+        start, end = (first, second) if number % 2 == 0 else (second, first)
+        towards = _towards(net, start, end) if load is None else load
         if load is not None and number % 2:
             towards = Load(forces=-load.forces, torques=-load.torques, displacements=-load.displacements)
         if number > 1:
             towards = replace(towards, torques=towards.torques * random.uniform(0.0, 2.0, len(towards.torques)))
             towards = replace(towards, forces=towards.forces * random.uniform(0.0, 2.0, towards.forces.shape))
-        path = load_path(net, here.shape, towards, step=step, increments=increments, target=0.0)
+        path = load_path(net, start.shape, towards, step=step, increments=increments, target=0.0)
         if path.ended != "target":
             continue
         found = _saddle_at(net, path, first, second)
@@ -91,16 +91,16 @@ def find_saddle(
     return other
 
 
-def _towards(net: Net, here: NetRest, there: NetRest) -> Load:
-    turned = np.asarray(net.creases.law.stiffness) * (there.shape.angles - here.shape.angles)
+def _towards(net: Net, start: NetRest, end: NetRest) -> Load:
+    turned = np.asarray(net.creases.law.stiffness) * (end.shape.angles - start.shape.angles)
     if np.any(turned):
         return replace(no_load(net), torques=turned)
-    way = (there.shape.positions - here.shape.positions) / net.size
-    return replace(no_load(net), forces=np.where(net.free, way * net.springs.stiffness.max(), 0.0))
+    direction = (end.shape.positions - start.shape.positions) / net.size
+    return replace(no_load(net), forces=np.where(net.free, direction * net.springs.stiffness.max(), 0.0))
 
 
 def _saddle_at(net: Net, path: LoadPath, first: NetRest, second: NetRest) -> Saddle | None:
-    """The saddle beside the end of a path; None where it ends at another stationary point."""
+    """Find the saddle near the end of a path; None if it ends at another kind of stationary point."""
     rest = stationary(net, path.points[-1].shape)
     if not rest.settled or rest.index != 1 or rest.neutral:
         return None

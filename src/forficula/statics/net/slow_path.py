@@ -1,4 +1,4 @@
-"""What a net does while a load grows or falls slowly: along stable equilibria, and over snaps to the next ones."""
+"""Path of a net under a slowly growing or falling load: stable equilibria, and snaps from one to the next."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 
 _MOST_SNAPS = 12
-_BEYOND = 1e-4  # of the factor: how far past a limit the load is when it lands
+_BEYOND = 1e-4  # share of the factor by which the load exceeds a limit after the snap
 _PUSH = 1e-3  # of the net's size, along the mode in which a bifurcation loses its stiffness
-_STEP = 0.03  # longest one on the way, of the net's size
-_NEAR = 1e-2  # of the net's size: what moves less has not snapped
+_STEP = 0.03  # longest step during a snap, of the net's size
+_NEAR = 1e-2  # of the net's size: a smaller motion is not a snap
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Snap:
-    """Where a net leaves one path for another at a constant load.
+    """Jump of a net from one path to another at a constant load.
 
     Attributes:
-        kind: "limit", from which it snaps for there is no equilibrium beyond; "bifurcation", from which it snaps to
-            somewhere else; "branch", where it turns into another path that begins there.
-        factor: of the load at which it leaves.
-        before: equilibrium that it leaves.
-        after: where it lands, or is told to stop on the way.
-        released: what it loses of its potential on the way, J: what shakes it.
+        kind: "limit", beyond which there is no equilibrium; "bifurcation", at which the net snaps to a distant state;
+            "branch", at which it turns into another path that begins at this point.
+        factor: load factor of the snap.
+        before: equilibrium before the snap.
+        after: equilibrium after the snap, or the shape at which `stop` ended it.
+        released: potential energy that the snap releases, J.
     """
 
     kind: Literal["limit", "bifurcation", "branch"]
@@ -43,12 +43,12 @@ class Snap:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SlowPath:
-    """Paths, one after another, with a snap between each and the next.
+    """Consecutive paths with snaps between them.
 
     Attributes:
         paths: each up to its first limit or bifurcation.
-        snaps: one fewer, or as many where it lands nowhere stable.
-        ended: "target"; "stop" where it was told to; "lost" where it found no equilibrium to go on from.
+        snaps: one fewer than the paths, or the same number if the last snap ended in no stable state.
+        ended: "target"; "stop" if `stop` ended it; "lost" if there was no equilibrium to continue from.
     """
 
     paths: tuple[LoadPath, ...]
@@ -57,7 +57,7 @@ class SlowPath:
 
     @property
     def points(self) -> tuple[PathPoint, ...]:
-        """Of all paths, in order."""
+        """Return the points of all paths, in order."""
         return tuple(point for path in self.paths for point in path.points)
 
 
@@ -72,26 +72,26 @@ def slow_path(
     increments: int = 100,
     stop: Callable[[NetShape], bool] | None = None,
 ) -> SlowPath:
-    """Let a load grow or fall so slowly that the net always rests, but where it snaps.
+    """Follow a net under a load that grows or falls so slowly that the net is at rest except during snaps.
 
-    It lands where it comes to rest downhill from where it lost its equilibrium: what it keeps of the energy that a snap
-    sets free is left out, and may carry it further in motion.
+    A snap ends where the net comes to rest downhill from its lost equilibrium. The kinetic energy of the snap is
+    ignored; in a real motion, it may carry the net further.
 
     Args:
         net: as for `load_path`.
         start: a stable equilibrium at `begin`.
-        load: times the factor.
-        begin: factor.
-        end: factor.
+        load: at a factor of 1.
+        begin: first factor.
+        end: last factor.
         step: as for `load_path`.
         increments: of each path.
-        stop: ends it at the first shape for which it says so, on a path or on the way of a snap.
+        stop: ends the path at the first shape for which it returns True, on a path or during a snap.
 
     Raises:
         InputError: as for `load_path`.
     """
 
-    def told(shape: NetShape) -> bool:
+    def stops(shape: NetShape) -> bool:
         return stop is not None and stop(shape)
 
     paths, snaps, factor = list[LoadPath](), list[Snap](), begin
@@ -105,20 +105,20 @@ def slow_path(
             increments=increments,
             factor=factor,
             target=end,
-            stop=None if stop is None else (lambda point: told(point.shape)),
+            stop=None if stop is None else (lambda point: stops(point.shape)),
             events=1,
             rising=end > begin,
         )
-        there = told(path.points[-1].shape)
-        path = path if there or not path.events else _up_to(path)
+        stopped = stops(path.points[-1].shape)
+        path = path if stopped or not path.events else _up_to(path)
         paths.append(path)
-        if there or not path.events:
-            ended = "stop" if there else "target" if path.ended == "target" else "lost"
+        if stopped or not path.events:
+            ended = "stop" if stopped else "target" if path.ended == "target" else "lost"
             break
         limit = path.events[0].point.factor
         factor = limit + _BEYOND * float(np.sign(end - begin)) * max(abs(limit - begin), _BEYOND * abs(end - begin))
-        snaps.append(_snap(net, path.events[0], load, factor, told))
-        if told(snaps[-1].after.shape):
+        snaps.append(_snap(net, path.events[0], load, factor, stops))
+        if stops(snaps[-1].after.shape):
             ended = "stop"
             break
         if not snaps[-1].after.stable or (end - factor) * (end - begin) <= 0:
@@ -128,14 +128,14 @@ def slow_path(
 
 
 def _up_to(path: LoadPath) -> LoadPath:
-    """A path that ends at its first event."""
+    """Return a path up to its first event."""
     event = path.events[0]
     points = (*path.points[: event.after + 1], event.point)
     return LoadPath(load=path.load, points=points, events=path.events[:1], ended=path.ended, pins=path.pins)
 
 
 def _snap(net: Net, event: PathEvent, load: Load, factor: float, stop: Callable[[NetShape], bool]) -> Snap:
-    """Where a net lands that a limit or a bifurcation throws off its path; of two ways the one further down."""
+    """Return the snap at a limit or a bifurcation; of two directions, the one that ends at lower energy."""
     beyond = (factor - event.point.factor) * load.displacements
     before = shape_at(net, event.point.shape.positions + beyond, event.point.shape.angles)
     landed = list[tuple[float, NetRest]]()

@@ -1,4 +1,4 @@
-"""The stable states of a net that a seeded search finds."""
+"""Seeded search for the stable states of a net."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from forficula.statics.net.minimum import NetRest, minimum
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.supports import loose_motions, supported
 
-_SOFT = 12  # modes of which a push is made
-_PUSH = (0.05, 0.6)  # largest displacement, of the net's size
-_FOLD = 1.5  # largest share of its angle, of either sign, to which a crease is folded for a while
-_STIFFER = 2.0  # powers of ten by which creases are stiffer for that while, at most
+_SOFT = 12  # number of modes that a push combines
+_PUSH = (0.05, 0.6)  # range of the largest displacement, of the net's size
+_FOLD = 1.5  # largest multiple of its angle, of either sign, to which a crease is folded temporarily
+_STIFFER = 2.0  # largest power of ten by which creases are stiffer during that folding
 _SAME = 1e-4  # of the net's size
-_SAME_ANGLE = 0.1  # rad; panels on the other side of one another are another state
+_SAME_ANGLE = 0.1  # rad; distinguishes states with panels on opposite sides of each other
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class StableStates:
-    """What a search found: there may be more.
+    """Result of a search for stable states; there may be more states.
 
     Attributes:
         states: by rising energy.
-        counts: how often the search came to each, (state,).
-        tries: pushes made, beside the starts.
-        failed: tries and starts that came to rest in no stable state.
+        counts: how often the search reached each state, (state,).
+        tries: number of pushes, besides the starts.
+        failed: number of tries and starts that ended in no stable state.
         seed: of the pushes.
     """
 
@@ -42,15 +42,15 @@ class StableStates:
 
 
 def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40, seed: int = 0) -> StableStates:
-    """Go downhill from given shapes, then again and again from pushes of what was found.
+    """Search for stable states by descending from given shapes, then from pushed copies of the states found.
 
-    A push is, by turns, a random combination of the softest modes, softer ones further, and a while with other and
-    stiffer creases, whose rest angles are the angles there times random numbers.
+    Two kinds of pushes alternate: a random combination of the softest modes, with larger shares of softer modes; and a
+    temporary rest with stiffer creases, whose rest angles are the present angles times random numbers.
 
     Args:
         net: as for `minimum`.
-        starts: one or more.
-        tries: how many pushes.
+        starts: one or more shapes.
+        tries: number of pushes.
         seed: of the random numbers.
     """
     random = np.random.default_rng(seed)
@@ -83,7 +83,7 @@ def find_stable_states(net: Net, starts: Sequence[NetShape], *, tries: int = 40,
 
 
 def same_shape(net: Net, one: NetShape, other: NetShape) -> bool:
-    """Whether two shapes are the same; of a net without supports or weight, up to a motion of the whole."""
+    """Return whether two shapes are equal; for a net without supports and weight, up to a rigid-body motion."""
     places = one.positions
     if not net.gravity and loose_motions(net).shape[2] == 6:
         places = _laid_on(places, other.positions)
@@ -93,7 +93,7 @@ def same_shape(net: Net, one: NetShape, other: NetShape) -> bool:
 
 
 def _laid_on(places: Array, others: Array) -> Array:
-    """The same moved as a whole to where the sum of squared distances is least (Kabsch 1976)."""
+    """Return positions after the rigid-body motion with the least sum of squared distances (Kabsch 1976)."""
     centred, target = places - places.mean(axis=0), others - others.mean(axis=0)
     left, _, right = np.linalg.svd(centred.T @ target)
     proper = np.diag((1.0, 1.0, np.sign(np.linalg.det(left @ right))))
@@ -104,7 +104,7 @@ def _pushed(net: Net, shape: NetShape, random: np.random.Generator) -> NetShape:
     held, _ = supported(net)
     curvature = expand(held, shape).free
     stiffness, modes = softest(curvature, _SOFT)
-    # of the same energy on average, as heat gives them
+    # equal mean energies of all modes, as in thermal motion
     shares = random.standard_normal(len(stiffness)) / np.sqrt(np.abs(stiffness) + 1e-9 * np.abs(stiffness).max())
     push = np.zeros_like(net.nodes)
     push[held.free] = modes @ shares

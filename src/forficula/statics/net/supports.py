@@ -1,4 +1,4 @@
-"""Which motions of a net as a whole its supports leave, and what takes them away without straining it."""
+"""Rigid-body motions that the supports of a net allow, and strain-free pins that remove them."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from forficula.statics.net.energy import built_shape, load_slope
 from forficula.statics.net.load import Load
 from forficula.statics.net.net import Net
 
-_NONE = 1e-9  # share of the largest that counts as none
+_NONE = 1e-9  # share of the largest singular value that counts as zero
 
 
 def rigid_motions(positions: Array) -> Array:
-    """The six motions of a rigid body, orthonormal, (node, 3, 6); fewer for nodes on one line."""
+    """Return the six orthonormal motions of a rigid body, (node, 3, 6); fewer for nodes on one line."""
     centred = positions - positions.mean(axis=0)
     shifts = np.broadcast_to(np.eye(3), (len(positions), 3, 3))
     turns = np.cross(np.eye(3)[None, :, :], centred[:, None, :]).transpose(0, 2, 1)
@@ -33,7 +33,7 @@ def loose_motions(net: Net, positions: Array | None = None) -> Array:
 
     Args:
         net: supported or not.
-        positions: of its nodes, m, (node, 3); as built if not given.
+        positions: of its nodes, m, (node, 3); by default as built.
     """
     motions = rigid_motions(net.nodes if positions is None else positions)
     held = motions[~net.free]
@@ -41,21 +41,21 @@ def loose_motions(net: Net, positions: Array | None = None) -> Array:
 
 
 def supported(net: Net, load: Load | None = None) -> tuple[Net, tuple[tuple[int, int], ...]]:
-    """Hold as many further coordinates as motions of the whole are left, which strains nothing.
+    """Hold one further coordinate for each free rigid-body motion, which strains nothing.
 
-    They are taken from the corners of the largest panel beside the middle (of all nodes where there is no crease, or
-    these do not suffice), so that they hold however the net folds. Under gravity nothing is held: there the way the
-    whole turns matters.
+    The coordinates belong to the corners of a large panel near the middle, so that they hold however the net folds. If
+    there is no crease, or if these corners are not sufficient, they are chosen from all nodes. Under gravity nothing is
+    held, because the orientation of the net matters.
 
     Args:
         net: supported or not.
-        load: that will act; None for none.
+        load: load that will act; None for none.
 
     Returns:
-        The net, and the pairs of node and axis that are held now and were not.
+        The net, and the newly held pairs of node and axis.
 
     Raises:
-        InputError: the load would carry the whole away.
+        InputError: the load would move the net as a rigid body.
     """
     loose = loose_motions(net)
     if load is not None and loose.shape[2]:
@@ -87,7 +87,7 @@ def _pinned(net: Net) -> tuple[Net, tuple[tuple[int, int], ...]]:
 
 
 def _panel(net: Net) -> Indices:
-    """Nodes at the corners of a large panel beside the middle; none where there is no such thing."""
+    """Return the nodes at the corners of a large panel near the middle; empty without a crease."""
     if not len(net.creases.points):
         return np.zeros(0, dtype=np.int64)
     corners = net.points @ net.nodes

@@ -1,4 +1,4 @@
-"""Couplings between joints at rest: what elastic ones store, and the coordinates that rigid ones leave."""
+"""Couplings between joints in statics: energy of elastic couplings, and coordinates that rigid couplings leave free."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from forficula.errors import InputError
 from forficula.statics.tree.elements import Expansion
 from forficula.structure import Coupling, Structure, coupling_rows
 
-_ROUNDING = 1e-9  # of a ratio of turns
+_ROUNDING = 1e-9  # relative tolerance of a coupling's ratio
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,8 +19,8 @@ class Twists:
     """Elastic couplings.
 
     Attributes:
-        rows: by what each angle twists each of them, (coupling, hinge).
-        built: angles at which nothing twists them, rad, (hinge,).
+        rows: twist of each coupling per angle of each hinge, (coupling, hinge).
+        built: angles at which no coupling is twisted, rad, (hinge,).
         stiffness: N m/rad, (coupling,).
     """
 
@@ -31,12 +31,12 @@ class Twists:
 
 @dataclass(frozen=True, kw_only=True)
 class Ties:
-    """Joints that rigid couplings make turn as one: each group has the angle of its first joint for its coordinate.
+    """Groups of joints that rigid couplings tie together; the coordinate of a group is the angle of its first joint.
 
     Attributes:
-        coordinate: number of the one that each hinge follows, (hinge,).
-        ratio: by how much each hinge turns where its coordinate turns by 1, (hinge,).
-        shift: its angle where that is 0, rad, (hinge,).
+        coordinate: number of the coordinate that each hinge follows, (hinge,).
+        ratio: turn of each hinge per turn of its coordinate, (hinge,).
+        shift: angle of each hinge at a coordinate of 0, rad, (hinge,).
     """
 
     coordinate: Indices
@@ -45,19 +45,19 @@ class Ties:
 
     @property
     def spread(self) -> Array:
-        """By how much each hinge turns with each coordinate, (hinge, coordinate)."""
+        """Return the turn of each hinge per turn of each coordinate, (hinge, coordinate)."""
         return np.asarray(np.eye(int(self.coordinate.max()) + 1)[self.coordinate] * self.ratio[:, None])
 
     def angles(self, coordinates: Array) -> Array:
-        """Angles of the hinges, rad, (case, hinge), by coordinates, (case, coordinate)."""
+        """Return the angles of the hinges, rad, (case, hinge), for coordinates, (case, coordinate)."""
         return np.asarray(coordinates[:, self.coordinate] * self.ratio + self.shift)
 
     def bounds(self, lower: Array, upper: Array) -> tuple[Array, Array]:
-        """Least and largest coordinates with all hinges within their bounds, (case, coordinate).
+        """Return least and largest coordinates with all hinges within their bounds, (case, coordinate).
 
-        Where the bounds of two hinges that turn as one leave no room, the coordinate is held between them.
+        If the bounds of two tied hinges contradict each other, the coordinate is fixed at their mean.
         """
-        ends = [(each - self.shift) / self.ratio for each in (lower, upper)]
+        ends = [(bound - self.shift) / self.ratio for bound in (lower, upper)]
         low, high = np.minimum(*ends), np.maximum(*ends)
         count = int(self.coordinate.max()) + 1
         least, most = np.full((len(lower), count), -np.inf), np.full((len(lower), count), np.inf)
@@ -69,13 +69,13 @@ class Ties:
         return least, most
 
     def start(self, angles: Array) -> Array:
-        """Coordinates nearest to some angles: the mean of what the hinges of each say, (case, coordinate)."""
+        """Return the coordinates nearest to some angles: the mean over the hinges of each, (case, coordinate)."""
         sums = ((angles - self.shift) / self.ratio) @ (self.spread != 0)
         return np.asarray(sums / np.bincount(self.coordinate))
 
 
 def twists_of(structure: Structure) -> Twists | None:
-    """The elastic couplings of a structure; None where there are none."""
+    """Return the elastic couplings of a structure; None if there are none."""
     elastic = [number for number, coupling in enumerate(structure.couplings) if not coupling.rigid]
     if not elastic:
         return None
@@ -87,7 +87,7 @@ def twists_of(structure: Structure) -> Twists | None:
 
 
 def twist_energy(twists: Twists, angles: Array) -> Expansion:
-    """Energy of elastic couplings, J, (case,), with slope and curvature by the angles, rad, (case, hinge)."""
+    """Compute the energy of elastic couplings, J, (case,), its gradient and Hessian by angles, rad, (case, hinge)."""
     turned = (angles - twists.built) @ twists.rows.T
     moments = twists.stiffness * turned
     curvature = twists.rows.T @ (twists.stiffness[:, None] * twists.rows)
@@ -95,10 +95,10 @@ def twist_energy(twists: Twists, angles: Array) -> Expansion:
 
 
 def ties_of(structure: Structure) -> Ties | None:
-    """The groups of joints that the rigid couplings of a structure make; None where there are none.
+    """Return the groups of joints that rigid couplings tie together; None if there are none.
 
     Raises:
-        InputError: couplings tie two joints to each other in two ways.
+        InputError: couplings tie two joints to each other with contradictory ratios.
     """
     rigid = [coupling for coupling in structure.couplings if coupling.rigid]
     if not rigid:

@@ -1,7 +1,7 @@
-"""What stretches between bodies: sides that add up from points, and how slopes and curvatures by sides add up again.
+"""Elastic elements between bodies: their sides from points, and assembly of gradients and Hessians from sides.
 
-A membrane's triangle has two sides, the columns of its deformation gradient; a tendon or a length limit has one, the
-way from one end to the other. Elements that join the same hinges have a dense block of the curvature together.
+A membrane's triangle has two sides, the columns of its deformation gradient. A tendon or a length limit has one side,
+the vector from one end to the other. Elements that join the same hinges share a dense block of the Hessian.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, moves_of, places_of, pose, pulled, span
 
-# energy, slope and curvature
+# energy, gradient and Hessian
 Expansion = tuple[Array, Array, Array]
 
 
 @dataclass(frozen=True, kw_only=True)
 class LinePiece:
-    """Something that stretches, before it is laid out.
+    """An elastic element before it is laid out.
 
     Attributes:
-        points: numbers of the carried points that it hangs on, (point,).
-        sides: by which these add up to its sides, (side, point).
+        points: numbers of the carried points that it is attached to, (point,).
+        sides: weights with which these points add up to its sides, (side, point).
     """
 
     points: tuple[int, ...]
@@ -33,18 +33,18 @@ class LinePiece:
 
 @dataclass(frozen=True, kw_only=True)
 class ElementGroup:
-    """Pieces of one shape side by side.
+    """Pieces of the same shape side by side.
 
     Attributes:
         pieces: their numbers.
-        points: numbers of the points that each hangs on, one piece after another, as a slice where no point is shared.
-        gathers: by which forces on the points of pieces add up to those on points, (piece x point, point); None where
-            none is shared.
-        sides: by which points add up to sides, (piece, side, point).
+        points: numbers of the points of each piece, one piece after another; a slice if no point is shared.
+        gathers: weights with which forces on the points of pieces add up to forces on points,
+            (piece x point, point); None if no point is shared.
+        sides: weights with which points add up to sides, (piece, side, point).
         pairs: numbers of the pairs of points and hinges that move the sides, one piece after another.
-        turns: by which the moves of these add up to those of the sides by the hinges of the block,
+        turns: weights with which the moves of these pairs add up to moves of the sides by the hinges of the block,
             (piece, pair, side x hinge).
-        size: of the blocks, how many hinges.
+        size: number of hinges of a block.
         blocks: number of the block of each piece among those of this size.
     """
 
@@ -60,14 +60,14 @@ class ElementGroup:
 
 @dataclass(frozen=True, kw_only=True)
 class Elements:
-    """What stretches between the bodies of a tree.
+    """Elastic elements between the bodies of a tree.
 
     Attributes:
         tree: of bodies.
-        carried: the points that everything hangs on.
+        carried: the points that elements are attached to.
         groups: of pieces.
-        blocks: by how many hinges they have: where in the curvature each block is, rows and columns, or all its numbers
-            in a curvature laid out row by row.
+        blocks: by number of hinges: the position of each block in the Hessian, as rows and columns, or as indices of
+            its entries in a Hessian stored row by row.
     """
 
     tree: Tree
@@ -82,8 +82,8 @@ def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[
     Args:
         tree: of bodies.
         bodies: that carry the points, (point,).
-        places: of the points in the axes of these bodies, m, (point, 3).
-        pieces: that hang on them.
+        places: positions of the points in the axes of these bodies, m, (point, 3).
+        pieces: elements attached to the points.
     """
     carried = carried_points(tree, bodies, places)
     joined = [_joined(tree, [bodies[point] for point in piece.points]) for piece in pieces]
@@ -94,7 +94,7 @@ def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[
         of_size = known.setdefault(len(hinges), {})
         of_size.setdefault(hinges, len(of_size))
         shape = (*piece.sides.shape, len(hinges), len(_pairs(carried, piece.points, hinges)))
-        # pieces of a group have blocks of their own
+        # no two pieces of a group share a block
         again = seen[shape, hinges] = seen.get((shape, hinges), -1) + 1
         shapes.setdefault((*shape, again), []).append(number)
     blocks = {size: tuple(_rows(hinges, tree.size) for hinges in of_size) for size, of_size in known.items()}
@@ -103,7 +103,7 @@ def elements(tree: Tree, bodies: Sequence[int], places: Array, pieces: Sequence[
 
 
 def _joined(tree: Tree, bodies: Sequence[int]) -> tuple[int, ...]:
-    """Hinges that move some of these bodies; sides turn with those that move all of them."""
+    """Return the hinges that move some of these bodies; sides turn with the hinges that move all of them."""
     return tuple(sorted({hinge for body in bodies for hinge in tree.chain(body)}))
 
 
@@ -146,20 +146,21 @@ def _group(
 
 
 def _pairs(carried: Carried, points: Sequence[int], hinges: Sequence[int]) -> Indices:
-    """Numbers of the pairs of some points with some hinges."""
+    """Return the numbers of the pairs of some points with some hinges."""
     return np.flatnonzero(np.isin(carried.pairs[0], points) & np.isin(carried.pairs[1], hinges))
 
 
 def _sides(group: ElementGroup, places: Array, moves: Array) -> tuple[Array, Array]:
-    """The sides of a group in some poses, and how they move with the hinges of their block.
+    """Compute the sides of a group in some poses, and their derivatives by the hinges of their block.
 
     Args:
         group: of pieces.
-        places: of all points, m, (3, case, point).
+        places: positions of all points, m, (3, case, point).
         moves: of all pairs of points and hinges, m, (3, case, pair).
 
     Returns:
-        m or 1, (case, piece, side, 3); by the angles, (case, piece, side, 3, hinge).
+        Sides, m or dimensionless, (case, piece, side, 3), and their derivatives by the angles,
+        (case, piece, side, 3, hinge).
     """
     cases = places.shape[1]
     count, length, _ = group.sides.shape
@@ -172,14 +173,14 @@ def _sides(group: ElementGroup, places: Array, moves: Array) -> tuple[Array, Arr
 
 
 def _by_piece(vectors: Array, count: int) -> Array:
-    """Vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
-    cases, each = vectors.shape[1], vectors.shape[2] // count
-    by_piece = np.transpose(vectors.reshape(3, cases, count, each), (2, 0, 1, 3))
-    return by_piece.reshape(count, 3 * cases, each)
+    """Return vectors of all pieces, (3, case, piece x part), as (piece, 3 x case, part)."""
+    cases, parts = vectors.shape[1], vectors.shape[2] // count
+    by_piece = np.transpose(vectors.reshape(3, cases, count, parts), (2, 0, 1, 3))
+    return by_piece.reshape(count, 3 * cases, parts)
 
 
 def _block(moves: Array, stiffness: Array) -> Array:
-    """Stiffness of what sides stretch, by the hinges of blocks, (case, piece, hinge, hinge).
+    """Compute the stiffness of pieces by the hinges of their blocks, (case, piece, hinge, hinge).
 
     Args:
         moves: of the sides, (case, piece, side, 3, hinge).
@@ -193,17 +194,17 @@ def _block(moves: Array, stiffness: Array) -> Array:
 
 
 def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Expansion]]) -> Expansion:
-    """Energy of all groups, its slope and its curvature by the hinges' angles.
+    """Compute the energy of all groups, with gradient and Hessian by the hinges' angles.
 
     Args:
-        laid: what stretches.
+        laid: the elements.
         angles: of all hinges, in their own senses, rad, (case, hinge).
-        laws: of every group, by its sides, m or 1, (case, piece, side, 3): energy, J, (case,); slope by the sides,
-            (case, piece, side, 3); curvature by the sides of each element, (case, piece, element, coordinate,
-            coordinate).
+        laws: of every group: functions of its sides, m or dimensionless, (case, piece, side, 3), that return energy, J,
+            (case,), gradient by the sides, (case, piece, side, 3), and Hessian by the sides of each element,
+            (case, piece, element, coordinate, coordinate).
 
     Returns:
-        J, (case,); N m, (case, hinge); N m/rad, (case, hinge, hinge).
+        Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
     at = pose(laid.tree, angles)
     places = places_of(laid.carried, at)
@@ -224,7 +225,7 @@ def stretched(laid: Elements, angles: Array, laws: Sequence[Callable[[Array], Ex
         else:
             forces += on_points @ group.gathers
     slope, curvature = pulled(laid.tree, laid.carried, at, places, forces)
-    by_number = curvature.reshape(cases, -1)  # a view: it is in order of rows
+    by_number = curvature.reshape(cases, -1)  # a view, because the array is stored row by row
     for size, rows in laid.blocks.items():
         for number, where in enumerate(rows):
             if isinstance(where, tuple):

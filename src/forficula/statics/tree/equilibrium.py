@@ -1,4 +1,4 @@
-"""Where anything rests: equilibria of an energy and the barriers between them. It knows no mechanism."""
+"""Equilibria of any energy function and the barriers between them, independent of the mechanism."""
 
 from __future__ import annotations
 
@@ -13,36 +13,36 @@ from numpy.typing import ArrayLike, NDArray
 from forficula.arrays import Array, Flags
 
 Cases = NDArray[np.int64]
-# Of positions, (row, coordinate), in the cases with these numbers, (row,): the energy, (row,), its slope,
-# (row, coordinate), and its curvature, (row, coordinate, coordinate).
+# Takes positions, (row, coordinate), and the numbers of their cases, (row,). Returns energy, (row,), gradient
+# ("slope"), (row, coordinate), and Hessian ("curvature"), (row, coordinate, coordinate).
 Energy = Callable[[Array, Cases], tuple[Array, Array, Array]]
-# Of the cases with these numbers, and all positions, (case, coordinate).
+# Takes the numbers of the moving cases, and the positions of all cases, (case, coordinate).
 Follow = Callable[[Cases, Array], None]
 
 _MOST_STEPS = 5000
-# share of a path beyond which a stretch without a slope is no minimum but a neutral range
+# share of a path beyond which a stretch without slope is a neutral range instead of a minimum
 _WIDE = 0.05
 _SMALLEST_STEP = 1e-13
-# share of the step within which a coordinate that is pushed onto its bound is laid there
+# share of the step within which a coordinate that is pushed onto its bound is set to the bound
 _NEAR = 0.1
-# enough for all digits of a step's length
+# sufficient for all digits of a step's length
 _NEWTON_STEPS = 6
 _ROUNDING = 1e-12  # of an energy
-# Of a slope by the curvature: a few last digits of a coordinate of the size of 1. Where a tendon is slack at most
-# angles, the slope that counts as none can be smaller, and steps would alternate between two neighbouring numbers.
+# Slope divided by curvature: a few last digits of a coordinate of the size of 1. If a tendon is slack at most angles,
+# the tolerance of the slope can be smaller than this, and steps would alternate between two neighbouring numbers.
 _NOISE = 1e-15
 
 
 @dataclass(frozen=True, kw_only=True)
 class Equilibria:
-    """Where some cases came to rest.
+    """Equilibria of some cases.
 
     Attributes:
         position: (case, coordinate).
         energy: (case,).
-        slope: of the energy, none but where a coordinate presses on its bound, (case, coordinate).
-        stiffness: least curvature of the energy along what no bound holds, (case,); inf where bounds hold everything.
-        rests: whether it came to rest at all, (case,).
+        slope: gradient of the energy, (case, coordinate); about 0 unless a coordinate presses on its bound.
+        stiffness: least curvature of the energy along coordinates that no bound holds, (case,); inf if bounds hold all.
+        rests: whether the case came to rest, (case,).
     """
 
     position: Array
@@ -62,29 +62,30 @@ def descend(
     force: float,
     follow: Follow | None = None,
 ) -> Equilibria:
-    """Follow an energy downhill to where it rests, in steps so short that they stay in its valley.
+    """Follow an energy downhill to an equilibrium, in steps short enough to stay in its valley.
 
-    Newton's method with a trust region (More and Sorensen 1983) within a box (Bertsekas 1982). Far from rest its short
-    steps go down the steepest slope, as a motion does that equal dampers slow; all cases go side by side.
+    The method is Newton's method with a trust region (More and Sorensen 1983) within a box (Bertsekas 1982). Far from
+    rest, its short steps follow the steepest descent, like a motion with equal dampers on all coordinates. All cases
+    are computed side by side.
 
     Args:
-        energy: with slope and curvature; see `Energy`.
+        energy: with gradient and Hessian; see `Energy`.
         start: (case, coordinate), moved into the box.
-        lower: bounds of the coordinates, (coordinate,) or (case, coordinate).
-        upper: alike.
+        lower: lower bounds of the coordinates, (coordinate,) or (case, coordinate).
+        upper: upper bounds, with the same shape.
         longest_step: in the space of the coordinates.
-        force: largest slope that counts as none; slopes of the size of their rounding do so, too.
+        force: largest slope that counts as zero; slopes of the size of their rounding count as zero as well.
         follow: called after every step with the numbers of the cases that are not at rest and all positions.
     """
-    lower, upper = (np.array(np.broadcast_to(each, start.shape)) for each in (lower, upper))
+    lower, upper = (np.array(np.broadcast_to(bound, start.shape)) for bound in (lower, upper))
     position = np.clip(start, lower, upper)
     value, slope, curvature = energy(position, np.arange(len(position)))
-    # last bits of sums by row depend on the order in memory
+    # contiguous, because the last bits of sums by row depend on the order in memory
     position, slope = np.ascontiguousarray(position), np.ascontiguousarray(slope)
     radius = np.full(len(position), longest_step)
     stiffness, rests = np.full(len(position), np.nan), np.zeros(len(position), dtype=bool)
     moving = np.arange(len(position))
-    rows: slice | Cases = slice(None)  # the same while all move, without copies
+    rows: slice | Cases = slice(None)  # all cases, without copies, while all of them move
     for _ in range(_MOST_STEPS):
         at, down = position[rows], -slope[rows]
         least, most = lower[rows], upper[rows]
@@ -116,7 +117,7 @@ def descend(
 
 
 def _better(new_value: Array, new_slope: Array, value: Array, slope: Array) -> Flags:
-    """Whether the energy falls, (case,); where it stays to rounding, whether the slope does."""
+    """Return whether the energy falls, (case,); if it is equal within rounding, whether the slope falls."""
     flatter = _lengths(new_slope) < _lengths(slope)
     return np.asarray((new_value < value) | ((new_value <= value + _ROUNDING * np.abs(value)) & flatter))
 
@@ -127,16 +128,17 @@ def _lengths(vectors: Array) -> Array:
 
 
 def _step_within(room: tuple[Array, Array], down: Array, curvature: Array, radius: Array) -> tuple[Array, Flags, Array]:
-    """A step downhill within a ball and a box, (case, coordinate).
+    """Compute a step downhill within a ball and a box.
 
     Args:
-        room: ways to the bounds, <= 0 and >= 0, (case, coordinate).
-        down: the slope turned round, alike.
+        room: distances to the bounds, <= 0 and >= 0, (case, coordinate).
+        down: negative gradient, (case, coordinate).
         curvature: (case, coordinate, coordinate).
         radius: of the ball, (case,).
 
     Returns:
-        The step; which coordinates their bounds hold, alike; the least curvature of the others, (case,).
+        The step, and which coordinates their bounds hold, both (case, coordinate); the least curvature of the other
+        coordinates, (case,).
     """
     loose = np.flatnonzero((room[0] < room[1]).any(axis=0))
     if len(loose) == down.shape[1] and len(down):
@@ -149,18 +151,18 @@ def _step_within(room: tuple[Array, Array], down: Array, curvature: Array, radiu
 
 
 def _free_step(room: tuple[Array, Array], down: Array, curvature: Array, radius: Array) -> tuple[Array, Flags, Array]:
-    """As `_step_within`, where every coordinate has room in some case."""
+    """Compute the step of `_step_within` if every coordinate can move in some case."""
     to_bound = np.where(down < 0, *room)
     held = (down != 0) & (np.abs(to_bound) <= _NEAR * radius[:, None])
     values, axes = np.linalg.eigh(_without(curvature, held))
-    # last bits depend on the order in memory
+    # in Fortran order, because the last bits depend on the order in memory
     free = _trusted_step(np.asfortranarray(np.where(held, 0.0, down)), values, axes, radius)
     step = np.minimum(np.maximum(np.where(held, to_bound, free), room[0]), room[1])
     return step, held, np.where(held.all(axis=1), np.inf, values[:, 0])
 
 
 def _without(curvature: Array, held: Flags) -> Array:
-    """Curvatures of the free coordinates; the held ones get the largest of all, on their own."""
+    """Return the Hessian of the free coordinates; held ones are decoupled and get the largest stiffness of all."""
     if not held.any():
         return curvature
     free = ~held
@@ -172,12 +174,12 @@ def _without(curvature: Array, held: Flags) -> Array:
 
 
 def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Array:
-    """To the lowest point of a quadratic model within a ball, (case, coordinate).
+    """Compute the step to the lowest point of a quadratic model within a ball, (case, coordinate).
 
-    Where the step is longer than the ball, Newton's method on 1 / length looks for the damping that shortens it; from
-    below it rises to it (Conn, Gould and Toint 2000, section 7.3).
+    If the step is longer than the radius, Newton's method on 1 / length finds the damping that shortens it. The damping
+    converges from below (Conn, Gould and Toint 2000, section 7.3).
     """
-    # ufuncs by name are several times as fast as the same by functions and methods, and most calls have few cases
+    # direct ufuncs are several times as fast as functions and methods for the few cases of most calls
     add, largest = np.add.reduce, np.maximum.reduce
     along = (down[:, None] @ axes)[:, 0]
     least = np.maximum(0.0, -values[:, 0]) + 1e-12 * largest(np.abs(values), axis=1) + 1e-300
@@ -190,7 +192,7 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
         square = add(squares, axis=1)
         longer = np.sqrt(square) / radius
         beyond = longer > 1
-        if not np.logical_or.reduce(beyond):  # further ones would change nothing
+        if not np.logical_or.reduce(beyond):  # further steps would change nothing
             break
         rise = np.divide(square, add(squares / shifted, axis=1), out=np.zeros(len(square)), where=beyond)
         damping = damping + rise * (longer - 1)
@@ -201,14 +203,14 @@ def _trusted_step(down: Array, values: Array, axes: Array, radius: Array) -> Arr
 
 @dataclass(frozen=True, kw_only=True)
 class PathState:
-    """Where something on a path rests.
+    """An equilibrium on a path.
 
     Attributes:
-        kind: "stop", pressed onto the end of the path; "minimum"; "maximum", which any push leaves; "neutral", a range
-            over which the energy does not change.
-        coordinate: along the path; of a neutral range the nearer end.
+        kind: "stop", pressed onto the end of the path; "minimum"; "maximum", which is unstable; "neutral", a range of
+            constant energy.
+        coordinate: along the path; for a neutral range, its nearer end.
         far_coordinate: the other end of a neutral range; otherwise the coordinate.
-        energy: there.
+        energy: at the coordinate.
         press: slope of the energy that presses onto the end of the path, >= 0; 0 unless the kind is "stop".
     """
 
@@ -220,24 +222,24 @@ class PathState:
 
     @property
     def stable(self) -> bool:
-        """Whether it stays there after a small push."""
+        """Return whether the state persists after a small push."""
         return self.kind != "maximum"
 
 
-# energy and slope at places on a path
+# energy and slope at positions on a path
 PathEnergy = Callable[[Array], tuple[Array, Array]]
 
 
 def states_along(path: PathEnergy, places: Array, *, force: ArrayLike, wide: float = _WIDE) -> tuple[PathState, ...]:
-    """Find where something on a path rests, from its start to its end.
+    """Find the equilibria on a path, from its start to its end.
 
-    Stationary points are zeros of the slope (Brent 1973), one at most looked for between two neighbouring places.
+    Stationary points are zeros of the slope (Brent 1973). At most one is searched for between two neighbouring places.
 
     Args:
         path: energy, and its slope by the coordinate.
         places: rising coordinates from one end of the path to the other, (place,).
-        force: largest slope that counts as none, one or by place.
-        wide: share of the path beyond which a stretch without a slope is no minimum but a neutral range.
+        force: largest slope that counts as zero, one or by place.
+        wide: share of the path beyond which a stretch without slope is a neutral range instead of a minimum.
     """
     energy, slope = path(places)
     sign = np.where(np.abs(slope) <= force, 0, np.sign(slope))
@@ -265,7 +267,7 @@ def states_along(path: PathEnergy, places: Array, *, force: ArrayLike, wide: flo
 
 
 def _flat_state(path: PathEnergy, places: Array, before: float, after: float, wide: float) -> list[PathState]:
-    """What a stretch without a slope to speak of is, between slopes of these signs, 0 at the end of the path."""
+    """Return the state of a stretch without slope between slopes of the given signs, which are 0 at path ends."""
     kind: Literal["minimum", "maximum"] = "maximum" if before > 0 or after < 0 else "minimum"
     passes = before == after != 0
     if (kind == "minimum" or passes) and places[-1] - places[0] > wide:
@@ -274,7 +276,7 @@ def _flat_state(path: PathEnergy, places: Array, before: float, after: float, wi
 
 
 def _stationary(path: PathEnergy, low: float, high: float, kind: Literal["minimum", "maximum"]) -> PathState:
-    """The zero of the slope between two places, or the flatter of them where it keeps its sign."""
+    """Return the state at the zero of the slope between two places, or at the flatter one if the sign is the same."""
 
     def slope(x: float) -> float:
         return float(path(np.array([x]))[1][0])
@@ -301,6 +303,6 @@ def _state(
 
 
 def barrier_between(states: Sequence[PathState], start: PathState, end: PathState) -> float:
-    """Energy to climb from one state to another: to the highest state on the way; 0 where it is downhill all along."""
+    """Return the energy to climb from one state to the highest state before another; 0 if it is downhill all along."""
     low, high = sorted((start.coordinate, end.coordinate))
     return max(state.energy for state in states if low <= state.coordinate <= high) - start.energy

@@ -1,4 +1,4 @@
-"""A structure along its rigid fold: energy over the pleat angle, from camber through flat to folded."""
+"""Energy of a structure along its rigid fold: over the pleat angle, from camber through flat to folded."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ from forficula.statics.tree.potential import Ensemble, rest
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import RigidFold, Structure, drive_of, goal_of, state_of
 
-# Moment that counts as none: of the tendons' largest about the ring, or, where they have none, of E t l^2 of the
-# membrane.
+# Moment that counts as zero: as a share of the tendons' largest moment about the ring or, without one, of E t l^2 of
+# the membrane.
 _QUIET, _QUIET_SHEET = 1e-3, 1e-4
-# how often places learn from their neighbours, and energy that counts as none, of the largest
+# number of passes that start from neighbouring solutions, and energy that counts as zero, of the largest
 _PASSES, _ROUNDING = 8, 1e-12
 
 
 @dataclass(frozen=True, kw_only=True)
 class FoldPath:
-    """A structure along the one way in which rigid panels fold, see `forficula.structure.RigidFold`.
+    """A structure along the single folding path of its rigid panels, see `forficula.structure.RigidFold`.
 
-    Hinges that the panels leave open go to where the membrane is stretched least.
+    Hinges that the path does not determine move to where the membrane is stretched least.
 
     Attributes:
         pleat_angle: rising, rad, (place,).
-        ring_angle: fold angle of the ring creases, of its sign, rad, (place,).
+        ring_angle: fold angle of the ring creases, with its sign, rad, (place,).
         angles: of all hinges, in their own senses, rad, (place, hinge).
         tendon_energy: of all tendons, springs and weights, J, (place,).
         sheet_energy: of membranes and length limits, J, (place,).
         moment: about the pleats, -d energy / d pleat angle, N m, (place,).
         fold_slope: d ring angle / d pleat angle, (place,).
-        unfold_rate: work that a unit torque of the drive back does, by the pleat angle that it takes back, (place,).
-        quiet: moment that counts as none, N m, (place,).
-        turns: how many hinges turn, by half the pleat angle each.
-        driven: how many of these a motor drives; all where none is driven.
-        folds: how many fold with the ring.
-        states: where it rests, in the order of the pleat angle.
-        remarks: sentences on what to know of it.
+        unfold_rate: work of a unit torque of the opening drive per decrease of the pleat angle, (place,).
+        quiet: moment that counts as zero, N m, (place,).
+        turns: number of hinges that turn by half the pleat angle each.
+        driven: number of these hinges with a motor; all if none has a motor.
+        folds: number of hinges that fold with the ring.
+        states: equilibria, in the order of the pleat angle.
+        remarks: sentences on the limits of the path.
     """
 
     pleat_angle: Array
@@ -64,22 +64,22 @@ class FoldPath:
 
     @property
     def energy(self) -> Array:
-        """Of everything, J, (place,)."""
+        """Return the total energy, J, (place,)."""
         return self.tendon_energy + self.sheet_energy
 
     @property
     def fold_torque(self) -> float:
-        """Least torque on every driven hinge that takes it along, from its first state to folded, N m.
+        """Return the least torque on every driven hinge that folds the structure from its first state, N m.
 
-        The steepest climb, shared by these hinges, which turn by half the pleat angle; rigid panels take the others
-        along.
+        It is the steepest climb of the energy, shared by the driven hinges, which turn by half the pleat angle. Rigid
+        panels make the other hinges follow.
         """
         climbs = np.where(-self.moment > self.quiet, -self.moment, 0.0)
         return float(climbs.max()) * 2 / self.driven
 
     @property
     def unfold_torque(self) -> float | None:
-        """Least torque of the drive back that takes it back, N m; None where the ring does not move on the way."""
+        """Return the least torque of the opening drive that opens the structure, N m; None if the ring never moves."""
         moves = (self.fold_slope > 0) & (self.unfold_rate > 0)
         if not moves.any():
             return None
@@ -92,14 +92,15 @@ class StableState:
     """A stable state of a structure along its fold.
 
     Attributes:
-        name: the start of the fold, such as "flat", the first, where it is flat or cambered; its end, such as
-            "folded", the last; "partly folded" between them; "anywhere" where nothing moves it all along.
+        name: the start of the fold, such as "flat", for a first state that is flat or cambered; the end of the fold,
+            such as "folded", for the last state; "partly folded" between them; "anywhere" for a neutral range over the
+            whole path.
         kind: "stop", pressed onto the end of the path; "minimum"; "neutral", a range without any force.
-        pleat_angle: rad; of a neutral range the end nearer to flat.
+        pleat_angle: rad; for a neutral range, the end nearer to flat.
         far_pleat_angle: the other end of a neutral range, rad; otherwise the pleat angle.
-        ring_angle: fold angle of the ring creases there, rad.
+        ring_angle: fold angle of the ring creases, rad.
         energy: J.
-        holding_torque: on every hinge that turns, that presses it onto the end of the path, N m.
+        holding_torque: torque on every turning hinge that presses the structure onto the end of the path, N m.
     """
 
     name: str
@@ -112,25 +113,27 @@ class StableState:
 
 
 def rigid_fold(structure: Structure) -> RigidFold:
-    """How the panels of a structure fold.
+    """Return the single folding path of a structure's rigid panels.
 
     Raises:
-        InputError: it is not one way.
+        InputError: there is no single folding path.
     """
     if structure.rigid_fold is None:
-        raise InputError(f"{structure.name}: has no one way in which rigid panels fold, so no energy along it")
+        raise InputError(
+            f"{structure.name}: has no single folding path of rigid panels, so there is no energy along it"
+        )
     return structure.rigid_fold
 
 
 def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
-    """Follow a structure along its fold.
+    """Compute a structure along its fold.
 
     Args:
-        structures: of which the first case is taken.
-        points: how many places to look at.
+        structures: only the first case is used.
+        points: number of places along the fold.
 
     Raises:
-        InputError: it has no one way to fold.
+        InputError: the structure has no single folding path.
     """
     fold = rigid_fold(structures.structure)
     ratio, turns, folds = fold.ratio, span(fold.turns), span(fold.folds)
@@ -144,7 +147,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
     start[:, turns], start[:, folds] = pleat[:, None] / 2, -ring[:, None]
     found = _least_stretched(many, start, fold)
     sheet, on_sheet, _ = sheet_energy(many.sheet, found.position)
-    # the slope of the least energy is that with the open hinges held (envelope theorem)
+    # the slope of the least energy equals that with the undetermined hinges held (envelope theorem)
     of_tendons = (on_sheet - found.slope)[:, folds].sum(axis=1) * fold_slope
     slope = of_tendons + found.slope[:, turns].sum(axis=1) / 2 - on_sheet[:, folds].sum(axis=1) * fold_slope
     curve = scipy.interpolate.CubicHermiteSpline(pleat, found.energy, slope)
@@ -169,7 +172,7 @@ def fold_path(structures: Ensemble, points: int = 181) -> FoldPath:
 
 
 def fold_states(structure: Structure, path: FoldPath) -> tuple[StableState, ...]:
-    """The stable states of a structure along its fold, from camber to folded."""
+    """Return the stable states of a structure along its fold, from camber to folded."""
     return tuple(
         StableState(
             name=_name(structure, path, state),
@@ -198,7 +201,7 @@ def _name(structure: Structure, path: FoldPath, state: PathState) -> str:
 
 
 def _unfold_rate(structures: Ensemble, fold: RigidFold, fold_slope: Array) -> Array:
-    """See `FoldPath.unfold_rate`; that of torques on the folding hinges where no transition leads back."""
+    """Return `FoldPath.unfold_rate`; for torques on the folding hinges if no transition leads back."""
     built, turns, folds = structures.structure, list(fold.turns), list(fold.folds)
     back = next((each for each in built.transitions if each.state != fold.end), None)
     torques = np.zeros(structures.size)
@@ -210,15 +213,15 @@ def _unfold_rate(structures: Ensemble, fold: RigidFold, fold_slope: Array) -> Ar
 
 
 def _driven(structure: Structure, fold: RigidFold) -> int:
-    """How many of the hinges that turn have a motor; all where none has."""
+    """Return the number of turning hinges with a motor; all of them if none has a motor."""
     return len({hinge for motor in structure.motors for hinge in motor.hinges} & set(fold.turns)) or len(fold.turns)
 
 
 def _least_stretched(structures: Ensemble, start: Array, fold: RigidFold) -> Equilibria:
-    """Let what the panels leave open go where the membrane is stretched least, at every place of the path.
+    """Let the undetermined hinges move to where the membrane is stretched least, at every place of the path.
 
-    A place can have several such equilibria: each is also looked for from where its neighbours found theirs, and the
-    lowest counts, so that the path does not jump between them.
+    A place can have several such equilibria. Each place is also solved from the solutions of its neighbours, and the
+    lowest energy is kept, so that the path does not jump between equilibria.
     """
     fixed = [*fold.turns, *fold.folds]
     found = rest(structures, start, fixed=fixed)
@@ -226,10 +229,10 @@ def _least_stretched(structures: Ensemble, start: Array, fold: RigidFold) -> Equ
     for _ in range(_PASSES):
         lowered = False
         for shift in (1, -1):
-            beside = start.copy()
-            beside[:, free] = np.roll(found.position, shift, axis=0)[:, free]
-            beside[0 if shift > 0 else -1] = found.position[0 if shift > 0 else -1]
-            other = rest(structures, beside, fixed=fixed)
+            shifted = start.copy()
+            shifted[:, free] = np.roll(found.position, shift, axis=0)[:, free]
+            shifted[0 if shift > 0 else -1] = found.position[0 if shift > 0 else -1]
+            other = rest(structures, shifted, fixed=fixed)
             lower = other.energy < found.energy - _ROUNDING * np.abs(found.energy).max()
             lowered |= bool(lower.any())
             found = replace(
@@ -244,12 +247,12 @@ def _least_stretched(structures: Ensemble, start: Array, fold: RigidFold) -> Equ
 
 
 def _quiet_moment(structure: Structure, fold: RigidFold, of_tendons: Array, fold_slope: Array) -> Array:
-    """Moment about the pleats that counts as none at every place, N m: the ring moves faster by some than by others."""
+    """Return the moment about the pleats that counts as zero at every place, N m; it grows with the ring's rate."""
     laws = [membrane.law for membrane in structure.membranes]
     membrane = max((law.youngs_modulus * law.thickness * fold.base_length**2 for law in laws), default=0.0)
     about_ring = np.divide(of_tendons, fold_slope, out=np.zeros_like(of_tendons), where=fold_slope > 0)
     largest = float(np.abs(about_ring).max())
-    # a slack tendon's moment is rounding
+    # the moment of a slack tendon is a rounding error
     if largest > 1e-9 * membrane:
         return np.asarray(_QUIET * largest * fold_slope)
     return np.full_like(fold_slope, _QUIET_SHEET * membrane)

@@ -1,8 +1,8 @@
 """One tendon across one hinge: its energy and its moment at every angle, in closed form.
 
-Angles are 0 where the hinge is straight, as built, positive in the overbend, negative while folding, which is the way
-in which the hinge goes farther. The tendon is longest at its top: at straight where its ends lie in one plane with the
-hinge's axis, and beside it where they are offset from that plane.
+Angles are 0 when the hinge is straight, as built, positive in the overbend, and negative when folded, which is the
+direction of the larger range. The tendon is longest at its top angle: at straight if its ends lie in one plane with the
+hinge's axis, and at another angle if they are offset from that plane.
 """
 
 from __future__ import annotations
@@ -27,24 +27,23 @@ class TendonHinge:
     """A tendon across a hinge.
 
     Its ends turn about the hinge axis on two circles, `axial_offset` apart. With arms a and b, the offset c and the
-    angle delta of the arms as built, length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle + delta) (law of cosines; with c and
-    delta 0 theory.md, section 3); see `forficula.structure.Crossing`.
-
-    The numbers may be arrays, for many hinges at once; see `stacked_hinges`.
+    angle delta of the arms as built, length^2 = a^2 + b^2 + c^2 + 2 a b cos(angle + delta) (law of cosines;
+    docs/model/theory.md, sections Tendon across a hinge and Tendon off the hinge axis); see
+    `forficula.structure.Crossing`. The numbers may be arrays, for many hinges at once; see `stacked_hinges`.
 
     Attributes:
         law: of the tendon.
         proximal_arm: distance of the tendon's end on the proximal side from the hinge axis, m.
         distal_arm: the same on the side that turns, m.
-        axial_offset: distance between the ends along the hinge axis, m; 0 where both bars are square to it.
-        offset_angle: delta, rad; 0 where the ends lie in one plane with the axis.
-        overbend: how far the hinge bends past straight, rad.
-        fold_limit: how far it folds, rad.
-        inertia: of what turns about the hinge axis, kg m^2.
-        sense: +1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense.
+        axial_offset: distance between the ends along the hinge axis, m; 0 if both bars are perpendicular to it.
+        offset_angle: delta, rad; 0 if the ends lie in one plane with the axis.
+        overbend: largest angle past straight, rad.
+        fold_limit: largest fold angle, rad.
+        inertia: of the part that turns about the hinge axis, kg m^2.
+        sense: +1 or -1, the factor that converts these angles to those of the structure's hinge in its own sense.
 
     Raises:
-        InputError: a number out of its bounds or not finite.
+        InputError: a number is out of its bounds or not finite.
     """
 
     law: ElasticLaw
@@ -72,41 +71,41 @@ class TendonHinge:
 
     @cached_property
     def _arms(self) -> tuple[Any, Any, Any]:
-        """Product of the arms, m^2, and lengths by which the tendon's follows from half the angle, m."""
+        """Return the product of the arms, m^2, and two lengths for the tendon's length from half the angle, m."""
         product = self.proximal_arm * self.distal_arm
         return product, np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm), 2 * np.sqrt(product)
 
     @property
     def top(self) -> float:
-        """Angle at which the tendon is longest, rad; it may lie beyond a stop."""
+        """Return the angle at which the tendon is longest, rad; it may lie beyond a stop."""
         return 0.0 - self.offset_angle
 
     @property
     def top_to_overbend(self) -> float:
-        """How far the overbend stop is from the top, rad; negative where the top lies beyond the stop."""
+        """Return the angle from the top to the overbend stop, rad; negative if the top lies beyond the stop."""
         return self.overbend + self.offset_angle
 
     @property
     def top_to_fold(self) -> float:
-        """How far the fold limit is from the top, rad; negative where the top lies beyond the limit."""
+        """Return the angle from the top to the fold limit, rad; negative if the top lies beyond the limit."""
         return self.fold_limit - self.offset_angle
 
     @property
     def nearest(self) -> float:
-        """How near to the top the hinge comes, rad; 0 where the top lies between its stops."""
+        """Return the least angle from the top that the hinge reaches, rad; 0 if the top lies between its stops."""
         return max(0.0, -self.top_to_overbend, -self.top_to_fold)
 
     @property
     def pulls(self) -> bool:
-        """Whether the tendon pulls where the hinge is nearest to the top; if not, it is slack at every angle."""
+        """Return whether the tendon pulls at the angle nearest to the top; otherwise it is slack at every angle."""
         return bool(self.law.force(self.length_from_top(self.nearest)) > 0)
 
     @property
     def slack_distance(self) -> float | None:
-        """How far from the top, either way, the tendon has its resting length, rad; None where it has it nowhere.
+        """Return the angle from the top at which the tendon has its resting length, rad; None if it never has.
 
-        With equal arms and no offset 2 acos(rest length / length at straight) (theory.md, section 3), here through
-        half angles, which keep all digits at 0 and at 180 deg.
+        With equal arms and no offset it is 2 acos(rest length / length at straight) (docs/model/theory.md, section
+        Tendon across a hinge). Half angles keep all digits at 0 and at 180 deg.
         """
         offset, longest, rest = (
             float(self.length_from_top(math.pi)),
@@ -118,20 +117,21 @@ class TendonHinge:
         return 2 * math.atan2(math.sqrt(longest - rest) * math.sqrt(longest + rest), math.sqrt(rest**2 - offset**2))
 
     def length(self, angle: ArrayLike) -> Array:
-        """Length of the tendon, m, in the shape of `angle` (rad); law of cosines."""
+        """Return the length of the tendon, m, in the shape of `angle` (rad), by the law of cosines."""
         return self.length_from_top(np.asarray(angle, dtype=np.float64) + self.offset_angle)
 
     def length_from_top(self, apart: ArrayLike) -> Array:
-        """Length of the tendon this far from the top, either way, m, in the shape of `apart` (rad)."""
+        """Return the length of the tendon at an angle from the top, m, in the shape of `apart` (rad)."""
         _, half_cosine = _half_angle(apart)
-        # a sum of squares keeps its digits where the ends meet
+        # a sum of squares keeps its digits when the ends meet
         shortest = np.hypot(self.axial_offset, self.proximal_arm - self.distal_arm)  # at 180 deg
         return np.asarray(np.hypot(shortest, 2 * np.sqrt(self.proximal_arm * self.distal_arm) * half_cosine))
 
     def lever(self, angle: ArrayLike) -> Array:
-        """Lever of the tendon about the hinge axis, -d length / d angle, m, in the shape of `angle` (rad).
+        """Return the lever of the tendon about the hinge axis, -d length / d angle, m, in the shape of `angle` (rad).
 
-        a b sin(angle + delta) / length (theory.md, section 3); 0 where the tendon's ends meet.
+        It is a b sin(angle + delta) / length (docs/model/theory.md, section Tendon across a hinge), and 0 when the
+        tendon's ends meet.
         """
         apart = np.asarray(angle, dtype=np.float64) + self.offset_angle
         half_sine, half_cosine = _half_angle(apart)
@@ -139,32 +139,33 @@ class TendonHinge:
         return _divide(product, self.length_from_top(apart))
 
     def energy(self, angle: ArrayLike) -> Array:
-        """Energy of the tendon, J, in the shape of `angle` (rad)."""
+        """Return the energy of the tendon, J, in the shape of `angle` (rad)."""
         return self.law.energy(self.length(angle))
 
     def moment(self, angle: ArrayLike) -> Array:
-        """Moment of the tendon about the hinge, -d energy / d angle, N m, in the shape of `angle` (rad).
+        """Return the moment of the tendon about the hinge, -d energy / d angle, N m, in the shape of `angle` (rad).
 
-        Positive towards the overbend; force times lever (theory.md, section 3). The stops are not in it.
+        It is force times lever, positive towards the overbend (docs/model/theory.md, section Tendon across a hinge),
+        and does not include the stops.
         """
         return np.asarray(self.law.force(self.length(angle)) * self.lever(angle))
 
     def stiffness(self, angle: ArrayLike) -> Array:
-        """Second derivative of the energy by the angle, N m/rad, in the shape of `angle` (rad).
+        """Return the second derivative of the energy by the angle, N m/rad, in the shape of `angle` (rad).
 
-        With force F, length L and lever q: (F' - F/L) q^2 - (F/L) a b cos(angle + delta), the derivative of the moment
-        above.
+        With force F, length L and lever q it is (F' - F/L) q^2 - (F/L) a b cos(angle + delta), minus the derivative of
+        the moment.
         """
         return self.expansion(angle)[2]
 
     def expansion(self, angle: ArrayLike) -> tuple[Array, Array, Array]:
-        """Energy, moment and stiffness at once, in the shape of `angle` (rad)."""
+        """Return energy, moment and stiffness at once, in the shape of `angle` (rad)."""
         half_sine, half_cosine = _half_angle(np.asarray(angle, dtype=np.float64) + self.offset_angle)
         product, shortest, longest = self._arms
         length = np.asarray(np.hypot(shortest, longest * half_cosine))
         lever = _divide(2 * product * half_sine * half_cosine, length)
         energy, force, slope = self.law.expansion(length)
-        # where the ends meet, force by length tends to the slope
+        # when the ends meet, force divided by length tends to the slope
         by_length = np.divide(force, length, out=np.array(slope), where=length > 0)
         turned = by_length * self.proximal_arm * self.distal_arm * (half_cosine**2 - half_sine**2)
         stiffness = np.asarray((slope - by_length) * lever**2 - turned)
@@ -172,39 +173,41 @@ class TendonHinge:
 
 
 def ideal_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
-    """Every tendon's hinge with both bars square to its axis (theory.md, section 3), of those that have such bars.
+    """Return the ideal hinge of every tendon that has one, with both bars perpendicular to the hinge axis.
 
-    Of the tendons' laws they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
+    See docs/model/theory.md, section Tendon across a hinge. Only the springs of the tendons' laws are used, as in slow
+    motions: Maxwell branches are relaxed, and nothing yields.
     """
-    return tuple(tendon_hinge(structure, each, each.ideal) for each in structure.tendons if each.ideal is not None)
+    tendons = structure.tendons
+    return tuple(tendon_hinge(structure, tendon, tendon.ideal) for tendon in tendons if tendon.ideal is not None)
 
 
 def tendon_hinges(structure: Structure) -> tuple[TendonHinge, ...]:
-    """The hinges that one tendon lies across, each about its own axis, with all others held still.
+    """Return the hinges that one tendon lies across, each about its own axis, with all others fixed.
 
-    Of the tendons' laws they take the spring, as slow motions do: Maxwell branches are relaxed, and nothing yields.
+    Only the springs of the tendons' laws are used, as in slow motions: Maxwell branches are relaxed, nothing yields.
 
     Returns:
         One for each tendon whose length depends on one hinge, in the order of the tendons.
     """
-    crossed = ((each, each.crossing) for each in structure.tendons)
-    return tuple(tendon_hinge(structure, each, crossing) for each, crossing in crossed if crossing is not None)
+    crossed = ((tendon, tendon.crossing) for tendon in structure.tendons)
+    return tuple(tendon_hinge(structure, tendon, crossing) for tendon, crossing in crossed if crossing is not None)
 
 
 def hinges_in_own_senses(structure: Structure) -> tuple[TendonHinge, ...]:
-    """As `tendon_hinges`, with angles in the hinges' own senses, whichever way they fold."""
-    return tuple(each if each.sense > 0 else _turned_round(each) for each in tendon_hinges(structure))
+    """Return the hinges of `tendon_hinges` with angles in the hinges' own senses, whichever way they fold."""
+    return tuple(hinge if hinge.sense > 0 else _reversed(hinge) for hinge in tendon_hinges(structure))
 
 
 def folding_sense(hinge: Hinge) -> int:
-    """+1 where a hinge goes farther to negative angles, so that these fold it; -1 where it goes farther to positive."""
+    """Return +1 if negative angles fold a hinge, because its range on that side is larger; else -1."""
     return 1 if hinge.upper <= -hinge.lower else -1
 
 
 def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> TendonHinge:
-    """The hinge that a tendon lies across, as one of its crossings has it: its own, or its ideal one."""
+    """Return the hinge that a tendon lies across, for its true or its ideal crossing."""
     stops = structure.hinges[crossing.hinge]
-    own = TendonHinge(
+    hinge = TendonHinge(
         law=tendon.law.elastic,
         proximal_arm=crossing.proximal_arm,
         distal_arm=crossing.distal_arm,
@@ -214,11 +217,11 @@ def tendon_hinge(structure: Structure, tendon: Tendon, crossing: Crossing) -> Te
         fold_limit=min(-stops.lower, math.pi),
         inertia=crossing.inertia,
     )
-    return own if folding_sense(stops) > 0 else _turned_round(own)
+    return hinge if folding_sense(stops) > 0 else _reversed(hinge)
 
 
-def _turned_round(hinge: TendonHinge) -> TendonHinge:
-    """The hinge with its angles counted the other way."""
+def _reversed(hinge: TendonHinge) -> TendonHinge:
+    """Return the hinge with the opposite sign of its angles."""
     return replace(
         hinge,
         offset_angle=0.0 - hinge.offset_angle,
@@ -229,7 +232,7 @@ def _turned_round(hinge: TendonHinge) -> TendonHinge:
 
 
 def stacked_hinges(hinges: Sequence[Sequence[TendonHinge]]) -> TendonHinge:
-    """Hinges as one, whose length, energy, moment and stiffness take angles of all, (row, hinge).
+    """Return hinges as one object whose length, energy, moment and stiffness take angles of all hinges, (row, hinge).
 
     Args:
         hinges: by row.
@@ -256,9 +259,9 @@ def stacked_hinges(hinges: Sequence[Sequence[TendonHinge]]) -> TendonHinge:
 
 
 def slack_angle(hinge: TendonHinge) -> float | None:
-    """Angle beyond which the folding hinge is free, rad; None where it has none up to the fold limit.
+    """Return the angle beyond which the folding hinge is free, rad.
 
-    Where the tendon is slack at every angle there is none either.
+    It is None if there is no such angle up to the fold limit, or if the tendon is slack at every angle.
     """
     distance = hinge.slack_distance
     if not hinge.pulls or distance is None or distance > hinge.top_to_fold:
@@ -267,18 +270,18 @@ def slack_angle(hinge: TendonHinge) -> float | None:
 
 
 def released_energy(hinge: TendonHinge, start: float, further: ArrayLike) -> Array:
-    """Energy that the tendon gives back as the hinge moves away from the top.
+    """Compute the energy that the tendon releases as the hinge moves away from the top.
 
-    The shortening as a product, which keeps its digits where the way is short:
+    The shortening is computed as a product, which keeps its digits for a small motion:
     L0^2 - L1^2 = 4 a b sin(further / 2) sin(start + further / 2).
 
     Args:
         hinge: the hinge.
-        start: distance from the top, either way, >= 0, rad.
-        further: by how much the distance grows, up to 360 deg less `start` in all, rad, any shape.
+        start: angle from the top, on either side, >= 0, rad.
+        further: increase of that angle, at most 360 deg minus `start`, rad, any shape.
 
     Returns:
-        J, in the shape of `further`.
+        Energy, J, in the shape of `further`.
     """
     half = np.asarray(further, dtype=np.float64) / 2
     longer, shorter = hinge.length_from_top(start), hinge.length_from_top(start + 2 * half)
@@ -287,12 +290,12 @@ def released_energy(hinge: TendonHinge, start: float, further: ArrayLike) -> Arr
 
 
 def _half_angle(angle: ArrayLike) -> tuple[Array, Array]:
-    """Sine and cosine of half an angle; the float pi is short of 180 deg, where the cosine is 0."""
+    """Return sine and cosine of half an angle; the cosine is 0 at the float pi, which is slightly below 180 deg."""
     angle = np.asarray(angle, dtype=np.float64)
     half = angle / 2
     return np.sin(half), np.where(np.abs(angle) == math.pi, 0.0, np.cos(half))
 
 
 def _divide(numerator: Array, denominator: Array) -> Array:
-    """Divide; 0 where the denominator is 0."""
+    """Return a quotient; 0 where the denominator is 0."""
     return np.asarray(np.divide(numerator, denominator, out=np.zeros(np.shape(denominator)), where=denominator > 0))

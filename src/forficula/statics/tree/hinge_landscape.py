@@ -1,4 +1,4 @@
-"""What a hinge is like: energy and moment over its angle, its stable states, and the numbers that describe them."""
+"""Energy landscape of one hinge: energy and moment over its angle, its stable states, and their properties."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from forficula.statics.tree.hinge import TendonHinge, slack_angle, tendon_hinge
 from forficula.statics.tree.snap import FOLD_START, final_speed, fold_time, time_scale
 from forficula.structure import Structure
 
-_QUIET, _ROUNDING = 1e-9, 1e-13  # of the largest moment, what counts as none with a spring and without one
-_FINE, _COARSE = 1801, 46  # angles among which states and peaks are looked for, with a spring and without one
+_QUIET, _ROUNDING = 1e-9, 1e-13  # share of the largest moment that counts as zero, with and without a spring
+_FINE, _COARSE = 1801, 46  # numbers of angles in the search for states and peaks, with and without a spring
 
 
 @dataclass(frozen=True, kw_only=True)
 class PeakTorque:
-    """The largest moment that keeps a hinge from opening.
+    """Largest moment against the opening of a hinge.
 
     Attributes:
         torque: N m, positive.
-        angle: where, rad.
+        angle: angle of that moment, rad.
     """
 
     torque: float
@@ -39,15 +39,15 @@ class PeakTorque:
 
 @dataclass(frozen=True, kw_only=True)
 class HingeState:
-    """Where a hinge stays.
+    """A stable state of a hinge.
 
     Attributes:
-        kind: "stop", pressed onto a stop; "minimum", at the least energy without a press; "neutral", a range over which
+        kind: "stop", pressed onto a stop; "minimum", at least energy between the stops; "neutral", a range over which
             the tendon is slack and nothing moves the hinge.
-        angle: rad; of a neutral range the end nearer to the top, or the overbend stop where the tendon never pulls.
+        angle: rad; for a neutral range, the end nearer to the top, or the overbend stop if the tendon never pulls.
         far_angle: the other end of a neutral range, rad; otherwise the angle.
         energy: J.
-        holding_torque: that presses it onto its stop, N m; 0 unless the kind is "stop".
+        holding_torque: torque that presses the hinge onto its stop, N m; 0 unless the kind is "stop".
     """
 
     kind: Literal["stop", "minimum", "neutral"]
@@ -59,7 +59,7 @@ class HingeState:
 
 @dataclass(frozen=True, kw_only=True)
 class HingeSpring:
-    """The spring of a hinge itself.
+    """The hinge's own spring.
 
     Attributes:
         stiffness: N m/rad.
@@ -72,29 +72,29 @@ class HingeSpring:
 
 @dataclass(frozen=True, kw_only=True)
 class HingeLandscape:
-    """A hinge over its whole range. What does not exist is None, and the remarks say why.
+    """Energy landscape of a hinge over its whole range. Missing values are None, and the remarks give the reasons.
 
-    Folding is negative in all angles here; those that the structure has are these times `sense`. With a spring of the
-    hinge the energy and the moment are still those of the tendon, and everything else is of both.
+    Folding angles are negative; multiply by `sense` for the angles of the structure. If the hinge has a spring, energy
+    and moment are still those of the tendon alone, and all other values include both.
 
     Attributes:
-        hinge: whose landscape it is.
-        angle: falling from the overbend to the fold limit, rad, (angle,); holds both ends, straight, the top, and where
-            the tendon goes slack, or is shortest between the ends.
+        hinge: the hinge with its tendon.
+        angle: falling from the overbend to the fold limit, rad, (angle,); includes both ends, straight, the top, and
+            the angles at which the tendon goes slack or is shortest.
         energy: J, (angle,).
         moment: positive towards the overbend, N m, (angle,).
         barrier: from the overbend stop to the top, J.
-        barrier_angle: where the top is, rad: at straight, but for offsets of the tendon's ends.
-        holding_torque: onto the overbend stop, N m.
+        barrier_angle: angle of the top, rad: straight, unless the tendon's ends are offset.
+        holding_torque: torque that presses the hinge onto the overbend stop, N m.
         peak_opening: the largest moment against opening.
-        slack_angle: beyond which the folding hinge is free, rad.
-        states: the stable ones, from the overbend to the fold limit.
+        slack_angle: angle beyond which the folding hinge is free, rad.
+        states: the stable states, from the overbend to the fold limit.
         time_scale: t*, s.
         growth_rate: at the top, 1/s.
-        fold_start: from which the fold is let go, rad past the top.
+        fold_start: angle past the top from which the fold starts, rad.
         final_speed: at the fold limit, rad/s.
-        remarks: sentences on what does not exist and what to know of the rest.
-        spring: of the hinge; None for none.
+        remarks: sentences on missing values and on limits of the others.
+        spring: of the hinge; None without a spring.
     """
 
     hinge: TendonHinge
@@ -116,18 +116,18 @@ class HingeLandscape:
 
     @property
     def sense(self) -> int:
-        """+1 or -1, by which angles here are multiplied to be those of the structure's hinge in its own sense."""
+        """Return +1 or -1, the factor that converts these angles to those of the structure's hinge."""
         return self.hinge.sense
 
     @cached_property
     def fold_time(self) -> float | None:
-        """From where the fold is let go to the fold limit, s: an integral, for whoever asks. None with a spring."""
+        """Return the time from the start of the fold to the fold limit, s, by an integral; None with a spring."""
         return self.time_to(self.hinge.fold_limit)
 
     def time_to(self, angle: float) -> float | None:
-        """From where the fold is let go to an angle past straight, rad, or to the fold limit before it, s.
+        """Return the time from the start of the fold to an angle past straight, rad, at most to the fold limit, s.
 
-        None with a spring, and where the hinge does not fold.
+        It is None with a spring, and if the hinge does not fold.
         """
         if self.spring is not None:
             return None
@@ -135,13 +135,13 @@ class HingeLandscape:
 
     @property
     def spring_energy(self) -> Array:
-        """Of the hinge's spring, J, (angle,)."""
+        """Return the energy of the hinge's spring, J, (angle,)."""
         if self.spring is None:
             return np.zeros_like(self.angle)
         return np.asarray(self.spring.stiffness / 2 * (self.angle - self.spring.rest_angle) ** 2)
 
     def stored_energy(self, angle: ArrayLike) -> Array:
-        """Of the tendon and the hinge's spring, J, in the shape of `angle` (rad, folding negative)."""
+        """Return the energy of tendon and hinge spring, J, in the shape of `angle` (rad, folding negative)."""
         energy = self.hinge.energy(angle)
         if self.spring is None:
             return energy
@@ -150,7 +150,7 @@ class HingeLandscape:
 
     @property
     def spring_moment(self) -> Array:
-        """Of the hinge's spring, positive towards the overbend, N m, (angle,)."""
+        """Return the moment of the hinge's spring, positive towards the overbend, N m, (angle,)."""
         if self.spring is None:
             return np.zeros_like(self.angle)
         return np.asarray(self.spring.stiffness * (self.spring.rest_angle - self.angle))
@@ -163,16 +163,17 @@ def hinge_landscape(
     overbend: str = "overbend",
     spring: HingeSpring | None = None,
 ) -> HingeLandscape:
-    """Survey a hinge along its angle, whether it has a spring of its own or not.
+    """Compute the energy landscape of a hinge along its angle, with or without a spring.
 
-    How fast it snaps is left open where it has a spring.
+    Times and speeds of the snap are not computed for a hinge with a spring.
 
     Args:
         hinge: the hinge, folding towards negative angles.
-        points: how many angles to aim at; a few more come, as every part between two special angles is divided evenly.
-        fold_start: how far past the top the fold of `fold_time` is let go, rad.
-        overbend: what sentences call the overbend.
-        spring: of the hinge, its angles counted alike; None for none.
+        points: approximate number of angles; there are a few more, because every part between two special angles is
+            divided evenly.
+        fold_start: angle past the top from which the fold of `fold_time` starts, rad.
+        overbend: name of the overbend in sentences.
+        spring: of the hinge, with the same sign of angles; None without a spring.
 
     Raises:
         InputError: fewer than 2 points, or a start that is not > 0.
@@ -206,18 +207,18 @@ def hinge_landscape(
 
 @dataclass(frozen=True, kw_only=True)
 class _Path:
-    """A hinge and its spring along the angle with its sign changed, so that folding rises.
+    """A hinge and its spring along the negative angle, which rises during folding.
 
     Attributes:
         hinge: with its tendon.
-        spring: of the hinge; None for none.
+        spring: of the hinge; None without a spring.
     """
 
     hinge: TendonHinge
     spring: HingeSpring | None
 
     def __call__(self, fold: Array) -> tuple[Array, Array]:
-        """Energy, J, and its slope, N m."""
+        """Return the energy, J, and its slope, N m."""
         energy, slope = self.hinge.energy(-fold), self.hinge.moment(-fold)
         if self.spring is None:
             return energy, slope
@@ -226,42 +227,42 @@ class _Path:
 
     @property
     def places(self) -> int:
-        """How many angles to look at; a tendon alone has its special angles among any."""
+        """Return the number of angles to evaluate; for a tendon alone the special angles are always included."""
         return _COARSE if self.spring is None else _FINE
 
     def curvature(self, fold: float) -> float:
-        """Second derivative of the energy, N m/rad."""
+        """Return the second derivative of the energy, N m/rad."""
         return float(self.hinge.stiffness(-fold)) + (0.0 if self.spring is None else self.spring.stiffness)
 
 
 def _places(path: _Path) -> tuple[PathState, ...]:
-    """Where a hinge stays, and the tops between, from the overbend to the fold limit."""
+    """Return the states of a hinge and the maxima between them, from the overbend to the fold limit."""
     folds = -special_angles(path.hinge, path.places)
     largest = float(np.abs(path(folds)[1]).max())
     if path.spring is not None:
         return states_along(path, folds, force=_QUIET * largest)
-    # a place between any two special ones, at which the moment may be none
+    # add a position between any two special ones, at which the moment may be zero
     folds = np.sort(np.concatenate([folds, (folds[1:] + folds[:-1]) / 2]))
-    # where the tendon is slack nothing moves the hinge, however short that range is
+    # a range with a slack tendon counts as neutral, however short it is
     return states_along(path, folds, force=_ROUNDING * largest, wide=0.0)
 
 
 def _top_of(found: tuple[PathState, ...]) -> PathState | None:
-    """The first top that a hinge climbs to; else that from which it starts, where its overbend is none."""
+    """Return the first maximum that a hinge climbs to; else the one at its start, if its overbend is 0."""
     tops = [place for place in found if not place.stable]
     return next((top for top in tops if top is not found[0]), next(iter(tops), None))
 
 
 def _holding_torque(hinge: TendonHinge, first: PathState) -> float | None:
-    """Torque that presses a hinge onto its overbend stop; 0 where its tendon is slack there; None where none does."""
+    """Return the torque that presses a hinge onto its overbend stop; 0 for a slack tendon; None if it does not rest."""
     at_stop = first.stable and first.coordinate == -hinge.overbend
     return first.press if at_stop and (first.kind == "stop" or hinge.pulls) else None
 
 
 def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> PeakTorque | None:
-    """The largest moment that folds it from its top, or where that lies beyond its stop from there, to where it stays.
+    """Return the largest folding moment between the top, or the overbend stop if the top is beyond it, and the state.
 
-    At the zero of the energy's second derivative (Brent 1973), or at the fold limit where the moment still grows
+    It is at the zero of the energy's second derivative (Brent 1973), or at the fold limit if the moment still grows
     there.
     """
     hinge, places = path.hinge, [place.coordinate for place in found]
@@ -282,10 +283,10 @@ def _peak(path: _Path, top: PathState | None, found: tuple[PathState, ...]) -> P
 
 
 def _growth_rate(path: _Path, top: PathState) -> float | None:
-    """Rate at which a hinge leaves its top, 1/s: sqrt(-stiffness of tendon and spring / inertia).
+    """Compute the rate at which a hinge leaves its top, 1/s: sqrt(-stiffness of tendon and spring / inertia).
 
-    For a linear law without a spring that is sqrt(1 - lambda) / t*, lambda being the resting length by the length at
-    the top (theory.md, section 3).
+    For a linear law without a spring it is sqrt(1 - lambda) / t*, where lambda is the resting length divided by the
+    length at the top (docs/model/theory.md, section Snap of a hinge).
     """
     stiffness = path.curvature(top.coordinate)
     return math.sqrt(-stiffness / path.hinge.inertia) if stiffness < 0 else None
@@ -296,7 +297,7 @@ def _hinge_state(hinge: TendonHinge, place: PathState) -> HingeState:
     ends = 0.0 - place.coordinate, 0.0 - place.far_coordinate
     if hinge.pulls and abs(ends[1] - hinge.top) < abs(ends[0] - hinge.top):
         ends = ends[::-1]
-    # only a slack tendon lets a hinge move freely, and it stores nothing but rounding
+    # a hinge is free only with a slack tendon, whose energy is 0 up to rounding
     energy = 0.0 if place.kind == "neutral" else place.energy
     return HingeState(kind=place.kind, angle=ends[0], far_angle=ends[1], energy=energy, holding_torque=place.press)
 
@@ -309,7 +310,7 @@ class CrossedHinge:
         tendon: number of the tendon.
         hinge: number of the hinge.
         own: about its true axis.
-        ideal: with both bars square to the axis; None where there are no bars to be so.
+        ideal: with both bars perpendicular to the axis; None without bars.
     """
 
     tendon: int
@@ -319,7 +320,10 @@ class CrossedHinge:
 
 
 def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHinge, ...]:
-    """Survey every hinge that one tendon lies across, in the order of the tendons; those alike are surveyed once."""
+    """Compute the landscape of every hinge that one tendon lies across, in the order of the tendons.
+
+    Equal hinges are computed once.
+    """
 
     @cache
     def survey(hinge: TendonHinge, spring: HingeSpring | None) -> HingeLandscape:
@@ -339,17 +343,17 @@ def crossed_hinges(structure: Structure, points: int = 181) -> tuple[CrossedHing
 
 
 def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: str = "overbend") -> tuple[str, ...]:
-    """Say in a sentence each what a hinge lacks, and where its tendon is slack.
+    """Return sentences on missing values of a hinge, and on the range in which its tendon is slack.
 
     Args:
         hinge: the hinge.
-        fold_start: how far past the top the fold of `fold_time` is let go, rad.
-        overbend: what they call the overbend.
+        fold_start: angle past the top from which the fold of `fold_time` starts, rad.
+        overbend: name of the overbend in sentences.
     """
     if not hinge.pulls:
         return (_why_no_pull(hinge, "nothing moves the hinge, and there is no barrier"),)
     remarks = []
-    # sentences have angles in the hinge's own sense
+    # sentences show angles in the hinge's own sense
     sense, offset, limit = hinge.sense, hinge.offset_angle, hinge.fold_limit
     slack, past = hinge.slack_distance, "straight"
     if offset:
@@ -371,7 +375,7 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
             f" of {_degrees(hinge.overbend)}; a shorter resting length or a smaller {overbend} does"
         )
     if slack is None or slack > hinge.top_to_fold:
-        remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and nowhere goes slack")
+        remarks.append(f"the tendon pulls up to the fold limit of {_degrees(limit)} and never goes slack")
     elif slack < hinge.top_to_fold:
         far = max(-limit, slack - 2 * math.pi - offset)
         remarks.append(
@@ -381,12 +385,12 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
     if fold_start >= hinge.top_to_fold:
         remarks.append(
             f"the fold limit of {_degrees(limit)} is not beyond {_degrees(fold_start)} past {past},"
-            " where the fold starts, so it has no time and no speed"
+            " where the fold starts, so there is no fold time and no final speed"
         )
     elif slack is not None and slack <= fold_start:
         remarks.append(
-            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so it has no time and no"
-            " speed; a shorter resting length gives them"
+            f"the tendon is slack {_degrees(fold_start)} past {past}, where the fold starts, so there is no fold time"
+            " and no final speed; a shorter resting length gives both"
         )
     if not hinge.law.linear:
         remarks.append("the law has no linear term, so there is no time scale")
@@ -395,24 +399,24 @@ def hinge_remarks(hinge: TendonHinge, fold_start: float = FOLD_START, overbend: 
 
 def _spring_remarks(hinge: TendonHinge, stable: list[PathState], slack: float | None) -> tuple[str, ...]:
     if not hinge.pulls:
-        return (_why_no_pull(hinge, "the spring of its hinge is all that moves it, and there is no barrier"),)
+        return (_why_no_pull(hinge, "only the spring of the hinge moves it, and there is no barrier"),)
     remarks = []
     if len(stable) == 1:
         remarks.append(
-            "the tendon and the spring of its hinge let it rest at one place only,"
+            "with the tendon and its own spring the hinge rests only at"
             f" {_degrees(-hinge.sense * stable[0].coordinate)}, so there is no barrier; a stiffer or shorter tendon, or"
             " a softer spring, gives one"
         )
     if slack is not None:
         remarks.append(
-            f"the tendon is slack beyond {_degrees(hinge.sense * slack)} of the fold: the spring of its hinge is all"
-            " that moves it there"
+            f"the tendon is slack beyond {_degrees(hinge.sense * slack)} of the fold: only the spring of the hinge"
+            " moves it there"
         )
     return tuple(remarks)
 
 
 def _why_no_pull(hinge: TendonHinge, then: str) -> str:
-    """Say why a tendon is slack at every angle, and what comes of that."""
+    """Return a sentence on why a tendon is slack at every angle, and its consequence."""
     law, longest = hinge.law, float(hinge.length_from_top(hinge.nearest))
     if law.rest_length < longest:
         return f"the tendon has no stiffness: {then}"
@@ -424,12 +428,14 @@ def _why_no_pull(hinge: TendonHinge, then: str) -> str:
 
 
 def _degrees(angle: float) -> str:
-    """An angle (rad) as sentences have it."""
+    """Return an angle (rad) in degrees for sentences."""
     return f"{math.degrees(angle):.4g} deg"
 
 
 def special_angles(hinge: TendonHinge, points: int) -> Array:
-    """Angles from the overbend to the fold limit, (angle,), even between those that are special: see `HingeLandscape`.
+    """Return angles from the overbend to the fold limit, (angle,), evenly spaced between special ones.
+
+    See `HingeLandscape` for the special angles.
 
     Raises:
         InputError: fewer than 2 points.

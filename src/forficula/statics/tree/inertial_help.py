@@ -1,4 +1,4 @@
-"""Where inertia may decide: snaps on a slow path that release more energy than what is left to climb to the goal."""
+"""Snaps on a slow path that release more energy than is left to climb to the goal, so that inertia may decide."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from forficula.statics.tree.potential import Ensemble, potential
 from forficula.statics.tree.quasi_static import QuasiStaticPath
 from forficula.structure import Drive
 
-# A snap at a torque that differs less from the least one makes no difference to it.
+# A snap within this share of the least torque does not change the least torque.
 _SAME = 0.03
 
 
 @dataclass(frozen=True, kw_only=True)
 class InertialHelp:
-    """A snap after which inertia may take a structure to its goal, with less torque than a slow motion needs.
+    """A snap after which inertia may carry a structure to its goal, with less torque than a slow motion needs.
 
     Attributes:
         torque: size at which the structure snaps, N m.
@@ -34,17 +34,18 @@ class InertialHelp:
 def inertial_help(structures: Ensemble, path: QuasiStaticPath, drive: Drive) -> InertialHelp | None:
     """Find the first snap of a path to a goal that releases more energy than the rest of the path has to climb.
 
-    At the constant torque of the snap the energy less the torque's work is conserved but for damping. So a structure
-    without damping can get over every rise up to what the snap released. Whether it does depends on damping and on the
-    direction of its motion, which a simulation computes. Without such a snap, inertia can still find a lower path.
+    At the constant torque of the snap, the energy minus the torque's work is conserved except for damping. Without
+    damping, a structure can therefore pass every rise up to the released energy. Whether it does depends on damping and
+    on the direction of its motion, which only a simulation computes. Without such a snap, inertia can still find a
+    lower path.
 
     Args:
-        structures: of which the first case is taken.
+        structures: only the first case is used.
         path: to the goal.
         drive: of the torque.
 
     Returns:
-        None where no snap at a torque at least 3 % below the last one releases enough.
+        None if no snap at a torque at least 3 % below the last one releases enough energy.
     """
     unit = np.array(drive.shares) * (-1.0 if drive.strength < 0 else 1.0)
     for begin, end in path.snaps:

@@ -1,4 +1,4 @@
-"""The energy of tendons whose length depends on several hinges, with its slopes and curvatures by their angles."""
+"""Energy of tendons whose length depends on several hinges, with gradient and Hessian by the hinges' angles."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _SHORTEST = 1e-12  # share of its longest length; a shorter tendon has no direct
 
 @dataclass(frozen=True, kw_only=True)
 class Lines:
-    """Tendons between points anywhere on a structure, of cases that differ in their laws at most.
+    """Tendons between any points of a structure, in cases that differ only in the tendons' laws.
 
     Attributes:
         laid: a piece for each tendon.
-        law: of the tendons, whose numbers are (case, tendon).
+        law: of the tendons; its numbers are (case, tendon).
         shortest: length below which a tendon has no direction, m, (tendon,).
     """
 
@@ -34,18 +34,18 @@ class Lines:
     shortest: Array
 
     def only(self, cases: Indices) -> Lines:
-        """Some of the cases, by number, any of them once or more."""
+        """Select cases by index; repeats are allowed."""
         return replace(self, law=_numbers_of(self.law, cases))
 
 
 def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
-    """Lay out the tendons across several hinges of structures that differ in their tendons' laws at most.
+    """Lay out the tendons across several hinges of structures that differ only in their tendons' laws.
 
     Returns:
-        None where every tendon lies across one hinge, or its length never changes.
+        None if every tendon lies across one hinge, or its length never changes.
 
     Raises:
-        InputError: such a tendon is attached elsewhere in another structure.
+        InputError: such a tendon has other attachments in another structure.
     """
     first = structures[0]
     numbers = [
@@ -63,8 +63,8 @@ def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
             its = [other.points[point].place for point in other.tendons[number].points]
             if not all(np.array_equal(end.place, place) for end, place in zip(ends, its, strict=True)):
                 raise InputError(
-                    f"{other.name}: {other.tendons[number].name} lies across several hinges and is attached elsewhere"
-                    " than in the others beside it; survey it alone"
+                    f"{other.name}: {other.tendons[number].name} lies across several hinges and its attachments differ"
+                    " from those in the other structures; compute the landscape of this structure alone"
                 )
         bodies += [end.body for end in ends]
         places += [end.place for end in ends]
@@ -86,9 +86,9 @@ def _changes(tree: Tree, bodies: Sequence[int]) -> bool:
 
 
 def line_energy(lines: Lines, angles: Array) -> Expansion:
-    """Energy of the tendons.
+    """Compute the energy of the tendons.
 
-    Of a pull F at a length L along a unit vector n the curvature by the way from end to end is
+    The Hessian by the vector from end to end, for a pull F at a length L along a unit vector n, is
     F' n n^T + F / L (1 - n n^T).
 
     Args:
@@ -96,7 +96,7 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
         angles: of all hinges, in their own senses, rad, (case, hinge).
 
     Returns:
-        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+        Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     laws = [
         partial(_pulled, _numbers_of(lines.law, (slice(None), group.pieces)), lines.shortest[group.pieces])
@@ -106,7 +106,7 @@ def line_energy(lines: Lines, angles: Array) -> Expansion:
 
 
 def _pulled(law: ElasticLaw, shortest: Array, sides: Array) -> Expansion:
-    """Energy of tendons by the ways from end to end, (case, tendon, 1, 3)."""
+    """Compute the energy of tendons from the vectors between their ends, (case, tendon, 1, 3)."""
     apart = sides[:, :, 0]
     length = np.linalg.norm(apart, axis=2)
     known = np.maximum(length, shortest)
@@ -124,6 +124,6 @@ def _numbers_of(law: ElasticLaw, which: Any) -> ElasticLaw:
 
 
 def largest_pull(lines: Lines, structure: Structure) -> float:
-    """Torque that the strongest of these tendons can exert about a hinge, N m, at most."""
+    """Return an upper bound of the torque that the strongest of these tendons exerts about a hinge, N m."""
     longest = lines.shortest / _SHORTEST
     return float((lines.law.force(longest) * structure.span).max())

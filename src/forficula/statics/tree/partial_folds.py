@@ -1,4 +1,4 @@
-"""A structure with some of its hinges folded: which of these states stay, and what they store."""
+"""Partial folds: states with only some hinges folded, their stability and their energies."""
 
 from __future__ import annotations
 
@@ -19,31 +19,31 @@ from forficula.statics.tree.potential import Ensemble, potential, rest, sheet_to
 from forficula.statics.tree.sheet import sheet_energy
 from forficula.structure import Structure, hinges_between
 
-# of so many hinges every combination is tried; of more only those folded one after another, from one side
+# largest number of hinges of which every combination is tried; more hinges are folded only one after another
 _EVERY_COMBINATION = 5
-# how far past straight a hinge starts: from there its tendon pulls it as far as neighbours and length limits let it
+# angle past straight at which a hinge starts, so that its tendon pulls it on as far as neighbours and limits allow
 _START = math.radians(30)
-_WAYS = 45  # places on the way of one hinge, straight among them
-_FINE = 721  # angles among which the top of one hinge is looked for
-_ROUNDING = 1e-6  # of the stiffest part
+_WAYS = 45  # positions on the path of one hinge, including straight
+_FINE = 721  # number of angles in the search for the maximum of one hinge
+_ROUNDING = 1e-6  # of the stiffness of the stiffest part
 
 
 @dataclass(frozen=True, kw_only=True)
 class PartialFold:
-    """A structure let go with some hinges folded and the others in the overbend.
+    """State of a structure after release with some hinges folded and the others in the overbend.
 
-    Of the folding hinges, see `folding_hinges`, the first has the number 0.
+    The folding hinges of `folding_hinges` are numbered from 0.
 
     Attributes:
         folded: hinges that start folded.
-        stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it on.
-        stays_folded: hinges that are folded in the end.
-        angles: of each folding hinge in the end, in its own sense, rad, (folding hinge,).
-        tendon_energy: of all tendons, springs and weights in the end, J.
-        sheet_energy: of membranes and length limits in the end, J.
-        independent_energy: of as many hinges that nothing couples, those folded at their limits and the others at their
-            overbend stops, J; ideal ones where there are such; None where springs hold them elsewhere, where there is
-            no tendon, or where one lies across several hinges or one that does not fold.
+        stable: whether every hinge stays on the side of straight on which it starts, and no small push drives it away.
+        stays_folded: hinges that end folded.
+        angles: final angle of each folding hinge, in its own sense, rad, (folding hinge,).
+        tendon_energy: final energy of all tendons, springs and weights, J.
+        sheet_energy: final energy of membranes and length limits, J.
+        independent_energy: energy of the same number of uncoupled hinges, folded ones at their limits and the others at
+            their overbend stops, J, of ideal hinges if there are any; None if springs hold hinges elsewhere, if there
+            are no tendons, or if a tendon lies across several hinges or across one that does not fold.
     """
 
     folded: tuple[int, ...]
@@ -56,12 +56,12 @@ class PartialFold:
 
     @property
     def energy(self) -> Joules:
-        """Of everything, J."""
+        """Return the total energy, J."""
         return self.tendon_energy + self.sheet_energy
 
 
 def folding_hinges(structure: Structure) -> tuple[int, ...]:
-    """Numbers of the hinges that fold: those of the rigid fold, or, where there is none, those under tendons."""
+    """Return the numbers of the folding hinges: those of the rigid fold or, without one, those under tendons."""
     if structure.rigid_fold is not None:
         return structure.rigid_fold.folds
     bodies = ([structure.points[point].body for point in tendon.points] for tendon in structure.tendons)
@@ -69,13 +69,13 @@ def folding_hinges(structure: Structure) -> tuple[int, ...]:
 
 
 def fold_levels(structure: Structure) -> Array | None:
-    """Energies of independent hinges, none of them folded to all of them, J, (folding hinge + 1,).
+    """Compute the energies with none to all of the independent hinges folded, J, (folding hinge + 1,).
 
-    Sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded from the
-    first on; of ideal hinges where there are such. A hinge without a tendon counts as one that stores nothing.
+    They are sums of the energies at the overbend stop and at the fold limit (Binder et al. 2025, section 3.1), folded
+    from the first hinge on, of ideal hinges if there are any. A hinge without a tendon stores nothing.
 
     Returns:
-        None where there are no tendons, or where the energies of single hinges do not add up to the structure's: see
+        None if there are no tendons, or if the energies of single hinges do not add up to that of the structure: see
         `PartialFold.independent_energy`.
     """
     independent = _independent(structure, folding_hinges(structure))
@@ -83,18 +83,19 @@ def fold_levels(structure: Structure) -> Array | None:
         return None
     count, (flat, folded) = len(independent), zip(*independent, strict=True)
     if len(set(independent)) == 1:
-        return np.array([(count - each) * flat[0] + each * folded[0] for each in range(count + 1)])
-    return np.array([sum(folded[:each]) + sum(flat[each:]) for each in range(count + 1)], dtype=np.float64)
+        return np.array([(count - number) * flat[0] + number * folded[0] for number in range(count + 1)])
+    return np.array([sum(folded[:number]) + sum(flat[number:]) for number in range(count + 1)], dtype=np.float64)
 
 
 def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
-    """Energy to climb until one hinge folds, the others left alone, J, (folding hinge,).
+    """Compute the energy to climb until one hinge folds alone, J, (folding hinge,).
 
-    The hinge is led from where it rests in the flat state to where it folds on by itself, and everything else goes to
-    where the energy is least; 0 where it is downhill all along, nan where it never folds by itself, or rests folded.
+    The hinge is moved from its resting angle in the flat state to where it continues to fold by itself, while all other
+    hinges minimise the energy. The result is 0 if the path leads only downhill, and nan if the hinge never folds by
+    itself, or if it rests folded.
 
     Args:
-        structures: of which the first case is taken.
+        structures: only the first case is used.
         flat: angles at rest without torques, rad, (1, hinge).
     """
     folding = folding_hinges(structures.structure)
@@ -119,17 +120,18 @@ def single_hinge_barriers(structures: Ensemble, flat: Array) -> Array:
 
 @dataclass(frozen=True, kw_only=True)
 class _Places:
-    """Of the folding hinges, rad, (folding hinge,).
+    """Characteristic angles of the folding hinges, rad, (folding hinge,).
 
     Attributes:
-        senses: +1 where negative angles fold them, else -1.
-        shared: whether springs, several tendons or tendons across several hinges act on them, and not one tendon alone.
-        top: between folded and not, where their tendons are longest, within the stops; straight where they have none.
-            Of shared ones, where the energy is largest between two places at rest, if there are two.
-        folded: a little beyond, from where they fold by themselves; of shared ones, where the energy is least on that
-            side, or their limit.
-        opened: their stops on the other side, or as far from the top where there is none; of shared ones, where the
-            energy is least on that side, or their limit.
+        senses: +1 if negative angles fold the hinge, else -1.
+        shared: whether springs, several tendons or tendons across several hinges act on the hinge, instead of one
+            tendon alone.
+        top: boundary between folded and not folded: where the tendon is longest, within the stops; straight without a
+            tendon. For a shared hinge, the energy maximum between its two equilibria, if there are two.
+        folded: slightly beyond the top, from where the hinge folds by itself; for a shared hinge, the energy minimum on
+            that side, or its limit.
+        opened: stop on the other side, or the same distance from the top without a stop; for a shared hinge, the energy
+            minimum on that side, or its limit.
     """
 
     senses: Array
@@ -140,10 +142,10 @@ class _Places:
 
 
 def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Places:
-    """Where folding hinges go from side to side.
+    """Find the characteristic angles of folding hinges.
 
     Args:
-        structures: of which the first case is taken.
+        structures: only the first case is used.
         folding: numbers of the hinges.
         flat: angles at rest, rad, (hinge,).
     """
@@ -165,9 +167,10 @@ def _places(structures: Ensemble, folding: Sequence[int], flat: Array) -> _Place
 
 
 def _sides(structures: Ensemble, hinge: int, sense: float, flat: Array) -> tuple[float | None, float, float]:
-    """Where one hinge has most energy between two places at rest, and these, the folded one first; all others are flat.
+    """Return the energy maximum of one hinge between two equilibria, and the folded and the open one; others are flat.
 
-    Where it has one such place only, there is nothing between, and its limits count: others may move, too.
+    With only one equilibrium, the maximum is None and the limits of the hinge are returned, because other hinges may
+    move as well.
     """
     many, angles = structures.repeated(_FINE), np.tile(flat, (_FINE, 1))
     lower, upper = np.clip([structures.lower[hinge], structures.upper[hinge]], -math.pi, math.pi)
@@ -180,20 +183,20 @@ def _sides(structures: Ensemble, hinge: int, sense: float, flat: Array) -> tuple
         return None, float(turned[-1]), float(turned[0])
     top = int(tops[np.argmax(energy[tops])])
     before, at, after = energy[top - 1 : top + 2]
-    # the top of the parabola through the highest three
+    # maximum of the parabola through the three highest points
     shift = (before - after) / (2 * (before - 2 * at + after))
     between = float(turned[top] + shift * (turned[1] - turned[0]))
     return between, float(turned[top + np.argmin(energy[top:])]), float(turned[np.argmin(energy[:top])])
 
 
 def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
-    """Let a structure go from every combination of folded hinges, fewest first.
+    """Release a structure from every combination of folded hinges, fewest first.
 
-    First all other hinges go to where the membrane is stretched least, with the folding ones held, then everything is
-    free. Of more than five hinges only the combinations of neighbours from the first one on are tried.
+    First all other hinges move to where the membrane is stretched least, with the folding hinges held; then all hinges
+    are free. With more than five hinges, only combinations of the first hinges in their order are tried.
 
     Args:
-        structures: of which the first case is taken.
+        structures: only the first case is used.
         flat: angles at rest without torques, rad, (1, hinge).
     """
     folding = np.array(folding_hinges(structures.structure), dtype=np.int64)
@@ -211,7 +214,7 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
     soft, states, independent = soft_stiffness(structures), [], _independent(structures.structure, folding.tolist())
     for row, folded in enumerate(combinations):
         angles = found.position[row, folding]
-        stays = tuple(int(each) for each in np.flatnonzero(places.senses * (angles - places.top) < 0))
+        stays = tuple(np.flatnonzero(places.senses * (angles - places.top) < 0).tolist())
         states.append(
             PartialFold(
                 folded=folded,
@@ -229,9 +232,9 @@ def partial_folds(structures: Ensemble, flat: Array) -> tuple[PartialFold, ...]:
 
 
 def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[float, float]] | None:
-    """Energies of the tendons across each folding hinge at its overbend stop and at its fold limit, J.
+    """Return the energies of the tendons across each folding hinge at its overbend stop and at its fold limit, J.
 
-    Those of ideal hinges, where there are such; None as `PartialFold.independent_energy`.
+    Ideal hinges are used if there are any. It is None under the conditions of `PartialFold.independent_energy`.
     """
     energies = dict.fromkeys(folding, (0.0, 0.0))
     if not structure.tendons or any(structure.hinges[hinge].stiffness for hinge in folding):
@@ -249,9 +252,10 @@ def _independent(structure: Structure, folding: Sequence[int]) -> list[tuple[flo
 
 
 def soft_stiffness(structures: Ensemble) -> float:
-    """Stiffness that counts as none, N m/rad: where nothing holds a structure, rounding makes it a little negative.
+    """Return the stiffness that counts as zero, N m/rad, because rounding makes a zero stiffness slightly negative.
 
-    It is a share of that of the stiffest part, of a tendon's hinge where that is longest: ideal ones where there are.
+    It is a share of the stiffness of the stiffest part. Tendons count with the stiffness of their hinge at its top, of
+    ideal hinges if there are any.
     """
     hinges = ideal_hinges(structures.structure) or tendon_hinges(structures.structure)
     tops = [abs(float(hinge.stiffness(hinge.top))) for hinge in hinges]

@@ -1,4 +1,4 @@
-"""Where the angles of its hinges take a tree of bodies, and what carried points do there."""
+"""Kinematics of a tree of bodies: poses from hinge angles, and positions, velocities and forces of carried points."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ import numpy as np
 from forficula.arrays import Array, Indices
 from forficula.structure import GROUND, Structure
 
-# numbers of parts, evenly spaced ones as a slice, which numpy takes without a copy
+# indices of parts, as a slice if they are evenly spaced, because numpy then needs no copy
 Span = slice | Indices
 
 _UNIT = np.eye(3)
-# of the components of a cross product by coordinate: the factors' coordinates
+# coordinates of the factors of a cross product, by coordinate of the product
 _NEXT, _AFTER_NEXT = [1, 2, 0], [2, 0, 1]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Level:
-    """Bodies at one depth of the tree with as many hinges each, which are placed together.
+    """Bodies at one depth of the tree with the same number of hinges, which are placed together.
 
     Attributes:
         bodies: their numbers.
-        parents: numbers of what they hang on; None for the ground.
-        hinges: numbers of their first hinges, of their second ones, and so on.
+        parents: numbers of their parents; None for the ground.
+        hinges: numbers of their first hinges, of their second hinges, and so on.
         positions: of their origins in the axes of their parents, m, (body, 3).
-        frames: from their axes to those of their parents, (body, 3, 3); None where they are the same.
+        frames: from their axes to those of their parents, (body, 3, 3); None if both are the same.
     """
 
     bodies: Span
@@ -45,12 +45,13 @@ class Tree:
         levels: parents before their children.
         chains: hinges that move each body, from the ground on.
         carriers: number of the body that each hinge turns, (hinge,).
-        axes: of the hinges in the axes of their bodies, in their own senses: unit vectors, (hinge, 3).
+        axes: unit vectors of the hinges in the axes of their bodies, in their own senses, (hinge, 3).
         built: angles as built, in own senses, rad, (hinge,).
-        spins: their cross products as matrices, (hinge, 3, 3).
-        squares: of these, alike.
-        outer: 1 where a hinge, by row, is another one, by column, or turns its axis, else 0, (hinge, hinge).
-        further: 1 where it turns its axis and is another one, alike.
+        spins: cross-product matrices of the axes, (hinge, 3, 3).
+        squares: squares of these matrices, (hinge, 3, 3).
+        outer: 1 if the hinge of the row turns the axis of the hinge of the column, or is the same hinge, else 0,
+            (hinge, hinge).
+        further: as `outer`, but 0 for the same hinge, (hinge, hinge).
     """
 
     levels: tuple[Level, ...]
@@ -65,11 +66,11 @@ class Tree:
 
     @property
     def size(self) -> int:
-        """How many hinges."""
+        """Return the number of hinges."""
         return len(self.carriers)
 
     def chain(self, body: int) -> tuple[int, ...]:
-        """Hinges that move a body, from the ground on; none of the ground."""
+        """Return the hinges that move a body, from the ground on; empty for the ground."""
         return () if body == GROUND else self.chains[body]
 
 
@@ -78,10 +79,10 @@ class Carried:
     """Points that bodies carry.
 
     Attributes:
-        bodies: number of the body that carries each, or GROUND, (point,).
-        places: in the axes of the body, m, (3, point).
-        moved: 1 where a hinge moves a point, else 0, (point, hinge).
-        pairs: all points with all hinges that move them, one point after another: number of the point, number of the
+        bodies: number of the body that carries each point, or GROUND, (point,).
+        places: positions in the axes of the body, m, (3, point).
+        moved: 1 if a hinge moves a point, else 0, (point, hinge).
+        pairs: pairs of a point and a hinge that moves it, one point after another: number of the point, number of the
             hinge, (2, pair).
     """
 
@@ -93,13 +94,13 @@ class Carried:
 
 @dataclass(frozen=True, kw_only=True)
 class Pose:
-    """A tree in space, for some cases side by side.
+    """Pose of a tree in space, for some cases side by side.
 
     Attributes:
         origins: of all bodies, and of the ground, m, (case, body, 3).
         frames: from their axes to those of the ground, (case, body, 3, 3).
         axes: unit vectors of all hinges, in their own senses, (3, case, hinge).
-        pivots: places that these pass through, m, (3, case, hinge).
+        pivots: points on these axes, m, (3, case, hinge).
     """
 
     origins: Array
@@ -109,7 +110,7 @@ class Pose:
 
 
 def span(numbers: Sequence[int] | Indices) -> Span:
-    """Numbers to index by."""
+    """Return indices as a slice if they are evenly spaced, else as an array."""
     steps = np.unique(np.diff(numbers))
     if len(numbers) and len(steps) <= 1 and (not len(steps) or steps[0] > 0):
         step = int(steps[0]) if len(steps) else 1
@@ -118,7 +119,7 @@ def span(numbers: Sequence[int] | Indices) -> Span:
 
 
 def tree_of(structure: Structure) -> Tree:
-    """The tree of a structure."""
+    """Return the tree of a structure."""
     own: list[list[int]] = [[] for _ in structure.bodies]
     for number, hinge in enumerate(structure.hinges):
         own[hinge.body].append(number)
@@ -163,7 +164,7 @@ def _level(structure: Structure, numbers: list[int], own: list[list[int]]) -> Le
 
 
 def carried_points(tree: Tree, bodies: Sequence[int] | Indices, places: Array) -> Carried:
-    """Points by the bodies that carry them, or GROUND, and by their places in these bodies' axes, m, (point, 3)."""
+    """Return points from the bodies that carry them, or GROUND, and positions in the bodies' axes, m, (point, 3)."""
     moved = np.zeros((len(bodies), tree.size))
     for point, body in enumerate(bodies):
         moved[point, list(tree.chain(int(body)))] = 1.0
@@ -176,7 +177,7 @@ def carried_points(tree: Tree, bodies: Sequence[int] | Indices, places: Array) -
 
 
 def pose(tree: Tree, angles: Array) -> Pose:
-    """Place the bodies.
+    """Compute the pose of the bodies.
 
     Args:
         tree: of bodies.
@@ -184,7 +185,7 @@ def pose(tree: Tree, angles: Array) -> Pose:
     """
     cases, count = len(angles), len(tree.chains) + 1
     turns = _turned(tree, angles)
-    # the last one is the ground, which has the number -1
+    # the last entry is the ground, which has the number -1
     frames, origins = np.empty((cases, count, 3, 3)), np.zeros((cases, count, 3))
     frames[:, GROUND] = _UNIT
     after = np.empty_like(turns)
@@ -207,13 +208,13 @@ def pose(tree: Tree, angles: Array) -> Pose:
 
 
 def places_of(carried: Carried, at: Pose) -> Array:
-    """Where carried points are, m, (3, case, point)."""
+    """Return the positions of carried points, m, (3, case, point)."""
     start = np.transpose(at.origins[:, carried.bodies], (2, 0, 1))
     return np.asarray(start + np.einsum("cpij,jp->icp", at.frames[:, carried.bodies], carried.places))
 
 
 def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
-    """Velocity of points by the speed of the hinges that move them, m, (3, case, pair)."""
+    """Return the velocities of points per angular speed of the hinges that move them, m, (3, case, pair)."""
     points, hinges = carried.pairs
     axes, arms = at.axes.take(hinges, axis=2), places.take(points, axis=2) - at.pivots.take(hinges, axis=2)
     moves = axes[_NEXT] * arms[_AFTER_NEXT]
@@ -222,22 +223,22 @@ def moves_of(carried: Carried, at: Pose, places: Array) -> Array:
 
 
 def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array) -> tuple[Array, Array]:
-    """What a slope of an energy by the places of points is by the hinges' angles.
+    """Convert the gradient of an energy by positions of points into the gradient by the hinges' angles.
 
-    With the arms r from a hinge to the points p that it moves, and K = sum r f^T, the slope is the hinge's axis times
-    sum r x f, the skew part of K. A hinge i turns the axis a of another one, j, further on: the velocity a x r changes,
-    which adds a_i . sum (a x r) x f = a_i . (K - tr K) a.
+    With the arms r from a hinge to the points p that it moves, and K = sum r f^T, the gradient is the hinge's axis
+    times sum r x f, the skew part of K. A hinge i also turns the axis a of a hinge j beyond it. This changes the
+    velocity a x r, which adds a_i . sum (a x r) x f = a_i . (K - tr K) a to the Hessian.
 
     Args:
         tree: of bodies.
         carried: the points.
-        at: the tree in space.
-        places: of the points, m, (3, case, point).
-        forces: slope of the energy by these, N, alike.
+        at: pose of the tree.
+        places: positions of the points, m, (3, case, point).
+        forces: gradient of the energy by these positions, N, (3, case, point).
 
     Returns:
-        The slope, N m, (case, hinge), and what comes to the curvature of the points' ways being curved, N m/rad,
-        (case, hinge, hinge).
+        The gradient, N m, (case, hinge), and the part of the Hessian that stems from the curved paths of the points,
+        N m/rad, (case, hinge, hinge).
     """
     cases, count = forces.shape[1:]
     parts = np.empty((4, 3, cases, count))
@@ -248,14 +249,14 @@ def pulled(tree: Tree, carried: Carried, at: Pose, places: Array, forces: Array)
     slope = axes[0] * (k[1, 2] - k[2, 1]) + axes[1] * (k[2, 0] - k[0, 2]) + axes[2] * (k[0, 1] - k[1, 0])
     bent = np.add.reduce(k * axes, axis=1) - (k[0, 0] + k[1, 1] + k[2, 2]) * axes
     turned = np.transpose(axes, (1, 2, 0)) @ np.transpose(bent, (1, 0, 2))
-    # by pairs of an outer hinge and one that it turns, and the same the other way round
+    # pairs of an outer hinge and one that it turns, and the transposed pairs
     curvature = turned * tree.outer
     curvature += np.swapaxes(turned * tree.further, 1, 2)
     return np.asarray(slope), curvature
 
 
 def _turned(tree: Tree, angles: Array) -> Array:
-    """Rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
+    """Return the rotations about the hinges (Rodrigues' formula), (case, hinge, 3, 3)."""
     turned = angles - tree.built
     sine, half = np.sin(turned)[..., None, None], np.sin(turned / 2)[..., None, None]
     return np.asarray(_UNIT + sine * tree.spins + 2 * half**2 * tree.squares)

@@ -1,4 +1,4 @@
-"""The potential of a structure at rest: all that stores energy, less the work of the torques that act, over all angles.
+"""Potential of a tree structure: all stored energies minus the work of acting torques.
 
 Coordinates are the angles of the structure's hinges, in its order, each in its own sense.
 """
@@ -25,32 +25,32 @@ from forficula.statics.tree.pose import Carried, Span, Tree, carried_points, pla
 from forficula.statics.tree.sheet import Sheet, sheet_energy, sheet_of
 from forficula.structure import Structure, mass_of, static_keys, structure_of
 
-# Steps over which a structure is followed: shorter ones end in the same places.
+# Steps in which a structure is followed: shorter ones end in the same equilibria.
 _LONGEST_STEP = 0.1  # rad
-_QUIET = 1e-6  # torque that counts as none, of what the stiffest part can exert
+_QUIET = 1e-6  # torque that counts as zero, as a share of the largest torque of the stiffest part
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ensemble:
-    """Structures that differ in their tendons at most, side by side: what statics solves for.
+    """Structures that differ only in their tendons, side by side, as the static solver uses them.
 
     Attributes:
-        structure: of the first case; what it says of tendons holds for that case only.
+        structure: of the first case; its tendons are those of the first case only.
         sheet: membranes and length limits.
-        lines: tendons across several hinges; None for none.
+        lines: tendons across several hinges; None if there are none.
         weight: of the bodies; None without gravity.
-        twists: elastic couplings between joints; None for none.
-        ties: joints that rigid couplings make turn as one; None for none.
-        crossed: numbers of the hinges that one tendon each lies across, by tendon.
-        crossings: by which what tendons do adds up to hinges, (tendon, hinge).
-        tendons: the hinges of these tendons as one, whose functions take angles (case, tendon).
+        twists: elastic couplings between joints; None if there are none.
+        ties: groups of joints that rigid couplings tie together; None if there are none.
+        crossed: numbers of the hinges that single tendons lie across, by tendon.
+        crossings: incidence of these tendons and hinges, (tendon, hinge).
+        tendons: the hinges of these tendons as one object whose functions take angles (case, tendon).
         stiffness: of the hinges' springs, N m/rad, (hinge,).
-        rest_angles: where these rest, rad, (hinge,).
+        rest_angles: of the hinges' springs, rad, (hinge,).
         motors: numbers of the hinges of every motor.
-        drives: by which torques of motors add up to those on hinges, (motor, hinge).
+        drives: weights with which torques of motors add up to torques on hinges, (motor, hinge).
         lower: least angles, rad, (hinge,).
-        upper: largest ones, (hinge,).
-        cases: how many.
+        upper: largest angles, rad, (hinge,).
+        cases: number of cases.
     """
 
     structure: Structure
@@ -72,24 +72,24 @@ class Ensemble:
 
     @property
     def size(self) -> int:
-        """How many hinges."""
+        """Return the number of hinges."""
         return len(self.lower)
 
     def only(self, cases: Indices) -> Ensemble:
-        """Some of the cases, by number, any of them once or more."""
+        """Select cases by index; repeats are allowed."""
         lines = None if self.lines is None else self.lines.only(cases)
         return replace(self, tendons=_rows(self.tendons, cases), lines=lines, cases=len(cases))
 
     def repeated(self, count: int) -> Ensemble:
-        """The first case, so many times."""
+        """Return copies of the first case."""
         return self.only(np.zeros(count, dtype=np.int64))
 
 
 def ensemble_of(designs: Sequence[Design]) -> Ensemble:
-    """Lay out designs that differ in their tendons at most.
+    """Lay out designs that differ only in their tendons.
 
     Raises:
-        InputError: they differ in more.
+        InputError: the designs have other differences.
     """
     first = designs[0]
     for design in designs[1:]:
@@ -103,10 +103,10 @@ def ensemble_of(designs: Sequence[Design]) -> Ensemble:
 
 
 def ensemble(structures: Sequence[Structure]) -> Ensemble:
-    """Lay out structures that differ in their tendons at most; only those are taken of all but the first.
+    """Lay out structures that differ only in their tendons; all other values are taken from the first one.
 
     Raises:
-        InputError: their tendons lie across other hinges.
+        InputError: the tendons of another structure lie across other hinges.
     """
     first, size = structures[0], len(structures[0].hinges)
     crossed = _crossed(first)
@@ -141,7 +141,7 @@ def _crossed(structure: Structure) -> list[int]:
 
 
 def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
-    """Some rows of stacked hinges."""
+    """Select rows of stacked hinges."""
     law: Any = {name: getattr(tendons.law, name)[cases] for name in ("rest_length", "linear", "quadratic", "cubic")}
     names = ("proximal_arm", "distal_arm", "axial_offset", "offset_angle", "overbend", "fold_limit", "inertia")
     numbers: Any = {name: getattr(tendons, name)[cases] for name in names}
@@ -149,7 +149,7 @@ def _rows(tendons: TendonHinge, cases: Indices) -> TendonHinge:
 
 
 def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> Expansion:
-    """Energy stored, less the work of the torques.
+    """Compute the stored energy minus the work of the torques.
 
     Args:
         structures: side by side.
@@ -157,7 +157,7 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
         torques: of every motor, N m, (motor,), or by case, (case, motor).
 
     Returns:
-        J, (case,); its slope, N m, (case, hinge); its curvature, N m/rad, (case, hinge, hinge).
+        Energy, J, (case,); gradient, N m, (case, hinge); Hessian, N m/rad, (case, hinge, hinge).
     """
     energy, slope, curvature = sheet_energy(structures.sheet, angles)
     for part in _further(structures, angles):
@@ -183,15 +183,15 @@ def potential(structures: Ensemble, angles: Array, torques: ArrayLike = 0.0) -> 
 
 
 def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
-    """Energy by what stores it; what a structure does not have is left out.
+    """Compute the energy by the part that stores it, without parts that a structure does not have.
 
     Args:
         structures: side by side.
         angles: rad, (case, hinge).
 
     Returns:
-        J, (case,), of "tendons", "springs" of hinges, elastic "couplings", "membranes" with length limits, and
-        "weight", which is 0 where all centres are at z = 0.
+        Energies, J, (case,), of "tendons", "springs" of hinges, elastic "couplings", "membranes" with length limits,
+        and "weight", which is 0 if all centres are at z = 0.
     """
     parts: dict[str, Array] = {}
     if structures.structure.tendons:
@@ -210,7 +210,7 @@ def stored_energy(structures: Ensemble, angles: Array) -> dict[str, Array]:
 
 
 def _further(structures: Ensemble, angles: Array) -> list[Expansion]:
-    """What not every structure has: tendons across several hinges, couplings, and weight."""
+    """Compute the optional parts of the potential: tendons across several hinges, couplings, and weight."""
     parts = [] if structures.lines is None else [line_energy(structures.lines, angles)]
     if structures.twists is not None:
         parts.append(twist_energy(structures.twists, angles))
@@ -228,19 +228,19 @@ def rest(
     longest_step: float | None = None,
     follow: Follow | None = None,
 ) -> Equilibria:
-    """Let structures go from where they are, slowly, to where they rest under torques.
+    """Let structures move slowly from given angles to where they rest under torques.
 
-    Joints that rigid couplings tie have one coordinate; where they start apart, they start in the middle. Slopes are
-    those by every hinge, as if nothing tied it.
+    Joints that rigid couplings tie together share one coordinate; if their start angles contradict each other, the mean
+    is used. The returned gradient is by every hinge, as if the hinges were not tied.
 
     Args:
         structures: side by side.
         start: angles, rad, (case, hinge).
         torques: of every motor, N m, (motor,), or by case, (case, motor).
-        fixed: numbers of hinges that are held where they start.
-        held: which single ones are held where they start, (case, hinge).
-        within: how far each hinge may turn, rad.
-        longest_step: over which they are followed, rad; the shorter it is, the nearer to the steepest descent.
+        fixed: numbers of hinges that are held at their start angles in all cases.
+        held: which hinges are held at their start angles, (case, hinge).
+        within: largest turn of each hinge, rad.
+        longest_step: rad; shorter steps follow the steepest descent more closely.
         follow: called after every step with the numbers of the cases that are not at rest and all angles.
     """
     count = len(start)
@@ -276,7 +276,7 @@ def rest(
 
 
 def torque_scale(structures: Ensemble) -> float:
-    """Torque of the size of what the parts exert, N m: of tendons, membranes, springs, or weight."""
+    """Return the order of magnitude of the torques of tendons, membranes, springs, or weight, N m."""
     tendons = structures.tendons
     quarter = -np.pi / 2 - np.asarray(tendons.offset_angle)
     scales = [float(np.abs(tendons.moment(quarter)).max(initial=0.0)), sheet_torque(structures.structure)]
@@ -289,12 +289,12 @@ def torque_scale(structures: Ensemble) -> float:
 
 
 def slight_energy(structures: Ensemble) -> float:
-    """Energy that is rounding, J: what the torque that counts as none leaves in the stiffest part."""
+    """Return the energy that counts as rounding, J: of the stiffest part under the torque that counts as zero."""
     return _QUIET**2 * torque_scale(structures)
 
 
 def sheet_torque(structure: Structure) -> float:
-    """Torque that a membrane's margin exerts at a strain of 1, the largest of all, N m; 0 without a membrane."""
+    """Return the largest torque of a membrane's margin at a strain of 1, N m; 0 without a membrane."""
     return max(
         (membrane.law.youngs_modulus * membrane.law.thickness * membrane.margin**2 for membrane in structure.membranes),
         default=0.0,
@@ -302,7 +302,7 @@ def sheet_torque(structure: Structure) -> float:
 
 
 def start_angles(structures: Ensemble) -> Array:
-    """Angles of the built structures with their hinges where the protocol starts them, rad, (case, hinge)."""
+    """Return the angles at which the protocol starts the hinges, rad, (case, hinge)."""
     return np.tile([hinge.start for hinge in structures.structure.hinges], (structures.cases, 1))
 
 
@@ -322,7 +322,7 @@ class Weight:
 
 
 def weight_of(structure: Structure, tree: Tree) -> Weight | None:
-    """What a structure weighs; None where there is no gravity, or nothing that has a mass moves."""
+    """Return the weight of a structure; None without gravity, or if no part with mass moves."""
     moving = [number for number in range(len(structure.bodies)) if tree.chain(number)] if structure.gravity else []
     masses = {number: mass_of(structure, number) for number in moving}
     solid = [number for number, (mass, _, _) in masses.items() if mass]
@@ -336,14 +336,14 @@ def weight_of(structure: Structure, tree: Tree) -> Weight | None:
 
 
 def weight_energy(weight: Weight, angles: Array) -> Expansion:
-    """Energy of the weight, 0 where all centres are at z = 0.
+    """Compute the energy of the weight, 0 if all centres are at z = 0.
 
     Args:
         weight: of the bodies.
         angles: of all hinges, in their own senses, rad, (case, hinge).
 
     Returns:
-        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+        Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     at = pose(weight.tree, angles)
     places = places_of(weight.centres, at)

@@ -1,4 +1,4 @@
-"""Slowly growing torques: the least ones that take structures to a goal, without help from inertia."""
+"""Slowly growing torques: the least torques that bring structures to a goal without inertia."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from forficula.structure import (
 )
 
 _LEAD_IN = 4  # halvings of the first torque
-_ACCURACY = 0.01  # of a least torque
-_FIRST_STEP = 1e-4  # of the largest torque tried, which no step is shorter than
+_ACCURACY = 0.01  # relative accuracy of a least torque
+_FIRST_STEP = 1e-4  # first and shortest step, as a share of the largest torque tried
 _SNAP_STEP = 0.05  # rad, longest step of a snap, in the space of the hinges' angles
 _SEED = 30  # of random shifts
-_NEAR = 0.1  # rad, by which hinges turn at most without a snap from step to step
+_NEAR = 0.1  # rad, largest turn of hinges from step to step without a snap
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,8 +38,8 @@ class QuasiStaticPath:
     """Equilibria of one structure under a slowly growing torque, and the snaps between them.
 
     Attributes:
-        torque: size, not falling, N m, (step,).
-        position: angles, rad, (step, hinge); during a snap, which has several steps of one torque, they are no
+        torque: size, never decreasing, N m, (step,).
+        position: angles, rad, (step, hinge); during a snap, which has several steps at one torque, they are not
             equilibria.
         snaps: numbers of the steps at which a snap begins and ends.
     """
@@ -51,12 +51,13 @@ class QuasiStaticPath:
 
 @dataclass(frozen=True, kw_only=True)
 class SlowTransition:
-    """What a slowly growing torque does to structures.
+    """Effect of a slowly growing torque on structures.
 
     Attributes:
-        torque: size of the least that brings each to its goal, N m, nan where none of those tried does, (case,).
+        torque: size of the least torque that brings each structure to its goal, N m, (case,); nan if none of the tried
+            torques does.
         position: angles under the least torque, or under the largest one tried, rad, (case, hinge).
-        paths: by case, how it gets there; empty where they were not recorded.
+        paths: path to the goal, by case; empty if paths were not recorded.
     """
 
     torque: Array
@@ -65,18 +66,18 @@ class SlowTransition:
 
 
 def start_state(structures: Ensemble) -> Equilibria:
-    """Where structures rest without torques when let go from where the protocol starts them."""
+    """Find where structures rest without torques when released from the start of the protocol."""
     return rest(structures, start_angles(structures))
 
 
 def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
-    """Where structures rest without torques when let go from where a transition leads, as far as stops allow.
+    """Find where structures rest without torques when released from the far end of a transition.
 
-    Hinges that its goal bounds start at their stops on that side, hinges that its drive turns at the stops that it
-    turns them to. With these held, the others go to where they rest, and then all do.
+    Hinges that the goal bounds start at their stops on that side; hinges that the drive turns start at the stops to
+    which it turns them. First the other hinges come to rest with these held, then all hinges are free.
 
     Raises:
-        InputError: neither goal nor drive says where that is.
+        InputError: neither goal nor drive determines the end of the transition.
     """
     built = structures.structure
     goal, drive = goal_of(built, transition.goal), drive_of(built, transition.drive)
@@ -93,7 +94,7 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
     placed = np.flatnonzero(np.isfinite(ends))
     if not len(placed):
         raise InputError(
-            f"{built.name}: nothing says where {transition.name} leads: need a goal that bounds hinges, or a drive of"
+            f"{built.name}: the end of {transition.name} is undetermined: need a goal that bounds hinges, or a drive of"
             " hinges with stops"
         )
     start[:, placed] = ends[placed]
@@ -102,16 +103,16 @@ def state_beyond(structures: Ensemble, transition: Transition) -> Equilibria:
 
 
 def state_after(structures: Ensemble, transition: Transition, torque: Array, position: Array) -> Equilibria:
-    """Where structures rest without torques after a slowly growing torque, which is where the next transition starts.
+    """Find where structures rest without torques after a slowly growing torque: the start of the next transition.
 
-    They are let go from where the torque led. Those that it did not bring to the goal, or that leave the state when let
-    go, are let go from the stops, see `state_beyond`. A slack tendon lets hinges rest anywhere in a range, and from its
-    ends the next torque can lead along another path.
+    Structures are released from where the torque brought them. Structures that missed the goal, or that leave the state
+    when released, are released from the stops instead, see `state_beyond`. With a slack tendon, hinges can rest
+    anywhere in a range, and the next torque can lead along another path from either end of the range.
 
     Args:
         structures: side by side.
         transition: with the state.
-        torque: the least that makes it, N m, nan where none does, (case,).
+        torque: least torque that makes it, N m, (case,); nan if none does.
         position: angles under this torque, rad, (case, hinge).
     """
     led, beyond = rest(structures, position), state_beyond(structures, transition)
@@ -126,14 +127,14 @@ def state_after(structures: Ensemble, transition: Transition, torque: Array, pos
 
 
 def at_goal(structures: Ensemble, position: Array, goal: StageGoal) -> Flags:
-    """Whether every hinge and distance is within a goal's bounds, (case,)."""
+    """Return whether every hinge and distance is within a goal's bounds, (case,)."""
     built = structures.structure
     read = goal_coordinates(built, position, _distances(built, structures, position))
     return np.asarray(np.all((read >= goal.least) & (read <= goal.most), axis=1))
 
 
 def _distances(structure: Structure, structures: Ensemble, position: Array) -> Array:
-    """Distances that are measured, m, (case, distance)."""
+    """Return the measured distances, m, (case, distance)."""
     ends = [measure.points for measure in distances_of(structure) if measure.points is not None]
     if not ends:
         return np.zeros((len(position), 0))
@@ -144,16 +145,16 @@ def _distances(structure: Structure, structures: Ensemble, position: Array) -> A
 
 
 def slow_transition(structures: Ensemble, start: Array, transition: Transition, torques: ArrayLike) -> SlowTransition:
-    """Let a transition's torque grow from step to step, wait for rest at each, and see when it gets to its goal.
+    """Increase a transition's torque in steps, let the structures rest at each step, and find when they reach the goal.
 
-    A torque that comes at once may lead elsewhere than one that grows: it chooses which hinges turn where hardly
-    anything holds them. So where it acts on hinges that no tendon crosses, smaller ones come before the first.
+    A torque that is applied at once may lead to another state than a growing one, because it selects which weakly held
+    hinges turn. If it acts on hinges that no tendon crosses, smaller torques are therefore applied before the first.
 
     Args:
         structures: side by side.
         start: angles at rest without torques, rad, (case, hinge).
-        transition: whose drive and goal.
-        torques: sizes, rising, N m, (step,); the sign is that of the drive's.
+        transition: with its drive and goal.
+        torques: rising sizes, N m, (step,); the sign is that of the drive.
     """
     goal, drive = goal_of(structures.structure, transition.goal), drive_of(structures.structure, transition.drive)
     position, least = start.copy(), np.full(len(start), np.nan)
@@ -169,7 +170,7 @@ def slow_transition(structures: Ensemble, start: Array, transition: Transition, 
 
 
 def crosses(structures: Ensemble, drive: Drive) -> bool:
-    """Whether a drive acts on a hinge that a tendon lies across."""
+    """Return whether a drive acts on a hinge that a tendon lies across."""
     return bool((structures.crossings @ (np.array(drive.shares) @ structures.drives)).any())
 
 
@@ -183,23 +184,23 @@ def least_slow_torque(
     recorded: bool = False,
     kicks: ArrayLike = 0.0,
 ) -> SlowTransition:
-    """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 % of it.
+    """Find the least slowly growing torque that brings each structure to a transition's goal, to 1 %.
 
-    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of
-    the torque under which a structure would leave its surroundings, or get to its goal, is halved. Where it leaves
-    after a step of 1 % of the torque, too, the equilibrium has become unstable and the structure snaps: it follows the
-    steepest descent of the energy, as a motion with equal dampers and without inertia does, to the next equilibrium,
-    from which the torque grows on. The first step is 1e-4 of the largest torque, and no shorter ones are tried.
+    The torque is the largest limit torque along the path of stable equilibria from the start to the goal. A step of the
+    torque is halved if a structure would leave its neighbourhood or reach its goal. If it leaves after a step of 1 % of
+    the torque as well, the equilibrium has become unstable and the structure snaps: it follows the steepest descent of
+    the energy, like a motion with equal dampers and without inertia, to the next equilibrium, from which the torque
+    grows further. The first step is 1e-4 of the largest torque, and no shorter steps are tried.
 
     Args:
         structures: side by side.
         start: angles at rest without torques, rad, (case, hinge).
-        transition: whose goal, and whose drive where none is given.
+        transition: with its goal, and its drive if none is given.
         most: size of the largest torque tried, N m, one or by case.
-        drive: of the torque, whose sign it has.
-        recorded: keep the paths.
-        kicks: standard deviation of random angles by which hinges are shifted where a structure begins to snap, rad,
-            one or by case. Paths that part by this show that the torque depends on small differences.
+        drive: of the torque, with its sign.
+        recorded: whether to keep the paths.
+        kicks: standard deviation of random shifts of hinges at the start of a snap, rad, one or by case. If paths
+            separate because of them, the torque depends on small differences.
     """
     goal = goal_of(structures.structure, transition.goal)
     record, random = _PathRecord(start) if recorded else None, np.random.default_rng(_SEED)
@@ -223,17 +224,17 @@ def least_slow_torque(
             if kicks.any():
                 shift = random.standard_normal(start.shape)[snapping] * kicks[snapping, None]
                 begins = np.clip(begins + shift, structures.lower, structures.upper)
-            for case, torque_there, way in _snapped(structures, snapping, begins, drive, tried[snaps]):
-                found[left == case] = way[-1]
+            for case, snap_torque, path in _snapped(structures, snapping, begins, drive, tried[snaps]):
+                found[left == case] = path[-1]
                 if record is not None:
-                    record.add_snap(case, torque_there, way)
-        there = at_goal(structures, found, goal)
-        kept = snaps | ~(leaves | there & ~fine)
+                    record.add_snap(case, snap_torque, path)
+        reached = at_goal(structures, found, goal)
+        kept = snaps | ~(leaves | reached & ~fine)
         torque[left[kept]], position[left[kept]] = tried[kept], found[kept]
         if record is not None:
             for row in np.flatnonzero(kept & ~snaps).tolist():
                 record.add(int(left[row]), tried[row], found[row])
-        arrived = kept & there
+        arrived = kept & reached
         least[left[arrived]] = tried[arrived]
         step[left] *= np.where(snaps, 1.0, np.where(kept, 2.0, 0.5))
 
@@ -242,7 +243,7 @@ class _PathRecord:
     """Paths of structures while they are followed."""
 
     def __init__(self, start: Array) -> None:
-        self._steps: list[list[tuple[float, Array]]] = [[(0.0, each.copy())] for each in start]
+        self._steps: list[list[tuple[float, Array]]] = [[(0.0, position.copy())] for position in start]
         self._snaps: list[list[tuple[int, int]]] = [[] for _ in start]
 
     def add(self, case: int, torque: float, position: Array) -> None:
@@ -268,21 +269,21 @@ class _PathRecord:
 def _snapped(
     structures: Ensemble, cases: Indices, start: Array, drive: Drive, torque: Array
 ) -> list[tuple[int, float, list[Array]]]:
-    """Some structures that snap under a torque: number, torque, and angles on the way to rest, rad, (hinge,) each.
+    """Return number, torque and path to rest, rad, (hinge,) each, of structures that snap under a torque.
 
-    Steps within a ball, not a box, are those of implicit Euler down the slope: the shorter they are, the nearer is the
-    way to the steepest descent. Longer ones can end elsewhere.
+    Steps within a ball, not a box, are those of implicit Euler down the slope. The shorter they are, the closer the
+    path is to the steepest descent; longer steps can end elsewhere.
     """
-    ways: list[list[Array]] = [[] for _ in cases]
+    paths: list[list[Array]] = [[] for _ in cases]
 
     def follow(moving: Indices, position: Array) -> None:
         for row in moving.tolist():
-            ways[row].append(position[row].copy())
+            paths[row].append(position[row].copy())
 
     torques = torque[:, None] * _by_unit(drive)
     ends = rest(structures.only(cases), start, torques, longest_step=_SNAP_STEP, follow=follow).position
     return [
-        (int(case), float(size), [*way, end]) for case, size, way, end in zip(cases, torque, ways, ends, strict=True)
+        (int(case), float(size), [*path, end]) for case, size, path, end in zip(cases, torque, paths, ends, strict=True)
     ]
 
 
@@ -294,11 +295,11 @@ def _pushed(
     torque: Array,
     within: float = np.inf,
 ) -> Array:
-    """Angles at which some structures rest under a torque, no farther away than that."""
+    """Return the angles at which some structures rest under a torque, within a largest turn of each hinge."""
     torques = torque[:, None] * _by_unit(drive)
     return rest(structures.only(cases), start, torques, within=within).position
 
 
 def _by_unit(drive: Drive) -> Array:
-    """Torques of all motors by the size of a drive's, (motor,)."""
+    """Return the torques of all motors per size of a drive, (motor,)."""
     return np.array(drive.shares) * (-1.0 if drive.strength < 0 else 1.0)

@@ -1,4 +1,4 @@
-"""The energy of membranes and length limits in any pose, with its slopes and curvatures by the hinges' angles."""
+"""Energy of membranes and length limits in any pose, with gradient and Hessian by the hinges' angles."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from forficula.statics.tree.elements import Elements, Expansion, LinePiece, elem
 from forficula.statics.tree.pose import Tree
 from forficula.structure import Membrane, MembraneLaw, Structure
 
-# A length limit is no spring; it is as many times stiffer than the membrane, E t, as keeps its own stretch small.
+# A length limit is modelled as a spring that is this many times stiffer than the membrane, E t, so that it hardly
+# stretches.
 _LIMIT_STIFFNESS = 100.0
-# which of the stresses along, across and mixed belongs to two columns of a deformation gradient
+# index of the stress (along, across, shear) for two columns of a deformation gradient
 _BY_COLUMNS = np.array([[0, 2], [2, 1]])
 _UNIT = np.eye(3)
 
@@ -26,7 +27,7 @@ class Patch:
 
     Attributes:
         volumes: of the triangles, m^3, (membrane, triangle, 1).
-        law: of their stresses by their strains along, across, and twice the mixed one, Pa, (membrane, 3, 3).
+        law: stresses along, across and in shear per strain along, across and twice the shear, Pa, (membrane, 3, 3).
     """
 
     volumes: Array
@@ -35,12 +36,12 @@ class Patch:
 
 @dataclass(frozen=True, kw_only=True)
 class Sheet:
-    """What joins the bodies of a structure beside its tendons: membranes, and limits of length.
+    """Membranes and length limits between the bodies of a structure.
 
     Attributes:
         laid: membranes, then limits.
-        patches: of the groups of membranes, the first ones.
-        lengths: largest ones of the limits of every other group, m, (limit,).
+        patches: of the first groups, which are membranes.
+        lengths: largest lengths of the limits of every other group, m, (limit,).
         spring: stiffness of a limit beyond its length, N/m.
     """
 
@@ -92,7 +93,7 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
 
 
 def _stiffest(structure: Structure) -> float:
-    """Force by stretch of the stiffest membrane, N/m; of the stiffest tendon where there is no membrane."""
+    """Return the stiffness of the stiffest membrane, N/m, or of the stiffest tendon without a membrane."""
     membranes = [membrane.law.youngs_modulus * membrane.law.thickness for membrane in structure.membranes]
     return max(
         membranes or [tendon.law.elastic.stiffness(tendon.longest).item() for tendon in structure.tendons] or [1.0]
@@ -100,7 +101,7 @@ def _stiffest(structure: Structure) -> float:
 
 
 def _triangles(membrane: Membrane) -> tuple[Array, Array]:
-    """By which nodes add up to the columns of deformation gradients, 1/m, (column, node), and volumes, (triangle,)."""
+    """Return weights of nodes for columns of deformation gradients, 1/m, (column, node), and volumes, (triangle,)."""
     corners = _in_plane(membrane.built[membrane.triangles])
     edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
     of_corners = np.array([[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]]) @ np.linalg.inv(edges)
@@ -111,12 +112,12 @@ def _triangles(membrane: Membrane) -> tuple[Array, Array]:
 
 
 def _in_plane(corners: Array) -> Array:
-    """Corners of triangles in axes within the plane of each, (triangle, 3, 2); x and y where it is level."""
+    """Return corners of triangles in axes of their planes, (triangle, 3, 2); x and y for a horizontal plane."""
     normals = triangle_normals(corners)
     normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.where(normals[:, 2:] < 0, -normals, normals)
     x, y, z = normals.T
-    # x and y turned as the upright is turned onto the normal, the shortest way
+    # x and y, rotated by the shortest rotation from z to the normal
     mixed = -x * y / (1 + z)
     axes = np.stack(
         [np.stack([1 - x**2 / (1 + z), mixed, -x], axis=1), np.stack([mixed, 1 - y**2 / (1 + z), -y], axis=1)], axis=2
@@ -125,21 +126,21 @@ def _in_plane(corners: Array) -> Array:
 
 
 def _stiffness(law: MembraneLaw) -> Array:
-    """Stresses along, across and mixed by strains along, across and twice the mixed one, Pa, (3, 3)."""
+    """Return stresses along, across and in shear per strain along, across and twice the shear, Pa, (3, 3)."""
     shear = law.youngs_modulus / (2 * (1 + law.poisson_ratio))
     lame = law.youngs_modulus * law.poisson_ratio / (1 - law.poisson_ratio**2)
     return np.array([[2 * shear + lame, lame, 0.0], [lame, 2 * shear + lame, 0.0], [0.0, 0.0, shear]])
 
 
 def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
-    """Energy of membranes and limits.
+    """Compute the energy of membranes and limits.
 
     Args:
-        sheet: what joins the bodies.
+        sheet: membranes and limits.
         angles: of all hinges, in their own senses, rad, (case, hinge).
 
     Returns:
-        J, (case,); by the angles, N m, (case, hinge), and N m/rad, (case, hinge, hinge).
+        Energy, J, (case,); gradient, N m, (case, hinge), and Hessian, N m/rad, (case, hinge, hinge), by the angles.
     """
     laws = [
         *(partial(strain_energy, patch) for patch in sheet.patches),
@@ -149,22 +150,22 @@ def sheet_energy(sheet: Sheet, angles: Array) -> Expansion:
 
 
 def strain_energy(patch: Patch, gradient: Array) -> Expansion:
-    """Stretch energy of membranes by the deformation gradients of their triangles.
+    """Compute the stretch energy of membranes from the deformation gradients of their triangles.
 
-    Saint Venant-Kirchhoff in plane stress, triangles of constant strain: with the Green strain e, per volume
-    mu tr(e^2) + lambda / 2 tr(e)^2, mu = E / (2 (1 + nu)), lambda = E nu / (1 - nu^2) (Timoshenko and
-    Woinowsky-Krieger, Theory of Plates and Shells, for plane stress).
+    The law is that of Saint Venant-Kirchhoff in plane stress, for triangles of constant strain. With the Green strain
+    e, the energy per volume is mu tr(e^2) + lambda / 2 tr(e)^2, where mu = E / (2 (1 + nu)) and
+    lambda = E nu / (1 - nu^2) (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, for plane stress).
 
     Args:
         patch: the membranes.
-        gradient: the columns, two of each triangle, (case, membrane, column, 3).
+        gradient: columns of the deformation gradients, two per triangle, (case, membrane, column, 3).
 
     Returns:
-        J, (case,); its slope, J, (case, membrane, column, 3); its curvature, J, (case, membrane, triangle, 6, 6).
+        Energy, J, (case,); gradient, J, (case, membrane, column, 3); Hessian, J, (case, membrane, triangle, 6, 6).
     """
     cases, count, volumes = len(gradient), gradient.shape[1], patch.volumes
     columns = gradient.reshape(cases, count, -1, 2, 3)
-    # strains along, across, and twice the mixed one, and their slopes
+    # strains along, across, and twice the shear, and their derivatives
     squares = (columns @ np.swapaxes(columns, 3, 4)).reshape(*columns.shape[:3], 4)
     strain = np.empty((*columns.shape[:3], 3))
     np.subtract(squares[..., ::3], 1, out=strain[..., :2])
@@ -172,12 +173,12 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
     strain[..., 2] = squares[..., 1]
     by_column = np.zeros((*columns.shape[:3], 3, 6))
     halves = by_column.reshape(*columns.shape[:3], 6, 3)
-    # the first column moves the strain along, the second that across, and each with the other the mixed one
+    # the first column changes the strain along, the second the strain across, and both together the shear
     halves[..., :4:3, :], halves[..., 4:, :] = columns, columns[..., ::-1, :]
     stress = volumes * (strain @ patch.law)
     pull = stress[..., None, :] @ by_column
     curvature = np.swapaxes(by_column, 3, 4) @ (volumes[..., None] * (patch.law[:, None] @ by_column))
-    # of one column by another, coordinate by coordinate
+    # stress part of the Hessian, column by column and coordinate by coordinate
     blocks = np.einsum("...aibi->...abi", curvature.reshape(*columns.shape[:3], 2, 3, 2, 3))
     blocks += stress.take(_BY_COLUMNS, axis=3)[..., None]
     energy = np.add.reduce((stress * strain).reshape(cases, -1, 3), axis=(1, 2)) / 2
@@ -185,7 +186,7 @@ def strain_energy(patch: Patch, gradient: Array) -> Expansion:
 
 
 def _limit_energy(spring: float, lengths: Array, apart: Array) -> Expansion:
-    """Energy of limits, which pull beyond their lengths only, by the ways between their ends (case, limit, 1, 3)."""
+    """Compute the energy of limits, which pull only beyond their lengths, from the vectors (case, limit, 1, 3)."""
     distance = np.sqrt(np.einsum("...i,...i", apart, apart))
     beyond = np.maximum(distance - lengths[:, None], 0.0)
     along = apart / distance[..., None]

@@ -1,4 +1,4 @@
-"""How a structure with tips resists a small load there: locked in the flat state, and unlocked."""
+"""Stiffness of a structure against small loads on its tips: locked in the flat state, and unlocked."""
 
 from __future__ import annotations
 
@@ -12,24 +12,25 @@ from forficula.statics.tree.fold_path import rigid_fold
 from forficula.statics.tree.pose import span
 from forficula.statics.tree.potential import Ensemble, potential
 
-DEFLECTION = 0.01  # of the length beyond the folds: what counts as small
+DEFLECTION = 0.01  # small deflection, as a share of the length beyond the folds
 
 
 @dataclass(frozen=True, kw_only=True)
 class TipStiffness:
-    """Force on every tip by its deflection, with all that does not fold held; square to the bars beyond the folds.
+    """Force on every tip per deflection, perpendicular to the bars beyond the folds; only folding hinges move.
 
-    Bars and stops are rigid. Against folding, the flat state rests on its overbend stops and does not give at all;
-    along folding it does not give up to the holding force. So its stiffness along folding is the secant to a stated
-    small deflection. Unlocked, with its hinges straight, there is no stop on either side.
+    Bars and stops are rigid. Against folding, the flat state rests on its overbend stops and does not move. Along
+    folding, it does not move up to the holding force, so its stiffness is the secant to a given small deflection. The
+    unlocked state has straight hinges and no stop on either side.
 
     Attributes:
         deflection: of the secant, m.
-        holding_force: on every tip along folding, up to which no hinge of the flat state gives, N.
+        holding_force: force on every tip along folding up to which no hinge of the flat state moves, N.
         flat_along: stiffness of the flat state along folding, N/m.
-        flat_against: of the flat state against folding: None, rigid; with no overbend, that of the unlocked one.
-        unlocked_along: of the unlocked state along folding, N/m; negative where it runs on by itself.
-        unlocked_against: against folding, N/m; the same, as the energy is smooth there.
+        flat_against: stiffness of the flat state against folding, N/m: None if it is rigid; without an overbend, that
+            of the unlocked state.
+        unlocked_along: stiffness of the unlocked state along folding, N/m; negative if the state is unstable.
+        unlocked_against: stiffness against folding, N/m; the same, because the energy is smooth.
     """
 
     deflection: Metres
@@ -41,14 +42,14 @@ class TipStiffness:
 
 
 def tip_stiffness(structures: Ensemble, flat: Array) -> TipStiffness:
-    """Load the tips of a structure, all alike, each in the direction in which its own hinge folds or the other.
+    """Compute the stiffness under equal loads on all tips, along and against the folding of their hinges.
 
     Args:
-        structures: of which the first case is taken.
+        structures: only the first case is used.
         flat: angles at rest without torques, rad, (1, hinge).
 
     Raises:
-        InputError: it has no one way to fold, by which its tips are known.
+        InputError: the structure has no single folding path, which defines its tips.
     """
     built, one = structures.structure, structures.repeated(1)
     fold = rigid_fold(built)
@@ -58,9 +59,9 @@ def tip_stiffness(structures: Ensemble, flat: Array) -> TipStiffness:
     deflection = DEFLECTION * fold.tip_length
 
     def loaded(angles: Array) -> tuple[float, float]:
-        """Force on every tip towards folding that holds the structure there, N, and its slope by deflection, N/m."""
+        """Return the folding force on every tip in equilibrium at these angles, N, and its slope by deflection, N/m."""
         _, slope, curvature = potential(one, angles)
-        turned = 1 / levers  # of the hinges by deflection of the tips
+        turned = 1 / levers  # turn of the hinges per deflection of the tips
         force = -float(slope[0, folds] @ turned) / count
         return force, float(turned @ curvature[0][folds][:, folds] @ turned) / count
 

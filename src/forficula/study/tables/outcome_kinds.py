@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from forficula.analysis import Verdict, verdict_word
+from forficula.analysis import FORMER_WORDS, Verdict, verdict_word
 from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.structure import Appearance, Structure, Wording
@@ -217,4 +217,5 @@ def outcome_kinds(table: Dataset) -> Mapping[str, OutcomeKind]:
         (Verdict.NOT_BUILT, OutcomeKind.NOT_BUILT),
     ):
         kinds[verdict_word(verdict, None)] = kind
+    kinds |= dict.fromkeys(FORMER_WORDS, OutcomeKind.UNTRUSTED)
     return kinds | {not_tried_word(transitions): OutcomeKind.NOT_TRIED}

@@ -90,7 +90,7 @@ def assert_rests_as(agree, record, pattern, folded, fold):
 
 @settings(max_examples=1, phases=GENERATE)
 @given(st.lists(st.tuples(st.floats(45, 80), st.floats(95, 130), st.floats(0.8, 2.5)), min_size=3, max_size=3))
-def test_vertices_that_fold_flat_move_along_their_closed_form_and_rest_there(agree, drawn):
+def test_flat_foldable_vertices_fold_along_the_closed_form_and_rest_on_it(agree, drawn):
     corners = [np.deg2rad((first, second, 180 - first, 180 - second)) for first, second, _ in drawn]
     patterns = [vertex_pattern(sectors.tolist(), 0.02, "VVVM", 0.2) for sectors in corners]
     folds = [fold for *_, fold in drawn]
@@ -151,7 +151,7 @@ SHEETS = st.tuples(
 
 @settings(max_examples=1, phases=GENERATE)
 @given(st.lists(SHEETS, min_size=2, max_size=2))
-def test_sheets_of_quadrilaterals_that_differ_leave_the_flat_state_along_their_closed_form(agree, holds, drawn):
+def test_sheets_of_different_quadrilaterals_fold_along_the_closed_form_and_rest_on_it(agree, holds, drawn):
     patterns = [quadrilaterals(widths, heights, np.deg2rad(acute)) for widths, heights, acute, _ in drawn]
     for pattern in patterns:
         residual = max(map(abs, kawasaki_residuals(pattern)))

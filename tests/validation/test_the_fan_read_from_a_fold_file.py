@@ -42,7 +42,7 @@ def assert_on_the_path(agree, fan, angles, edges, tolerance):
 
 
 @pytest.mark.parametrize(("units", "sector", "tolerance"), [(1, 20, 0.05), (2, 15, 0.7)])
-def test_plates_fold_along_the_closed_form(agree, holds, tmp_path, units, sector, tolerance):
+def test_rigid_plates_fold_along_the_closed_form(agree, holds, tmp_path, units, sector, tolerance):
     """One loop to 0.05 deg; three loops, each closed to about 1e-5 of an edge, share their gaps with the pleats."""
     fan = replace(FAN, units=units, sector_angle=np.deg2rad(sector))
     values = {
@@ -58,7 +58,7 @@ def test_plates_fold_along_the_closed_form(agree, holds, tmp_path, units, sector
     holds("energy that is missing", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
 
-def test_bars_move_along_the_closed_form(agree, holds, tmp_path):
+def test_nets_of_bars_move_along_the_closed_form(agree, holds, tmp_path):
     """To 0.5 deg: springs of the pleats rest further on, against bars 3e7 and bends 1e3 times as stiff.
 
     The hub is narrow: its ends lie 0.9 mm from the vein that their facets turn about, and a crease that is not soft
@@ -79,7 +79,7 @@ def test_bars_move_along_the_closed_form(agree, holds, tmp_path):
     holds("energy that is missing", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
 
-def test_bars_rest_on_the_closed_form(agree, tmp_path):
+def test_nets_of_bars_rest_on_the_closed_form(agree, tmp_path):
     """By statics, to 0.05 deg, with bars 1e6 times as stiff as the creases: springs of the pleats rest further on."""
     values = {
         "facet.youngs_modulus": 5e9,

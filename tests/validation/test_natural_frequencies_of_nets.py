@@ -12,7 +12,7 @@ from tests.statics.net.nets import truss
 
 
 @pytest.mark.parametrize("count", [5, 120])
-def test_a_tight_string_of_masses_has_lagranges_frequencies(agree, count):
+def test_a_taut_string_of_masses_has_lagranges_frequencies(agree, count):
     # Lagrange 1788: 2 sqrt(k / m) sin(j pi / (2 (n + 1))) along it, sqrt(T / (m a)) for sqrt(k / m) across, twice
     stiffness, mass, apart, rest = 50.0, 0.1, 0.2, 0.15
     nodes = np.zeros((count + 2, 3))
@@ -29,7 +29,7 @@ def test_a_tight_string_of_masses_has_lagranges_frequencies(agree, count):
     assert not modes.rigid.any()
 
 
-def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_a_molecule(agree):
+def test_a_free_tetrahedron_has_six_rigid_body_motions_and_the_frequencies_of_a_molecule(agree):
     # four equal masses, central forces: 4, 2 and 1 k / m, of one, three and two modes (Herzberg 1945, II.4)
     nodes = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
     net = truss(nodes, list(combinations(range(4), 2)), stiffness=3.0, masses=np.full(4, 0.5))
@@ -40,7 +40,7 @@ def test_a_free_tetrahedron_has_six_motions_of_the_whole_and_the_frequencies_of_
     agree("frequencies of the whole", modes.frequencies[:6], 0, unit="Hz", by="free motion", abs=1e-6)
 
 
-def test_a_pendulum_swings_as_its_length_says(agree):
+def test_a_pendulum_has_the_frequency_of_its_length(agree):
     net = truss([[0, 0, 0], [0.3, 0, -0.4]], [[0, 1]], stiffness=1e7, held=[0], gravity=9.81)
     hanging = minimum(net, built_shape(net))
     modes = natural_modes(net, hanging.shape)

@@ -94,7 +94,7 @@ def slow_fold(design):
     return float(slow.torque[0]), inertial_help(wings, slow.paths[0], drive_of(wings.structure, fold.drive))
 
 
-def test_a_torque_that_grows_slowly_folds_a_fan_at_its_least_slow_torque(agree):
+def test_a_slowly_growing_torque_folds_a_fan_at_its_least_slow_torque(agree):
     """Snaps in long steps led to another valley, and to a torque 26 % too large."""
     least, helped = slow_fold(fan(SHORT_DISTAL))
     assert helped is None
@@ -102,7 +102,7 @@ def test_a_torque_that_grows_slowly_folds_a_fan_at_its_least_slow_torque(agree):
     agree("torque at which the last hinge folds", 100 * found, 100 * least, unit="N cm", by="statics", rel=0.03)
 
 
-def test_where_inertia_decides_a_fan_folds_at_the_snap_that_the_statics_name(agree):
+def test_where_inertia_decides_a_fan_folds_at_the_snap_predicted_by_statics(agree):
     """The least slow torque is twice as large, and an upper bound."""
     least, helped = slow_fold(fan(NARROW_MARGIN))
     assert helped is not None
@@ -111,7 +111,7 @@ def test_where_inertia_decides_a_fan_folds_at_the_snap_that_the_statics_name(agr
     agree("torque at which inertia folds it", 100 * found, 100 * helped.torque, unit="N cm", by="statics", rel=0.03)
 
 
-def test_a_torque_that_grows_slowly_opens_a_fan_with_two_paths_within_the_range_of_the_statics(holds):
+def test_a_slowly_growing_torque_opens_a_fan_with_two_paths_within_the_range_of_statics(holds):
     """On its distal hinges alone, which no protocol drives alone, 16.9 N cm are enough."""
     design = fan(TWO_PATHS)
     wings = ensemble_of([design])

@@ -77,23 +77,25 @@ def earwig(reference):
     return ff.run(scaled_by_hand(reference, 0.01 / 0.22), confirm=False)
 
 
-def test_a_wing_of_a_tenth_of_the_size_moves_alike(agree, holds, reference, reference_run):
+def test_a_wing_of_a_tenth_of_the_size_has_the_same_scaled_motion(agree, holds, reference, reference_run):
     small = ff.run(scaled_by_hand(reference, 0.1), confirm=False)
     assert ff.measure(small).status == ff.measure(reference_run).status == "folded and opened"
     assert_moves_alike(agree, holds, small, reference_run, 0.1)
 
 
 @pytest.mark.parametrize("size", [1 / 3, 0.7, 3.0])
-def test_a_wing_whose_size_is_no_power_of_ten_moves_alike(agree, holds, reference, reference_run, size):
+def test_a_wing_whose_size_is_not_a_power_of_ten_has_the_same_scaled_motion(
+    agree, holds, reference, reference_run, size
+):
     # its lengths are other numbers in the model's units, so nothing may be fixed there
     assert_moves_alike(agree, holds, ff.run(scaled_by_hand(reference, size), confirm=False), reference_run, size)
 
 
-def test_an_earwig_sized_wing_moves_alike(agree, holds, earwig, reference_run):
+def test_an_earwig_sized_wing_has_the_same_scaled_motion(agree, holds, earwig, reference_run):
     assert_moves_alike(agree, holds, earwig, reference_run, 0.01 / 0.22)
 
 
-def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(holds, earwig):
+def test_an_earwig_sized_wing_folds_with_microjoules_to_millijoules(holds, earwig):
     outcome = ff.measure(earwig)
     assert outcome.holds["folded"]
     assert outcome.holds["opened"]
@@ -105,7 +107,7 @@ def test_an_earwig_sized_wing_folds_with_micro_to_millijoules(holds, earwig):
 
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3, 0.01 / 0.22, 7.0])
-def test_scale_design_multiplies_every_value_as_dimensional_analysis_says(reference, size):
+def test_scale_design_multiplies_every_value_according_to_dimensional_analysis(reference, size):
     # gravity is 0 in the reference and would hide its power
     reference = with_values(reference, {"protocol.gravity": 9.81})
     by_hand, scaled = scaled_by_hand(reference, size), scale_design(reference, size)
@@ -123,7 +125,7 @@ def test_scale_design_multiplies_every_value_as_dimensional_analysis_says(refere
                 assert got == expected, f"{section}.{name}"
 
 
-def test_the_tips_are_as_fast_at_any_size(earwig, reference_run, agree):
+def test_the_speed_of_the_tips_does_not_depend_on_size(earwig, reference_run, agree):
     def fastest(record):
         ways = np.linalg.norm(np.diff(places(record, "tip"), axis=0), axis=-1)
         return ways.max() / record.design.protocol.sample_interval
@@ -135,7 +137,7 @@ def test_the_tips_are_as_fast_at_any_size(earwig, reference_run, agree):
     assert math.log10(fastest(reference_run)) == pytest.approx(1, abs=1)  # metres a second
 
 
-def test_a_wing_whose_parts_touch_moves_alike_at_any_size(agree, reference):
+def test_a_wing_with_contact_has_the_same_scaled_motion_at_any_size(agree, reference):
     touching = with_values(reference, {"protocol.contact": True})
     small = scale_design(touching, 0.5)  # other decades of the model's units
     records = [ff.run(design, confirm=False) for design in (touching, small)]

@@ -22,7 +22,7 @@ def hinge(reference, offsets):
     return ideal_hinges(structure_of(with_values(reference, offsets)))[0]
 
 
-def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(agree, reference):
+def test_raising_one_end_by_twice_the_height_equals_raising_both_ends_to_first_order(agree, reference):
     one, both = hinge(reference, ONE_END), hinge(reference, BOTH_ENDS)
     # of second order: (6.2 mm / 55 mm)^2 = 0.013
     top, known = math.degrees(one.top), math.degrees(-2 * 3.1 / 55)
@@ -39,7 +39,7 @@ def test_one_end_at_twice_the_height_is_as_both_ends_to_first_order(agree, refer
 
 @pytest.mark.parametrize("offsets", [ONE_END, BOTH_ENDS])
 @pytest.mark.parametrize(("rest_length", "folds"), [("8 cm", True), ("7 cm", False)])
-def test_at_bars_of_5_mm_the_map_ends_between_7_and_8_cm(offsets, rest_length, folds):
+def test_with_tendons_on_bars_of_5_mm_folding_ends_between_7_and_8_cm(offsets, rest_length, folds):
     """Of 10 N/cm with 50 N cm, in the study's settings; at 0 mm all ten lengths fold."""
     study = load_study("binder2025-offsets")
     design = with_values(study.base, {**offsets, "tendon.rest_length": rest_length})

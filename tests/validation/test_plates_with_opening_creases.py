@@ -35,7 +35,7 @@ def period(time, angle, about):
     return float(np.diff(at).mean())
 
 
-def test_a_plate_swings_about_its_spring_as_a_pendulum_does(agree):
+def test_a_plate_on_a_spring_has_the_period_of_an_oscillator(agree):
     """2 pi sqrt(I / k), for a crease that hardly opens."""
     stiffness = 0.02
     crease = f'stiffness = "{stiffness / WIDTH} N m/rad/m"\nrest_angle = "40 deg"\ndamping = "0 N m s/rad/m"\n'
@@ -48,7 +48,7 @@ def test_a_plate_swings_about_its_spring_as_a_pendulum_does(agree):
     agree("how far it swings", np.degrees(angle.max()), 80, unit="deg", by="twice the rest angle", abs=0.2)
 
 
-def test_a_plate_hangs_and_swings_far_under_its_weight(agree, holds):
+def test_a_hanging_plate_has_the_period_of_a_pendulum_of_large_amplitude(agree, holds):
     """4 sqrt(I / (m g d)) K(sin^2(a / 2)) from level, 90 deg, to level on the other side."""
     crease = 'stiffness = "0 N m/rad/m"\nextension = "1e5 N/m^2"\nextension_damping = "0 N s/m^2"'
     stages = [{"name": "swing", "limit": "2 s"}]
@@ -94,7 +94,7 @@ def momenta(record):
     return speeds.sum(axis=(1, 2)), turning.sum(axis=(1, 2)), np.linalg.norm(turning, axis=3).sum(axis=(1, 2))
 
 
-def test_plates_that_nothing_holds_keep_their_momentum_and_their_energy(agree, holds):
+def test_free_plates_conserve_momentum_and_energy(agree, holds):
     record = free("0.05 ms")
     linear, angular, sizes = momenta(record)
     moved = np.abs(corners(record) - corners(record)[0]).max()
@@ -110,7 +110,7 @@ def test_plates_that_nothing_holds_keep_their_momentum_and_their_energy(agree, h
     agree("energy", 1e6 * energy, start, unit="µJ", by="at the start", rel=5e-3, over=("time (ms)", 1e3 * record.time))
 
 
-def test_their_energy_account_closes_better_with_every_halving_of_the_timestep(holds):
+def test_the_missing_energy_decreases_with_every_halving_of_the_timestep(holds):
     residuals = [energy_balance(free(step)).residual for step in ("0.1 ms", "0.05 ms", "0.025 ms")]
     shares = np.divide(residuals[1:], residuals[:-1])
     holds("energy that is missing by that at twice the timestep", shares, below=0.6, by="first order has 0.5")
@@ -155,7 +155,7 @@ def flattened_energy(design):
     return found.fun * EXTENSION * RADIUS**3
 
 
-def test_flattened_the_springs_store_what_the_closed_form_says(agree):
+def test_the_springs_of_flattened_plates_store_the_energy_of_the_closed_form(agree):
     """k_e D^2 R^3 / 96: every crease opens by D / 4, and the plates shift so that the gaps add up to 0 along it."""
     design = load_design("four-plate-snap")
     known = EXTENSION * MISSING**2 * RADIUS**3 / 96
@@ -198,7 +198,7 @@ def snapped():
     return run(with_values(load_design("four-plate-snap"), {"protocol.timestep": 1e-4}))
 
 
-def test_four_plates_snap_down_and_up_and_rest_where_the_least_energy_is(agree, holds, snapped):
+def test_four_plates_snap_down_and_up_and_rest_at_the_energy_minima(agree, holds, snapped):
     for end, start in ((1, [-0.3, 0.0]), (3, [0.3, 0.0])):
         row = int(np.searchsorted(snapped.time, snapped.stages[end].end - 1e-9))
         angle, energy = symmetric_rest(4e-4, start)
@@ -213,7 +213,7 @@ def test_four_plates_snap_down_and_up_and_rest_where_the_least_energy_is(agree, 
     holds("energy that is missing", residual, below=5e-3, by="conservation of energy")
 
 
-def test_with_springs_that_are_too_stiff_they_do_not_stay_down(holds):
+def test_with_too_stiff_springs_the_second_state_is_not_stable(holds):
     """The second state is gone between 3e-4 and 5e-4 of k_e R^2: at 1e-3 it is."""
     changes = {"protocol.timestep": 1e-4, "crease.stiffness": 1e-3 * EXTENSION * RADIUS**2}
     changes |= {f"drive.{drive}.force": 0.1 for drive in range(4)}

@@ -82,7 +82,7 @@ def assert_study_is_separate_runs(agree, path, out, **options):
         '"protocol.gravity" = ["0 m/s^2", "9.81 m/s^2"]',
     ],
 )
-def test_a_study_over_a_factor_is_separate_runs(agree, tmp_path, study_file, factor):
+def test_a_study_over_one_factor_equals_separate_runs(agree, tmp_path, study_file, factor):
     assert_study_is_separate_runs(agree, study_file(factor), tmp_path / "out")
 
 
@@ -96,7 +96,7 @@ def test_a_study_over_a_factor_is_separate_runs(agree, tmp_path, study_file, fac
     st.integers(1, 2),
     st.integers(1, 3),
 )
-def test_a_study_is_separate_runs_whatever_the_values_the_threads_and_the_batch(
+def test_a_study_equals_separate_runs_for_any_values_threads_and_batch_size(
     agree, write_study_file, factor, shares, threads, batch
 ):
     key, low, high = factor

@@ -156,7 +156,7 @@ FOLDED = [
 
 
 @pytest.mark.parametrize(("followed", "published"), [("cell", CELL), ("popped", POPPED), ("folded", FOLDED)])
-def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, agree, followed, published):
+def test_displacements_and_energies_equal_those_of_merlin_at_its_loads(request, agree, followed, published):
     name, followed = WORDS[followed], request.getfixturevalue(followed)
     points = [followed.nearest(moved, factor) for moved, factor, _ in published]
     assert [point.factor for point in points] == [factor for _, factor, _ in published]
@@ -174,7 +174,7 @@ def test_displacements_and_energies_are_those_of_merlin_at_its_loads(request, ag
         ("folded", [(1.147417, 0.8463599), (8.655338, 0.6748023)], [0.8463599, 0.6748023], 6e-5),
     ],
 )
-def test_loads_at_which_it_snaps_are_those_of_merlin(request, agree, followed, linear, release, strain):
+def test_snap_loads_equal_those_of_merlin(request, agree, followed, linear, release, strain):
     """Of linear bars to the precision with which increments tell a limit, of the release's bars to the law's.
 
     For these MERLIN was run with a quarter, a third and a fifth of the release's first load factor: a parabola through
@@ -200,7 +200,7 @@ def test_loads_at_which_it_snaps_are_those_of_merlin(request, agree, followed, l
         ("popped", [(1.325522, 2.185162), (1.907859, 1.489020)]),
     ],
 )
-def test_rests_without_a_load_are_those_of_the_release_as_far_as_its_bars_are_linear(request, agree, followed, rests):
+def test_unloaded_rest_shapes_equal_those_of_merlin_up_to_the_nonlinearity_of_its_bars(request, agree, followed, rests):
     name, followed = WORDS[followed], request.getfixturevalue(followed)
     for moved, energy in rests:
         point = followed.nearest(moved, 0.0)
@@ -209,7 +209,7 @@ def test_rests_without_a_load_are_those_of_the_release_as_far_as_its_bars_are_li
         agree("its energy", point.energy, energy, unit="J", by=by, rel=allowed)
 
 
-def test_the_popped_sheet_stays_where_it_is(agree, popped):
+def test_the_popped_miura_sheet_is_stable(agree, popped):
     """The second state of the release's example; it holds."""
     rest = minimum(popped.net, popped.nearest(1.907859, 0.0).shape)
     assert rest.stable
@@ -218,7 +218,7 @@ def test_the_popped_sheet_stays_where_it_is(agree, popped):
     agree("its energy", rest.energy, 1.489020, unit="J", by="MERLIN", rel=1e-3)
 
 
-def test_a_tower_of_five_layers_bears_what_merlin_says_until_it_snaps(agree):
+def test_the_load_path_of_a_tower_of_five_layers_equals_that_of_merlin_until_it_snaps(agree):
     """The release's own number of layers.
 
     Beyond, there is no one path to compare: several layers may snap, and increments of MERLIN that are as long as the
@@ -264,7 +264,7 @@ def closed_form(moved):
     return slope / 11, energy(low)
 
 
-def test_a_sheet_of_stiffer_facets_comes_nearer_to_one_of_rigid_facets_as_its_compliance_falls(agree, holds, folded):
+def test_a_sheet_with_stiffer_facets_approaches_rigid_folding_in_proportion_to_its_compliance(agree, holds, folded):
     """What is left between the release's example and rigid folding is the give of its bars and facets, and no more."""
     left = []
     for followed in (folded, folded_sheet(stiffer=10.0)):

@@ -61,7 +61,7 @@ def _edges():
 
 
 @pytest.mark.parametrize(("missing", "tolerance"), [(2, 1e-4), (5, 2e-4), (10, 5e-4), (20, 2e-3)])
-def test_flattened_they_store_what_the_gaping_creases_do(agree, missing, tolerance):
+def test_flattened_plates_store_the_energy_of_their_open_creases(agree, missing, tolerance):
     angle = np.deg2rad(missing)
     net = plates(angle, flat=True)
     rest = minimum(net, built_shape(net))
@@ -78,14 +78,14 @@ def test_flattened_they_store_what_the_gaping_creases_do(agree, missing, toleran
     )
 
 
-def test_the_cone_closes_every_crease(agree):
+def test_in_the_cone_every_crease_is_closed(agree):
     net = plates(np.deg2rad(10))
     energy = minimum(net, built_shape(net)).energy
     agree("energy of the cone as built", energy, 0.0, unit="J", by="closed creases", abs=1e-30)
 
 
 @pytest.mark.parametrize(("share", "stays"), [(3e-4, True), (5e-4, False)])
-def test_the_other_state_needs_rotational_springs_that_are_soft_against_the_extensional_ones(holds, share, stays):
+def test_the_second_state_needs_rotational_springs_that_are_soft_relative_to_the_extensional_ones(holds, share, stays):
     # it vanishes between 3e-4 and 5e-4 of k_e R^2, measured by another code
     bending = share * EXTENSION * LENGTH**3
     angle = built_shape(plates(np.deg2rad(10))).angles[0]

@@ -24,7 +24,7 @@ def folding(design, **settings):
     )
 
 
-def test_the_armature_is_twenty_times_a_veins_own_inertia_about_its_axis(reference, agree):
+def test_the_armature_is_twenty_times_the_inertia_of_a_vein_about_its_axis(reference, agree):
     """Of two thin rods, one along the axis, one at the angle at which the flat creases meet (m l^2 sin^2 / 3)."""
     hubs, rings, ends = hub_points(reference.fan), ring_vertices(reference.fan), tips(reference.fan)
     proximal, distal = (rings - hubs)[0], (ends - rings)[0]
@@ -52,7 +52,7 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(
 
 
 @pytest.mark.parametrize("stiffness", ["10 N/cm", "30 N/cm", "60 N/cm"])
-def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(holds, reference, stiffness):
+def test_the_work_of_a_constant_torque_hardly_depends_on_the_tendon(holds, reference, stiffness):
     outcome = ff.measure(ff.run(with_values(reference, {"tendon.stiffness": stiffness}), confirm=False))
     veins = reference.fan.vein_count
     for name, least, most in (("fold", 85, 91), ("unfold", 250, 278)):
@@ -62,7 +62,7 @@ def test_the_work_of_a_constant_torque_hardly_knows_the_tendon(holds, reference,
         holds(f"work by torque of a vein, {name}", turned, above=least, below=most, unit="deg")
 
 
-def test_stops_take_two_fifths_of_the_work_of_folding_and_half_of_that_of_opening(reference_run, agree):
+def test_stops_dissipate_two_fifths_of_the_work_of_folding_and_half_of_the_work_of_opening(reference_run, agree):
     series, time = reference_run.series, reference_run.time
     shares = {}
     for place, stage in enumerate(reference_run.stages):

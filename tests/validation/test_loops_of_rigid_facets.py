@@ -34,7 +34,7 @@ def folds(record):
 
 @settings(deadline=None, max_examples=4)
 @given(st.floats(45, 70), st.floats(85, 105))
-def test_a_flat_foldable_vertex_moves_along_its_half_angle_tangents(agree, one, two):
+def test_a_flat_foldable_vertex_satisfies_the_half_angle_tangent_relations(agree, one, two):
     crease = f'{SPRINGS}\nback_limit = "180 deg"'
     pattern = vertex([one, two, 180 - one, 180 - two], "VVVM", fold="25 deg")
     record = swing(pattern, crease=crease, stages=[{"name": "a", "limit": "0.1 s"}])
@@ -57,7 +57,7 @@ def sheet():
     return swing(miura(4), step="0.1 ms", stages=[{"name": "swing", "limit": "0.4 s"}])
 
 
-def test_a_miura_sheet_folds_as_a_whole_by_one_angle(agree, sheet):
+def test_a_miura_sheet_folds_with_one_degree_of_freedom(agree, sheet):
     pattern = sheet.design.sheet
     roles = np.array(pattern.edges_role)[[int(hinge.name.removeprefix("crease")) for hinge in sheet.structure.hinges]]
     angles = sheet.series["hinge_angle"]
@@ -75,7 +75,7 @@ def test_a_miura_sheet_folds_as_a_whole_by_one_angle(agree, sheet):
     agree("fold angle of a straight crease", first, known, by=by, over=time, **close)
 
 
-def test_its_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, sheet):
+def test_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, sheet):
     gap = sheet.series["closure_gap"]
     holds("gap by an edge", gap[-1] / 0.02, above=0, below=1e-5, by="closed loops")
     assert (np.diff(gap) >= 0).all()
@@ -88,7 +88,7 @@ def test_its_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, 
     assert len(names) == len(set(names))
 
 
-def test_its_energy_stays_and_closing_its_loops_takes_none(agree, holds, sheet):
+def test_energy_is_conserved_and_closing_loops_does_no_work(agree, holds, sheet):
     energy = sheet.series["hinge_energy"].sum(axis=1) + sheet.series["kinetic_energy"]
     assert sheet.series["kinetic_energy"].max() > 0.5 * energy[0]
     agree("energy", 1e3 * energy, 1e3 * energy[0], unit="mJ", by="at the start", rel=1e-4)
@@ -99,7 +99,7 @@ def test_its_energy_stays_and_closing_its_loops_takes_none(agree, holds, sheet):
     holds("energy that is missing", balance.residual, below=1e-4, by="conservation of energy")
 
 
-def test_gaps_and_what_they_take_fall_with_the_square_of_the_timestep(holds):
+def test_gaps_and_their_work_decrease_with_the_square_of_the_timestep(holds):
     gaps, lost = [], []
     for step in ("1 ms", "0.5 ms", "0.25 ms"):
         record = swing(miura(2), step=step, stages=[{"name": "swing", "limit": "0.1 s"}])
@@ -110,7 +110,7 @@ def test_gaps_and_what_they_take_fall_with_the_square_of_the_timestep(holds):
     holds("energy that is missing by that at four times the timestep", lost[2] / lost[0], below=1 / 4)
 
 
-def test_a_driven_sheet_with_dampers_that_meets_its_stops_accounts_for_its_energy(agree, holds):
+def test_the_energy_balance_of_a_driven_damped_sheet_on_its_stops_closes(agree, holds):
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "80 deg"'
     stages = [{"name": "fold", "drive": "fold", "limit": "0.3 s"}]
@@ -123,7 +123,7 @@ def test_a_driven_sheet_with_dampers_that_meets_its_stops_accounts_for_its_energ
     holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
 
 
-def test_a_plate_and_its_copies_share_its_mass(agree):
+def test_a_plate_and_its_copies_share_the_mass(agree):
     structure = structure_of(plates(miura(3)))
     alone = structure_of(plates(miura(3), crease='extension = "1e4 N/m^2"'))
     assert len(structure.closures) == 4
@@ -136,7 +136,7 @@ def test_a_plate_and_its_copies_share_its_mass(agree):
     np.testing.assert_allclose(inertia, same, rtol=1e-12, atol=1e-20)
 
 
-def test_at_the_timestep_that_is_chosen_the_account_closes_and_so_do_the_loops(holds):
+def test_at_the_automatic_timestep_the_energy_balance_and_the_loops_close(holds):
     damped = SPRINGS.replace('damping = "0 N', 'damping = "1e-5 N')
     stages = [{"name": "swing", "limit": "60 ms"}]
     record = run(plates(miura(3), crease=damped, step="auto", stages=stages))
@@ -146,7 +146,7 @@ def test_at_the_timestep_that_is_chosen_the_account_closes_and_so_do_the_loops(h
     assert record.doubt == ""
 
 
-def test_a_run_whose_loops_come_apart_is_not_to_be_trusted():
+def test_a_run_with_open_loops_is_unreliable():
     """A hundred times the longest stable step of its springs: welds cannot follow."""
     record = swing(
         miura(3), step="10 ms", crease=SPRINGS.replace("1e-3", "2e-2"), stages=[{"name": "a", "limit": "1 s"}]

@@ -65,7 +65,7 @@ def slow(design):
     return {course.name: course.least for course in slow_courses(structure_of(design))}
 
 
-def test_a_stiff_clasp_opens_and_shuts_at_the_forces_of_its_closed_form(agree):
+def test_a_stiff_clasp_opens_and_closes_at_the_forces_of_the_closed_form(agree):
     """What its hinge gives way under the band's pull is in proportion to the hinge's own spring."""
     stiff = slow(with_values(CLASP, {"crease.extension": 3e7}))
     shut, opened = snaps(-clasp_forces(CLASP)[1])
@@ -76,7 +76,7 @@ def test_a_stiff_clasp_opens_and_shuts_at_the_forces_of_its_closed_form(agree):
     assert 5.0 < opened < 8.0
 
 
-def test_a_miura_cell_of_stiff_facets_goes_up_and_down_at_the_forces_of_its_closed_form(agree):
+def test_a_miura_cell_with_stiff_facets_snaps_up_and_down_at_the_forces_of_the_closed_form(agree):
     _, forces = cell_forces(CELL)
     up, down = snaps(forces)
     stiff = slow(with_values(CELL, {"facet.youngs_modulus": 5e9, "facet.bend_stiffness": 1e3}))
@@ -88,7 +88,7 @@ def test_a_miura_cell_of_stiff_facets_goes_up_and_down_at_the_forces_of_its_clos
     assert down < soft["lower"] < 1.5 * down
 
 
-def test_a_clasp_that_moves_lets_go_at_the_force_of_statics():
+def test_a_simulated_clasp_opens_at_the_force_of_statics():
     """The load grows over many periods of the shut clasp; statics and simulation share no code."""
     stages = CLASP.as_tables()["protocol"]["stages"]
     bear = stages[1] | {"until": "time", "time_limit": 0.12}
@@ -109,7 +109,7 @@ def test_a_clasp_that_moves_lets_go_at_the_force_of_statics():
 @pytest.mark.parametrize(
     ("name", "drive", "stage", "between"), [("raise", "pull", 2, 0.0237), ("lower", "press", 5, 0.026)]
 )
-def test_a_cell_that_moves_changes_its_height_at_the_force_of_statics(name, drive, stage, between):
+def test_a_simulated_miura_cell_snaps_at_the_force_of_statics(name, drive, stage, between):
     """By its height at the limit; pressed on beyond it, the cell goes on through flat; damped less than it is built."""
     least, stages = slow(CELL)[name], list(CELL.as_tables()["protocol"]["stages"])
     beyond = []
@@ -122,7 +122,7 @@ def test_a_cell_that_moves_changes_its_height_at_the_force_of_statics(name, driv
     assert beyond == [False, True]
 
 
-def test_a_clasp_shut_on_its_stop_stores_in_its_band_what_its_length_there_says(agree):
+def test_the_band_of_a_clasp_closed_on_its_stop_stores_the_energy_of_its_length(agree):
     """A stop that gave way by 3.6 deg left 36.8 mJ where the band is 10.8 mm longer than it rests."""
     stiff = structure_of(with_values(CLASP, {"crease.extension": 3e8}))
     net = net_of(stiff)
@@ -134,7 +134,7 @@ def test_a_clasp_shut_on_its_stop_stores_in_its_band_what_its_length_there_says(
     agree("energy of the film", 1e3 * creases.sum(), 10 * math.radians(30) ** 2, unit="mJ", by="k x²/2", rel=1e-3)
 
 
-def test_in_a_run_a_stop_gives_way_by_the_moment_on_it_and_its_stiffness(agree):
+def test_a_stop_yields_by_its_moment_divided_by_its_stiffness(agree):
     """1000 times the crease's where the design gives none: 20 N m/rad of 0.02 N m/rad, or what it gives by length."""
     settle = {"protocol.stages": [CLASP.as_tables()["protocol"]["stages"][0]]}
     designs = [with_values(CLASP, settle | given) for given in ({}, {"crease.stop_stiffness": 500.0})]

@@ -47,16 +47,16 @@ def drop(damping_ratio, steps):
 
 
 @pytest.mark.parametrize("damping_ratio", [0.3, 0.6, 1.0])
-def test_a_joint_rebounds_from_its_stop_as_the_closed_form_says(damping_ratio, agree):
+def test_the_rebound_of_a_joint_from_its_stop_is_that_of_the_closed_form(damping_ratio, agree):
     found, _ = drop(damping_ratio, 400)
     agree("rebound", found, rebound(damping_ratio), unit="", by="exp(-z phase / sqrt(1 - z^2))", abs=3e-3)
 
 
-def test_a_critically_damped_stop_yields_by_a_share_of_speed_and_time_constant(agree):
+def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time_constant(agree):
     agree("depth by v T", drop(1.0, 400)[1], math.exp(-1), unit="", by="1 / e", rel=5e-3)
 
 
-def test_four_steps_to_a_time_constant_are_near_the_closed_form(holds):
+def test_four_steps_per_time_constant_are_close_to_the_closed_form(holds):
     found = [abs(drop(ratio, 4)[0] - rebound(ratio)) for ratio in (0.6, 1.0)]
     holds("error of the rebound", max(found), below=0.06, by="closed form")
 
@@ -71,7 +71,7 @@ def test_the_reference_opens_in_the_same_time_at_every_timestep(holds):
         holds(f"scatter of the {name} time", float(np.ptp(times)), below=resolution, by="the same time, s")
 
 
-def test_a_stop_that_a_step_does_not_resolve_makes_a_run_unreliable_and_names_both_keys():
+def test_a_run_with_unresolved_stops_is_unreliable_and_names_both_keys():
     outcome = ff.measure(ff.run(ff.load_design("binder2025", {"stops.time_constant": "0.4 ms"}), confirm=False))
     assert outcome.verdict is Verdict.UNTRUSTED
     for said in ("protocol.timestep of 0.2 ms", "stops.time_constant of 0.4 ms", "need <= 0.1 ms"):

@@ -31,19 +31,19 @@ def two_folds():
     return folded()
 
 
-def test_two_ring_folds_close_and_layers_do_not_pass_through_each_other(holds, two_folds):
+def test_thick_layers_with_two_ring_folds_close_without_crossing(holds, two_folds):
     folded_to = math.degrees(angles(two_folds).max())
     holds("angle of the least folded vein, two ring folds", folded_to, below=-165, unit="deg")
     holds("how deep panels cross", 1e3 * panel_crossing(two_folds).depth, below=0.5, unit="mm")
     assert energy_balance(two_folds).residual < two_folds.design.protocol.residual_limit
 
 
-def test_one_ring_fold_stops_where_bars_lie_on_each_other(holds, two_folds):
+def test_with_one_ring_fold_folding_stops_when_bars_touch(holds, two_folds):
     one = folded(pattern__ring_folds=1)
     holds("angle of the least folded vein, one ring fold", math.degrees(angles(one).max()), above=-160, unit="deg")
     assert angles(one).max() - angles(two_folds).max() > math.radians(8)
 
 
-def test_every_hinge_takes_about_half_of_the_way(agree, two_folds):
+def test_each_of_two_ring_folds_folds_about_half_of_the_angle(agree, two_folds):
     rings = np.degrees(two_folds.angles("ring")[-1]).reshape(-1, 2)
     agree("angles of the ring folds", rings, -90, unit="deg", by="half of the way", abs=12)

@@ -63,7 +63,7 @@ def every_step(reference):
 
 
 @pytest.mark.parametrize("rest_length", [0.0, 0.06])
-def test_a_hinge_without_damping_keeps_its_energy_to_the_order_of_the_integrator(agree, holds, one_hinge, rest_length):
+def test_an_undamped_hinge_conserves_energy_to_the_order_of_the_integrator(agree, holds, one_hinge, rest_length):
     drifts = []
     for timestep in TIMESTEPS:
         # ends before 180 deg
@@ -76,7 +76,7 @@ def test_a_hinge_without_damping_keeps_its_energy_to_the_order_of_the_integrator
     holds("drift of the energy at 25 µs", drifts[-1], below=5e-3, by="conservation of energy")
 
 
-def test_a_wing_without_damping_keeps_its_energy_to_the_order_of_the_integrator(agree, free_runs):
+def test_an_undamped_wing_conserves_energy_to_the_order_of_the_integrator(agree, free_runs):
     drifts = []
     for record in free_runs:
         # it does move, and nothing but elasticity and inertia is at work
@@ -86,7 +86,7 @@ def test_a_wing_without_damping_keeps_its_energy_to_the_order_of_the_integrator(
     agree("order of the drift in the timestep", order(drifts), 1, by="symplectic Euler", abs=0.2)
 
 
-def test_with_damping_what_is_lost_is_what_the_dampers_took(holds, damped_runs):
+def test_with_damping_the_lost_energy_is_the_work_of_the_dampers(holds, damped_runs):
     residuals = []
     for record in damped_runs:
         taken = -sum(record.data[name].values[-1] for name in TAKEN)
@@ -96,13 +96,13 @@ def test_with_damping_what_is_lost_is_what_the_dampers_took(holds, damped_runs):
     holds("energy that is missing at 0.2 ms", residuals[0], below=5e-3, by="conservation of energy")
 
 
-def test_the_balance_of_the_reference_closes(holds, reference_outcome):
+def test_the_energy_balance_of_the_reference_closes(holds, reference_outcome):
     # the stops are met within one step and set the error: half a percent at 0.2 ms
     residual = reference_outcome.energy_balance.residual
     holds("energy that is missing", residual, below=5e-3, by="conservation of energy")
 
 
-def test_the_balance_is_the_sum_of_its_parts(agree, reference_run, reference_outcome):
+def test_the_energy_balance_is_the_sum_of_its_parts(agree, reference_run, reference_outcome):
     work = reference_run.work[-1]
     taken = sum(reference_run.data[name].values[-1] for name in TAKEN)
     change = stored(reference_run)[-1] - stored(reference_run)[0]
@@ -112,7 +112,7 @@ def test_the_balance_is_the_sum_of_its_parts(agree, reference_run, reference_out
 
 
 @pytest.mark.parametrize("rest_length", [0.0, 0.06])
-def test_force_times_the_mean_velocity_is_the_kinetic_energy_and_the_later_velocity_is_half_a_step_out(
+def test_force_times_mean_velocity_gives_the_kinetic_energy_and_the_later_velocity_deviates_by_half_a_step(
     agree, holds, one_hinge, rest_length
 ):
     excess = []
@@ -157,7 +157,7 @@ def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(agree, e
             assert abs(work - torque * turned) <= abs(torque) * step / 2 * abs(speed_after - speed_before) + 1e-10
 
 
-def test_power_is_the_rate_of_work(agree, every_step):
+def test_power_is_the_time_derivative_of_work(agree, every_step):
     series, step = every_step.series, float(every_step.design.protocol.timestep)
     # rounding of the work, 1e-15 of 10 J, over one step
     rates = np.diff(series["motor_work"], axis=0) / step

@@ -46,14 +46,14 @@ PLEATS = st.one_of(st.sampled_from([0.0, math.pi]), st.floats(0, math.pi))
 
 @settings(max_examples=100)
 @given(fans())
-def test_every_ring_vertex_satisfies_kawasaki(holds, fan):
+def test_every_ring_vertex_satisfies_kawasakis_condition(holds, fan):
     # rounding of the coordinates, 1e-16 of the ring radius, over the shortest ring crease, 0.035 of it, four times over
     residual = np.degrees(np.abs(kawasaki_residuals(earwig_pattern(fan)))).max()
     holds("residual of Kawasaki's condition", residual, below=1e-12, unit="deg", by="Kawasaki 1989")
 
 
 @given(fans(), st.sampled_from(["earwig", "miura"]))
-def test_both_modes_close_along_the_whole_path(holds, fan, mode):
+def test_both_folding_modes_close_along_the_whole_path(holds, fan, mode):
     alpha = math.pi / 2 - fan.sector_angle / 2 + fan.epsilon
     beta = math.pi / 2 - fan.sector_angle / 2 - fan.epsilon
     left = []
@@ -90,14 +90,14 @@ def test_the_fan_folds_rigidly(agree, fan, pleat):
 
 
 @given(fans())
-def test_folded_flat_all_panels_lie_in_one_plane(holds, fan):
+def test_folded_flat_all_panels_are_in_one_plane(holds, fan):
     folded = folded_coordinates(earwig_pattern(fan), fan_fold_angles(fan, math.pi))
     height = np.abs(folded[:, 2]).max() / (fan.ring_radius + fan.distal_length)
     holds("height by the radius of the fan", height, below=1e-12)
 
 
 @given(fans())
-def test_the_folded_stack_drifts_by_four_r_sin_half_theta_for_every_two_panels(agree, fan):
+def test_every_two_panels_shift_the_folded_stack_by_four_r_sin_half_theta(agree, fan):
     pattern = earwig_pattern(fan)
     folded = folded_coordinates(pattern, fan_fold_angles(fan, math.pi))
     count = fan.vein_count
@@ -111,7 +111,7 @@ def test_the_folded_stack_drifts_by_four_r_sin_half_theta_for_every_two_panels(a
 
 
 @given(fans(), st.floats(0.1, 3.0))
-def test_veins_fold_alike_beyond_the_ring_and_the_ring_alternates(agree, fan, pleat):
+def test_distal_veins_fold_equally_and_the_ring_creases_alternate(agree, fan, pleat):
     pattern, folds = earwig_pattern(fan), fan_fold_angles(fan, pleat)
     roles = np.array(pattern.edges_role)
     np.testing.assert_array_equal(folds[roles == "distal"], folds[roles == "proximal"])
@@ -122,7 +122,7 @@ def test_veins_fold_alike_beyond_the_ring_and_the_ring_alternates(agree, fan, pl
     agree("tan(ring / 2)", np.tan(np.abs(ring) / 2), expected, by="m tan(pleat / 2)", rel=1e-12, abs=1e-12)
 
 
-def test_the_ring_of_a_small_hub_moves_at_the_end_of_the_pleating(agree):
+def test_with_a_small_hub_the_ring_folds_at_the_end_of_pleating(agree):
     fan = EarwigFan(proximal_length=0.12, distal_length=0.1, hub_radius=0.003, sector_angle=math.radians(20), units=1)
     ring = [abs(np.degrees(fan_fold_angles(fan, math.radians(pleat))[6])) for pleat in (90, 150, 175, 180)]
     # 2 atan(m tan(pleat / 2)) with m = sin(epsilon) / cos(10 deg) = 0.02538

@@ -35,7 +35,7 @@ def added_inertia(density):
     return math.pi / 4 * density * WIDTH**2 * LENGTH**3 / 3
 
 
-def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree, holds):
+def test_added_mass_slows_a_pendulum(agree, holds):
     """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
     density, down = 12.0, -math.pi / 2
     swing = pushed(
@@ -54,7 +54,7 @@ def test_a_pendulum_swings_slower_by_the_mass_that_moves_with_it(agree, holds):
     holds("energy that is missing", energy_balance(record).residual, below=0.005, by="conservation of energy")
 
 
-def test_what_moves_with_a_body_weighs_nothing(agree):
+def test_added_mass_has_no_weight(agree):
     start = [stage("time", limit=1e-3)]
     weights = [
         run(pushed(0.0, start, **{"crease.start": 1.0, "protocol.gravity": 9.81}, **medium)).series[
@@ -68,7 +68,7 @@ def test_what_moves_with_a_body_weighs_nothing(agree):
 
 
 @pytest.mark.parametrize("density", [1.2, 1000.0])
-def test_a_plate_under_a_torque_comes_to_the_speed_at_which_drag_takes_it_all(agree, holds, density):
+def test_a_driven_plate_approaches_the_speed_at_which_drag_balances_the_torque(agree, holds, density):
     """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
     drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
     torque = 40.0 * drag + 1e-3
@@ -104,7 +104,7 @@ def test_the_error_of_the_drag_is_of_first_order_in_the_timestep(agree):
 
 
 @pytest.mark.parametrize("torque", [1e-3, 2e-3])
-def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(agree, torque):
+def test_in_a_viscous_medium_without_mass_speed_is_proportional_to_torque(agree, torque):
     """32 mu / (pi w) by area and speed: from rest w = tau / c1 (1 - exp(-c1 t / I))."""
     viscosity = 0.1
     damping = 32 * viscosity / math.pi * LENGTH**3 / 3
@@ -116,7 +116,7 @@ def test_in_a_viscous_medium_without_mass_speeds_go_with_torques(agree, torque):
     agree(what, angle, expected, unit="rad", by="Stokes flow about a disc", rel=0.01, abs=2e-3)
 
 
-def test_auto_minds_how_fast_viscosity_stops_what_is_light(agree, holds):
+def test_the_automatic_timestep_accounts_for_the_viscous_damping_of_light_parts(agree, holds):
     """A force that stays for five steps is stable while 5 h c1 / I < 2."""
     viscosity = 10.0
     rate = 32 * viscosity / math.pi * LENGTH**3 / 3 / INERTIA
@@ -186,7 +186,7 @@ def taken(model, data):
     seed=st.integers(0, 10_000),
     viscosity=st.sampled_from([1.8e-5, 10.0]),
 )
-def test_the_power_of_the_forces_is_the_integral_over_the_panels_however_they_move(agree, name, seed, viscosity):
+def test_the_power_of_the_drag_is_its_integral_over_the_panels_for_any_motion(agree, name, seed, viscosity):
     model, data = moving(name, seed, **{"medium.viscosity": viscosity})
     drag = stacked_drag([model.drag])
     kinematics = {field: getattr(data, field)[None] for field in KINEMATICS}
@@ -196,7 +196,7 @@ def test_the_power_of_the_forces_is_the_integral_over_the_panels_however_they_mo
     agree("power that drag takes by its integral", -power / known, 1.0, by="panels in a hundred parts", rel=0.02)
 
 
-def test_nothing_resists_a_sheet_that_moves_in_its_plane(holds):
+def test_a_sheet_that_moves_in_its_plane_has_no_drag(holds):
     flat = {"pattern.fold": "0 deg", "crease.rest_angle": "flat", "support": []}
     model = compile_model(with_values(load_design("miura-sheet"), {**WATER, **flat}))
     data = mujoco.MjData(model.engine)
@@ -220,7 +220,7 @@ def folding(**values):
     return with_values(base, {"protocol.stages": [each.model_dump(exclude_none=True) for each in stages], **values})
 
 
-def test_the_wing_folds_later_in_air_and_its_account_says_what_the_air_took(holds):
+def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(holds):
     records = {name: run(folding(**medium)) for name, medium in (("none", {}), ("air", AIR))}
     times = {name: measure(record).transitions["fold"].time for name, record in records.items()}
     holds("time to fold in air by that without", times["air"] / times["none"], above=1.03, below=1.1)
@@ -236,7 +236,7 @@ def test_the_wing_folds_later_in_air_and_its_account_says_what_the_air_took(hold
     assert not any("drag" in label for label, _ in balance_rows(structure, energy_balance(records["none"])))
 
 
-def test_wings_in_two_media_side_by_side_are_as_each_alone():
+def test_wings_in_two_media_side_by_side_move_as_they_do_alone():
     short = [stage("time", limit=0.02)]
     designs = [with_values(folding(**medium), {"protocol.stages": short}) for medium in (AIR, WATER)]
     models = [compile_model(design) for design in designs]
@@ -246,7 +246,7 @@ def test_wings_in_two_media_side_by_side_are_as_each_alone():
         assert np.array_equal(record.series["drag_work"], alone.series["drag_work"])
 
 
-def test_plates_in_loops_and_nodes_account_for_drag_too(holds):
+def test_energy_balances_of_plates_in_loops_and_of_nodes_include_the_drag(holds):
     small = {"pattern.columns": 2, "pattern.rows": 2, "measure": [], "support": [{"of": "facet 0"}]}
     push = {"name": "fold", "kind": "torque", "of": "creases", "value": "0.5 N cm"}
     for kind in ("rigid", "bars"):
@@ -257,7 +257,7 @@ def test_plates_in_loops_and_nodes_account_for_drag_too(holds):
         holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
 
 
-def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop(holds):
+def test_the_work_of_stops_of_plates_in_a_loop_does_not_include_weight_of_the_medium(holds):
     """Where a stop jumps, its work is what else is missing: the medium's weight would be in it."""
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "45 deg"'
@@ -272,7 +272,7 @@ def test_the_medium_weighs_nothing_in_the_work_of_stops_of_plates_in_a_loop(hold
 
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])
-def test_empty_space_is_no_medium(name):
+def test_a_medium_of_zero_density_changes_nothing(name):
     given, empty = load_design(name), load_design(name, {"medium.density": "0 kg/m^3", "medium.viscosity": "0 Pa s"})
     assert empty == given
     assert empty.hash == given.hash

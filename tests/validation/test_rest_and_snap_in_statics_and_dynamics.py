@@ -55,20 +55,20 @@ def small(name, **values):
     ],
     ids=["creases", "tendon", "locking", "membrane", "rigid", "places between vertices"],
 )
-def test_a_small_miura_sheet_rests_at_one_place_by_both_routes(holds, values):
+def test_a_small_miura_sheet_rests_equally_in_statics_and_dynamics(holds, values):
     support = [{"of": "facet 0"}]
     sizes = {"pattern.columns": 2, "pattern.rows": 2, "pattern.fold": 0.7}
     statics, dynamics = both(small("miura-sheet", **{"support": support}, **sizes, **values))
     holds("distances by an edge, apart", apart(statics, dynamics) / EDGE, below=1e-3, by="statics beside dynamics")
 
 
-def test_plates_whose_creases_open_rest_at_one_place_by_both_routes(holds):
+def test_plates_with_opening_creases_rest_equally_in_statics_and_dynamics(holds):
     """Four plates that lack 10 deg of a flat sheet, let go where their creases want to be flat."""
     statics, dynamics = both(small("four-plate-snap", **{"crease.rest_angle": 0.2}))
     holds("distances by an edge, apart", apart(statics, dynamics) / 0.02, below=1e-3, by="statics beside dynamics")
 
 
-def test_a_vertex_with_a_band_rests_at_one_place_by_both_routes(holds):
+def test_a_vertex_with_a_band_rests_equally_in_statics_and_dynamics(holds):
     statics, dynamics = both(small("bistable-clasp"))
     holds("distances by an edge, apart", apart(statics, dynamics) / 0.04, below=1e-3, by="statics beside dynamics")
     # it has moved: the band pulls the corners together
@@ -76,7 +76,7 @@ def test_a_vertex_with_a_band_rests_at_one_place_by_both_routes(holds):
     assert apart(statics, built) > 0.01
 
 
-def test_a_pyramid_snaps_under_a_slow_force_where_its_path_has_its_limit(agree):
+def test_a_pyramid_snaps_under_a_slow_force_at_its_static_limit(agree):
     """von Mises' truss of four bars: a vertex whose sectors add up to 320 deg, held at its rim and pushed at its apex.
 
     The force grows over hundreds of swings; it is taken to snap where it is level with its rim.

@@ -65,7 +65,7 @@ def pulled(one_hinge, law, lengths, timestep):
 
 
 @pytest.mark.parametrize("times", [(0.02,), (1.7,), (0.02, 1.7, 16.0)])
-def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, agree, times):
+def test_a_maxwell_branch_at_constant_length_relaxes_with_its_relaxation_time(one_hinge, agree, times):
     law = {"linear_modulus": 1e6, "branches": [{"modulus": 2e6, "time": time} for time in times]}
     steps, timestep = 2000, 1e-4
     lengths = np.full(steps, 0.09)
@@ -82,7 +82,7 @@ def test_a_branch_that_is_held_relaxes_with_its_time(one_hinge, agree, times):
 
 @pytest.mark.parametrize("times", [(0.02,), (0.005, 0.2)])
 @pytest.mark.parametrize("turns", [0.1, 1.0, 10.0])
-def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hinge, agree, times, turns):
+def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_test(one_hinge, agree, times, turns):
     rate = turns / times[0]  # rad/s
     steps, cycles, amplitude = 4000, 40, 0.004
     if turns > 1:
@@ -114,7 +114,7 @@ def test_in_a_sinusoidal_test_branches_lose_what_their_loss_modulus_says(one_hin
 
 
 @pytest.mark.parametrize("viscosity", [20.0, 200.0])
-def test_a_kelvin_voigt_tendon_damps_a_free_hinge_by_its_decrement(agree, one_hinge, viscosity):
+def test_a_kelvin_voigt_tendon_damps_a_free_hinge_with_its_logarithmic_decrement(agree, one_hinge, viscosity):
     """The bar swings about the angle where its weight, which gravity pulls upwards, balances the tendon."""
     gravity, timestep = 9.81, 2e-5
     values = of(
@@ -170,7 +170,7 @@ def spring(moduli):
 
 @settings(max_examples=30, deadline=None)
 @given(st.sampled_from(LAWS), st.floats(0, math.pi))
-def test_the_engine_gives_a_polynomial_tendon_its_moment(agree, compiled_hinge, moduli, angle):
+def test_the_engine_gives_the_moment_of_a_polynomial_tendon(agree, compiled_hinge, moduli, angle):
     wing = compiled_hinge(moduli)
     data = mujoco.MjData(wing.engine)
     data.qpos[0] = -angle
@@ -184,7 +184,7 @@ def test_the_engine_gives_a_polynomial_tendon_its_moment(agree, compiled_hinge, 
 
 @pytest.mark.parametrize("moduli", LAWS)
 @pytest.mark.parametrize("viscosity", [None, (300.0, 0.0, 0.0), (0.0, 20.0, 0.3)])
-def test_a_hinge_with_a_tendon_of_any_law_moves_as_an_integrator_of_fifth_order_says(
+def test_a_hinge_with_a_tendon_of_any_law_moves_as_with_an_integrator_of_fifth_order(
     agree, one_hinge, moduli, viscosity
 ):
     names = ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity")
@@ -240,7 +240,7 @@ LETTING_GO = [
     st.floats(-3, 3),
     st.floats(-3, 3),
 )
-def test_spring_damper_and_branches_together_pull_or_let_go(
+def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
     agree, compiled_hinge, spec, angle, speed, first_act, second_act
 ):
     """The pull is the sum where that is > 0 and the tendon taut, and else nothing: at any rate, any past."""
@@ -277,7 +277,7 @@ def fold_time(angles, record):
 
 
 @pytest.mark.parametrize("viscosity", [1e4, 3e4])  # Pa s
-def test_a_slack_strap_of_kelvin_and_voigt_does_not_push_the_hinge_back(agree, one_hinge, viscosity):
+def test_a_slack_kelvin_voigt_tendon_does_not_push_the_hinge(agree, one_hinge, viscosity):
     law = {"linear_modulus": 1e6, "linear_viscosity": viscosity}
     hinge = one_hinge(LENGTH, values=of(law), start=math.radians(60), duration=0.08, timestep=1e-5)
     angles, record = hinge.run()
@@ -311,7 +311,7 @@ def test_a_slack_strap_of_kelvin_and_voigt_does_not_push_the_hinge_back(agree, o
 
 
 @pytest.mark.parametrize("moduli", [(4.8e6, 0.0, 0.0), (4.8e6, -8.7e6, 8.9e6)])
-def test_what_branches_would_push_is_accounted_for(holds, reference, moduli):
+def test_the_energy_balance_includes_the_clamped_push_of_branches(holds, reference, moduli):
     """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
     values = WING | {"tendon.law": as_law(moduli, linear_viscosity=50.0, branches=BRANCHES)}
     record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}), confirm=False)
@@ -321,7 +321,7 @@ def test_what_branches_would_push_is_accounted_for(holds, reference, moduli):
     assert abs(balance.missing) < 0.2 * abs(balance.letting_go)
 
 
-def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(agree, one_hinge):
+def test_a_tendon_stretched_beyond_its_yield_keeps_a_permanent_set(agree, one_hinge):
     law = {"linear_modulus": 1e6, "quadratic_modulus": 5e5, "yield_strain": 0.2}
     out = np.linspace(0.05, 0.1, 500)
     _, _, rests = pulled(one_hinge, law, np.concatenate([out, out[::-1]]), 1e-4)
@@ -331,7 +331,7 @@ def test_a_tendon_that_was_pulled_beyond_its_yield_keeps_a_set(agree, one_hinge)
     assert rests[-1] == pytest.approx(0.1 - 0.012, abs=1e-9)
 
 
-def test_yielding_takes_the_yield_force_times_the_set(agree, one_hinge):
+def test_yielding_dissipates_the_yield_force_times_the_set(agree, one_hinge):
     """A bar falls from 60 deg to straight and stretches its tendon beyond its yield."""
     law = {"linear_modulus": 5e4, "cubic_modulus": 5e4, "yield_strain": 0.3}
     fall = {"protocol.gravity": 200.0, "hinge.damping": 1e-3, "protocol.sample_interval": 1e-3}
@@ -363,7 +363,7 @@ def with_law(reference, law, **values):
     return with_values(reference, WING | {"tendon.law": law} | values)
 
 
-def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(holds, reference):
+def test_the_energy_balance_of_a_free_wing_closes_with_branches_as_without(holds, reference):
     free = [{"name": "let go", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.012}]
     no_stops = {"guard.stretch": 1e3, "hinge.turn_limit": math.pi, "hinge.turn_back": math.pi}
     bent = {"protocol.initial_overbend": math.radians(-20), "protocol.stages": free, "tendon.rest_length": 0.06}
@@ -383,7 +383,7 @@ def test_with_branches_the_energy_of_a_free_wing_is_accounted_for_as_without(hol
     holds("missing by the tendons' energy at 0.2 ms", missing["with"][0], below=0.02, by="conservation of energy")
 
 
-def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(holds, reference):
+def test_the_energy_balance_of_a_whole_run_closes_with_branches_as_with_a_linear_law(holds, reference):
     outcomes = [
         ff.measure(ff.run(with_law(reference, {"linear_modulus": 4.8e6, "branches": branches}), confirm=False))
         for branches in ([], [{"modulus": 1e6, "time": 0.002}])
@@ -398,7 +398,7 @@ def test_the_balance_of_a_whole_run_with_branches_closes_as_in_a_linear_run(hold
     holds("energy that is missing, with a branch", branched.residual, below=5e-3, by=by)
 
 
-def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(agree, reference):
+def test_a_linear_law_equals_direct_values_of_stiffness_and_damping(agree, reference):
     law = with_law(reference, {"linear_modulus": 4.8e6, "linear_viscosity": 480.0})
     # k = 4.8 MPa 18.75 mm2 / 9 cm = 10 N/cm, c = 480 Pa s 18.75 mm2 / 9 cm = 0.1 N s/m
     direct = with_values(reference, {"tendon.stiffness": 1000.0, "tendon.damping": 0.1, "tendon.rest_length": 0.09})
@@ -417,7 +417,7 @@ def test_a_linear_law_is_the_same_stiffness_and_damping_given_directly(agree, re
 
 
 @pytest.mark.parametrize("size", [0.1, 1 / 3])
-def test_a_scaled_wing_with_a_law_moves_alike(agree, holds, reference, size):
+def test_a_wing_with_a_material_law_has_the_same_scaled_motion(agree, holds, reference, size):
     law = as_law((4.8e6, -1e6, 1e6), linear_viscosity=200.0, quadratic_viscosity=2.0, branches=BRANCHES[:1])
     allowed = {"tendon.pushes_when_slack": True}
     large = with_law(reference, law | {"yield_strain": 0.15, "residual_strain": 0.02}, **allowed)

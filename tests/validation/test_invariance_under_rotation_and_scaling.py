@@ -82,7 +82,7 @@ ANGLES = st.floats(-np.pi, np.pi)
 
 @settings(max_examples=2, phases=(Phase.explicit, Phase.generate))
 @given(ANGLES, ANGLES, ANGLES, st.lists(st.floats(-0.1, 0.1), min_size=3, max_size=3))
-def test_a_sheet_that_is_turned_and_shifted_in_space_folds_alike(agree, about_z, about_y, about_x, shift):
+def test_rotating_and_shifting_a_sheet_does_not_change_its_folding(agree, about_z, about_y, about_x, shift):
     rotation = Rotation.from_euler("zyx", (about_z, about_y, about_x))
     # rounding, and what the sheet's own motion makes of it
     assert_alike(agree, moved(turned(MIURA, rotation, shift)), 1e-7)
@@ -90,11 +90,11 @@ def test_a_sheet_that_is_turned_and_shifted_in_space_folds_alike(agree, about_z,
 
 @settings(max_examples=2, phases=(Phase.explicit, Phase.generate))
 @given(st.permutations(range(9)))
-def test_a_sheet_whose_vertices_are_numbered_anew_folds_alike(agree, order):
+def test_renumbering_the_vertices_of_a_sheet_does_not_change_its_folding(agree, order):
     assert_alike(agree, moved(renumbered(MIURA, np.array(order))), 1e-7)
 
 
-def test_a_fold_file_turned_in_its_plane_and_in_another_unit_folds_alike(agree, tmp_path):
+def test_rotating_a_fold_file_and_changing_its_unit_does_not_change_its_folding(agree, tmp_path):
     write_fold(turned(MIURA, Rotation.from_euler("z", 0.3)), tmp_path / "sheet.fold")
     document = json.loads((tmp_path / "sheet.fold").read_text())
     document["vertices_coords"] = (1000 * np.array(document["vertices_coords"])).tolist()
@@ -106,7 +106,7 @@ def test_a_fold_file_turned_in_its_plane_and_in_another_unit_folds_alike(agree, 
 
 
 @pytest.mark.parametrize("factor", [0.1, 1 / 3, 7.0])
-def test_a_sheet_of_another_size_folds_alike_in_its_own_time(agree, factor):
+def test_a_sheet_of_another_size_folds_identically_in_scaled_time(agree, factor):
     scaled = scale_design(sheet_design(MIURA, VALUES), factor)
     (record,) = simulate([compile_model(scaled)])
     by = "the sheet as it was"
@@ -117,7 +117,7 @@ def test_a_sheet_of_another_size_folds_alike_in_its_own_time(agree, factor):
     agree("energy by size³ and its largest", ours, theirs, by=by, abs=1e-7)
 
 
-def test_rest_by_statics_is_the_same_however_a_sheet_lies_is_numbered_or_scaled(agree):
+def test_static_equilibria_do_not_depend_on_orientation_numbering_and_scale(agree):
     design = sheet_design(MIURA, VALUES)
     rest = rest_of(design)
     assert rest.stable

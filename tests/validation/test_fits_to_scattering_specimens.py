@@ -79,7 +79,7 @@ def covered(law, fit):
     [(VISCOUS, (STEPS,) * 3, 100), (ZENER, (STEPS,) * 3, 100), (ZENER, OWN_RATES, 100), (THREE, (STEPS,) * 3, 30)],
     ids=["viscous", "Zener", "Zener, a rate each", "three branches"],
 )
-def test_the_true_value_lies_in_the_95_intervals_in_at_least_90_of_100_draws(holds, law, programs, draws):
+def test_intervals_of_95_percent_contain_the_true_value_in_at_least_90_of_100_draws(holds, law, programs, draws):
     form, held = FORMS[law.name], dict.fromkeys(FORMS[law.name].keys, 0)
     for draw in range(draws):
         rng = np.random.default_rng(draw)
@@ -93,7 +93,7 @@ def test_the_true_value_lies_in_the_95_intervals_in_at_least_90_of_100_draws(hol
 
 @pytest.mark.parametrize("law", [SPRING, VISCOUS, ZENER, THREE], ids=lambda law: law.name)
 @pytest.mark.parametrize("scatter", [0.0, 0.01, 0.03, 0.1])
-def test_the_true_law_is_chosen_however_much_specimens_scatter(agree, law, scatter):
+def test_the_true_law_is_chosen_for_any_scatter_of_the_specimens(agree, law, scatter):
     fit = fit_law(specimens(law, scatter=scatter, rng=np.random.default_rng(5)), forms=RIVALS)
     assert fit.form == FORMS[law.name]
     # nothing is left but the noise, and of a damper what lies between samples where the rate turns
@@ -101,7 +101,7 @@ def test_the_true_law_is_chosen_however_much_specimens_scatter(agree, law, scatt
         agree("misfit", 1e-3 * fit.misfit, 1e-3 * NOISE, unit="kPa", by="the noise", rel=0.1)
 
 
-def test_the_scatter_that_was_planted_is_reported(agree):
+def test_the_planted_scatter_is_recovered(agree):
     rng = np.random.default_rng(2)
     fit = fit_law(specimens(ZENER, scatter=0.05, rng=rng, programs=(STEPS,) * 40), forms=[FORMS["Zener"]])
     # a standard deviation from 40 is out by 1 / sqrt(78)
@@ -111,7 +111,7 @@ def test_the_scatter_that_was_planted_is_reported(agree):
     assert np.log(amplitudes).std(ddof=1) == pytest.approx(fit.scatter)
 
 
-def test_three_specimens_know_the_modulus_of_all_to_their_scatter(agree, holds):
+def test_the_interval_of_the_modulus_of_three_specimens_depends_on_their_scatter(agree, holds):
     """Student's t of 2 times the scatter by sqrt(3), which no number of rows makes narrower."""
     histories = specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), rows=60)
     fit = fit_law(histories, forms=[FORMS["Zener"]])
@@ -123,7 +123,7 @@ def test_three_specimens_know_the_modulus_of_all_to_their_scatter(agree, holds):
     holds("upper by lower end of the time's", time.high / time.low, below=1.05)
 
 
-def test_a_lone_specimen_has_no_scatter():
+def test_a_single_specimen_has_no_scatter():
     fit = fit_law(
         specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), programs=(STEPS,)), forms=[FORMS["Zener"]]
     )
@@ -131,7 +131,7 @@ def test_a_lone_specimen_has_no_scatter():
     assert [each.amplitude for each in fit.residuals] == [1.0]
 
 
-def test_a_series_is_as_long_as_the_data_tell_its_branches_apart(agree):
+def test_a_series_has_as_many_branches_as_the_data_can_distinguish(agree):
     """Three branches of 0.5, 8 and 120 s, of which two was the most that was tried."""
     rng = np.random.default_rng(1)
     cubic = [form for form in family_forms("prony") if form.order == 3]
