@@ -102,7 +102,7 @@ def test_a_wing_without_tendons_has_nothing_said_of_them():
 
 def test_what_is_said_of_contact_where_there_is_none_does_nothing_and_says_so():
     idle = load_design("binder2025", {"contact.thickness": "1 mm"})
-    said = "contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true"
+    said = "contact.thickness and contact.friction have no effect without contact: need protocol.contact = true"
     assert said in structure_warnings(idle, structure_of(idle))
     touching = load_design("binder2025", {"contact.thickness": "1 mm", "protocol.contact": True})
     assert said not in structure_warnings(touching, structure_of(touching))
