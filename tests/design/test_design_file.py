@@ -374,12 +374,11 @@ def test_a_missing_key_is_named_with_the_way_out(refusal, text, message):
         ("[pattern]\nunits = true", "pattern.units: need a whole number, got true"),
         (
             '[vein]\ndiameter = "6 cm"',
-            "vein.diameter: the veins overlap at the ring fold: need < 40.14 mm, the distance from vein to vein, got 60 mm",
+            "vein.diameter: the veins overlap at the ring fold: need < 40.14 mm, from vein to vein, got 60 mm",
         ),
         (
             '[membrane]\nmargin = "5 cm"',
-            "membrane.margin: the margin is wider than the panel at the ring fold: need < 4.2 cm, the distance from vein"
-            " to vein,"
+            "membrane.margin: the margin is wider than the panel at the ring fold: need < 4.2 cm, from vein to vein,"
             " got 5 cm",
         ),
         (

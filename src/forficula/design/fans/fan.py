@@ -144,7 +144,7 @@ class FanDesign(Design):
         ):
             if value is not None and not value < bound:
                 raise InputError(
-                    f"{key}: {fault}: need < {show_quantity(bound, unit)}, the distance from vein to vein,"
+                    f"{key}: {fault}: need < {show_quantity(bound, unit)}, from vein to vein,"
                     f" got {show_quantity(value, unit)}"
                 )
         check_medium(self.medium, self.protocol.gravity, self.vein.density, "vein.density")
