@@ -100,7 +100,7 @@ def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sect
         (
             {"pattern.hub_radius": 0.0},
             "pattern.hub_radius is 0, so the ring fold stays straight until the pleats are closed: rigid panels never"
-            " reach the overbend, and their energy is the same all along; a hub radius > 0 couples the two",
+            " reach the overbend, and their energy is constant; a hub radius > 0 couples ring fold and pleats",
         ),
         (
             {},
