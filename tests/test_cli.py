@@ -979,7 +979,7 @@ def test_a_material_known_as_a_range_is_sized_at_the_modulus_chosen(call):
         (["material", "."], ".: need a file of a tensile test, got a folder; name its files, as in ./*.csv"),
         (
             ["material", "tpu-1.csv", "--length", "60 mm"],
-            "tpu-1.csv: area: the file does not say it; give the specimen's area, such as 5 mm^2",
+            "tpu-1.csv: area: is not in the file; give the specimen's area, such as 5 mm^2",
         ),
         (
             ["material", "tpu-1.csv", "--length", "60"],

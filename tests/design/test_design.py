@@ -261,7 +261,7 @@ FOLD, UNFOLD = STAGE | {"drive": "fold"}, STAGE | {"drive": "unfold"}
     ("stages", "message"),
     [
         ([], "need at least 1 entry, got []"),
-        ([FOLD], 'need a first stage with drive = "none", whose end is the flat state, got "fold"'),
+        ([FOLD], 'need a first stage with drive = "none", which ends in the flat state, got "fold"'),
         (
             [STAGE, UNFOLD],
             'need a stage with drive = "fold" before the one with drive = "unfold", got ["none", "unfold"]',

@@ -465,8 +465,8 @@ def test_a_design_that_is_not_there_is_one_error(refusal, tmp_path, name, messag
         ('"none.toml"', "none.toml: no such file"),
         ("3", 'need the name of a design such as "binder2025", got 3'),
         ("[]", 'need the name of a design such as "binder2025", got []'),
-        ('"wing.toml"', "wing.toml: goes round in a circle"),
-        ('"folder/../wing.toml"', "folder/../wing.toml: goes round in a circle"),
+        ('"wing.toml"', "wing.toml: is based on itself, directly or through other files"),
+        ('"folder/../wing.toml"', "folder/../wing.toml: is based on itself, directly or through other files"),
     ],
 )
 def test_a_base_that_cannot_be_had_is_an_error_of_based_on(refusal, tmp_path, base, message):
@@ -476,7 +476,9 @@ def test_a_base_that_cannot_be_had_is_an_error_of_based_on(refusal, tmp_path, ba
 
 def test_a_circle_of_two_files_is_found(refusal, tmp_path):
     (tmp_path / "other.toml").write_text('based_on = "wing.toml"')
-    message = "wing.toml: based_on: other.toml: based_on: wing.toml: goes round in a circle"
+    message = (
+        "wing.toml: based_on: other.toml: based_on: wing.toml: is based on itself, directly or through other files"
+    )
     assert refusal('based_on = "other.toml"') == message
 
 
@@ -613,7 +615,7 @@ def test_two_thousand_files_based_on_one_another_are_one_short_error(refusal, tm
     for number in range(2000):
         (tmp_path / f"{number}.toml").write_text(f'based_on = "{number + 1}.toml"')
     message = refusal('based_on = "0.toml"')
-    assert message.endswith("48.toml: based_on: need at most 50 files that are based on one another, got more")
+    assert message.endswith("48.toml: based_on: need at most 50 files that are based on each other, got more")
     assert len(message) < 150
 
 

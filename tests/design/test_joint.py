@@ -44,7 +44,7 @@ def test_a_spring_in_place_of_its_law_leaves_the_tendon_its_mass():
 def test_a_new_file_names_the_material_of_its_tendon(tmp_path):
     write_new_design(tmp_path / "new.toml", "joint")
     text = (tmp_path / "new.toml").read_text("utf-8")
-    assert re.search(r'^law = "tpu-82a" +# a material', text, re.MULTILINE)
+    assert re.search(r'^law = "tpu-82a" +# material or law file', text, re.MULTILINE)
     assert "[[tendon]]" not in text
     assert load_design(tmp_path / "new.toml").hash == load_design(JOINT).hash
 
@@ -87,13 +87,13 @@ def test_a_new_file_names_the_material_of_its_tendon(tmp_path):
         ),
         (
             {"protocol.stages.push.until": "ring < -200 deg"},
-            f"{JOINT}: protocol.stages.push.until: a stop keeps ring from there: need a value >= -180 deg,",
+            f"{JOINT}: protocol.stages.push.until: a stop keeps ring from reaching it: need a value >= -180 deg,",
         ),
         (
             {"protocol.stages.push.drive": ["fold", "unfold"]},
-            f"{JOINT}: protocol.stages.push.drive: need one drive, for a joint is not folded and unfolded in one",
+            f"{JOINT}: protocol.stages.push.drive: need one drive, because a joint is not folded and unfolded in one",
         ),
-        ({"protocol.contact": True}, f"{JOINT}: protocol.contact: need false, for the stops of its hinge are all"),
+        ({"protocol.contact": True}, f"{JOINT}: protocol.contact: need false, because only the stops of its hinge"),
     ],
 )
 def test_what_no_joint_can_have_is_refused_by_its_key(settings, message):
@@ -104,5 +104,5 @@ def test_what_no_joint_can_have_is_refused_by_its_key(settings, message):
 
 def test_a_medium_is_told_to_do_nothing():
     (said,) = load_design(JOINT, {"medium.density": "1.2 kg/m^3"}).idle
-    assert said.startswith("medium.density and medium.viscosity do nothing, for a joint has no panels")
+    assert said.startswith("medium.density and medium.viscosity have no effect, because a joint has no panels")
     assert load_design(JOINT).idle == ()

@@ -17,7 +17,7 @@ REFERENCE = load_design("binder2025")
         ({"medium.name": "air"}, r"medium\.name: unknown key"),
         (
             {"medium.density": 1000.0, "protocol.gravity": 9.81},
-            r"medium\.density: what it bears of the weight is left out: need <= 0\.0127 g/cm\^3, a hundredth of"
+            r"medium\.density: buoyancy is not modelled: need <= 0\.0127 g/cm\^3, a hundredth of"
             r" vein\.density, or protocol\.gravity = 0, got 1 g/cm\^3",
         ),
     ],

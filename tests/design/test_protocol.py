@@ -32,9 +32,9 @@ MEASURES = '"ring", "turn", "lift", "sweep" or "distal_angle"'
         ("turn > 10 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "10 cm"'),
         ("turn > 10", 'the unit is missing; write it such as "15 deg", got "10"'),
         ("turn > far deg", 'need a number and a unit such as "15 deg", got "far deg"'),
-        ("ring < -181 deg", "a stop keeps ring from there: need a value >= -180 deg, got -181 deg"),
-        ("distal_angle > 20 deg", "a stop keeps distal_angle from there: need a value <= 3 deg, got 20 deg"),
-        ("turn > 170 deg", "a stop keeps turn from there: need a value <= 90 deg, got 170 deg"),
+        ("ring < -181 deg", "a stop keeps ring from reaching it: need a value >= -180 deg, got -181 deg"),
+        ("distal_angle > 20 deg", "a stop keeps distal_angle from reaching it: need a value <= 3 deg, got 20 deg"),
+        ("turn > 170 deg", "a stop keeps turn from reaching it: need a value <= 90 deg, got 170 deg"),
         *(
             (text, f'need {GOALS}, got "{text}"')
             for text in ("ring << 3 deg", "ring =< 3 deg", "ring == 3 deg", "ring ≤ 3 deg", "-150 deg > ring")
@@ -58,7 +58,7 @@ def test_a_goal_that_is_none_is_refused_with_its_key_what_is_allowed_and_what_is
         (["fold", "fold"], 'drive: need each drive once, got ["fold", "fold"]'),
         (
             ["fold", "unfold"],
-            'drive: need one drive, for a wing is not folded and unfolded in one stage, got ["fold", "unfold"]',
+            'drive: need one drive, because a wing is not folded and unfolded in one stage, got ["fold", "unfold"]',
         ),
         *(
             (wrong, f'drive: need a drive by name in quotes, a list of them, or "none", got {written}')
@@ -87,7 +87,10 @@ def test_a_stage_may_have_a_list_of_drives(drive, drives):
         ({1: ["unfold"]}, 'need at most one stage with drive = "unfold", got 2'),
         ({3: ["none", "fold"]}, 'need at most one stage with drive = "fold", got 2'),
         ({1: ["none"]}, 'need a stage with drive = "fold" before the one with drive = "unfold", got '),
-        ({0: ["fold"], 1: "none"}, 'need a first stage with drive = "none", whose end is the flat state, got ["fold"]'),
+        (
+            {0: ["fold"], 1: "none"},
+            'need a first stage with drive = "none", which ends in the flat state, got ["fold"]',
+        ),
     ],
 )
 def test_the_drives_of_a_fan_count_in_lists_as_alone(values, message):

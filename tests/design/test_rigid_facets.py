@@ -11,7 +11,7 @@ from forficula.errors import InputError
 from forficula.structure import built_lengths, structure_of
 from tests.plate_sheets import miura, plates, pleats, vertex
 
-BARS = r'or take facet\.kind = "bars", of which facets bend'
+BARS = r'or take facet\.kind = "bars", whose facets bend'
 OPENS = 'extension = "1e4 N/m^2"'
 
 
@@ -79,9 +79,7 @@ def test_a_sheet_that_is_built_folded_starts_as_it_is():
     assert [hinge.start for hinge in structure_of(plates(miura(2))).hinges] == [
         hinge.built for hinge in structure_of(plates(miura(2))).hinges
     ]
-    refused(
-        "crease.start: need 0 deg where a sheet starts as it is built, got 5 deg", miura(2), crease='start = "5 deg"'
-    )
+    refused("crease.start: need 0 deg for a sheet that starts as built, got 5 deg", miura(2), crease='start = "5 deg"')
     refused(r"pattern: need >= -0 deg .* <= 20 deg .* at crease \d+, got", miura(2), crease='fold_limit = "20 deg"')
 
 
@@ -98,7 +96,7 @@ def test_a_loop_opens_somewhere_or_nowhere():
 
 def test_of_facets_that_hang_together_one_is_held():
     two = '[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"'
-    refused("support: need at most 1 entry, got 2", pleats(3, "VM"), more=two)
+    refused("support: need at most 1 entry for hinged rigid facets, got 2", pleats(3, "VM"), more=two)
     opening = f'{two}\n[[crease.group]]\nof = "crease 1"\n{OPENS}'
     refused("support: facet 1 hangs together with another that is held", pleats(3, "VM"), more=opening)
     assert structure_of(plates(pleats(3, "VM"), crease=OPENS, more=two)).bodies[2].turns

@@ -174,7 +174,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         ('[[support]]\nof = "facet 3"', "support.0.of: need a facet from 0 to 2, got 3"),
         ('[[support]]\nof = "vertex 3"', 'support.0.of: need a facet such as "facet 0", got "vertex 3"'),
-        ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry, got "),
+        ('[[support]]\nof = "facet 0"\n[[support]]\nof = "facet 1"', "support: need at most 1 entry for hinged"),
         ('[support]\nof = "facet 0"', "support: need a list of tables, each under [[support]], got "),
         ('[[drive]]\nname = "close"', "drive.0.kind: is missing; needed here: name, kind, of"),
         (
@@ -188,7 +188,7 @@ def test_every_key_that_a_file_has_is_known():
         ("drive = [1]", "drive.0: need a table under [[drive]], got 1"),
         (
             '[[drive]]\nname = "none"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
-            'drive.0.name: need a name that means nothing yet, got "none"',
+            'drive.0.name: need a name that has no other meaning, got "none"',
         ),
         (
             '[[drive]]\nname = "a.b"\nkind = "torque"\nof = "creases"\nvalue = "1 N m"',
@@ -200,7 +200,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         (
             '[[measure]]\nname = "valleys"\nkind = "fold-angle"\nof = "creases"',
-            'measure.0.name: need a name that means nothing yet, got "valleys"',
+            'measure.0.name: need a name that has no other meaning, got "valleys"',
         ),
         (
             '[[measure]]\nname = "crease"\nkind = "fold-angle"\nof = "creases"',
@@ -208,7 +208,7 @@ def test_every_key_that_a_file_has_is_known():
         ),
         (
             '[[measure]]\nname = "energy"\nkind = "fold-angle"\nof = "creases"',
-            'measure.0.name: need a name that tables have for nothing else, got "energy"',
+            'measure.0.name: need a name that is not a column of tables, got "energy"',
         ),
         (
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"',
@@ -218,7 +218,10 @@ def test_every_key_that_a_file_has_is_known():
             '[[measure]]\nname = "a"\nkind = "distance"\nfrom = "vertex 0"\nto = "edge 3 at 2"',
             "measure.0.to: need a share of edge 3 from 0 to 1, got 2",
         ),
-        ("[protocol]\ncontact = true", "protocol.contact: need false, for facets do not touch each other, got true"),
+        (
+            "[protocol]\ncontact = true",
+            "protocol.contact: need false, because contact of facets is not modelled, got true",
+        ),
         ('[protocol]\ntimestep = "1 h"', "protocol.timestep: need >= "),
     ],
 )
@@ -271,9 +274,9 @@ def stage(until, more="", name="a"):
         ("crese > 90 deg", 'need a bound on "creases", "crease" or "mouth", got "crese"; did you mean "crease"?'),
         ("creases > 3 cm", '"cm" is not a unit of the right kind; write it such as "15 deg", got "3 cm"'),
         ("mouth < 3 deg", '"deg" is not a unit of the right kind; write it such as "12 cm", got "3 deg"'),
-        ("creases > 176 deg", "a stop keeps crease 0 from there: need a value <= 175 deg, got 176 deg"),
+        ("creases > 176 deg", "a stop keeps crease 0 from reaching it: need a value <= 175 deg, got 176 deg"),
         ("mouth < 0 cm", 'need a distance > 0 m, got "mouth < 0 cm"'),
-        ("creases < -4 deg", "a stop keeps crease 0 from there: need a value >= -3 deg, got -4 deg"),
+        ("creases < -4 deg", "a stop keeps crease 0 from reaching it: need a value >= -3 deg, got -4 deg"),
     ],
 )
 def test_a_goal_that_cannot_be_is_refused(refusal, until, message):
@@ -290,7 +293,7 @@ def test_a_name_of_a_stage_or_of_a_state_is_given_once(refusal):
 
 @pytest.mark.parametrize("name", ["verdict", "stages", "residual"])
 def test_what_tables_have_for_something_else_is_no_name(refusal, name):
-    said = f'need a name that tables have for nothing else, got "{name}"'
+    said = f'need a name that is not a column of tables, got "{name}"'
     assert refusal(stage("rest", name=name)) == f"protocol.stages.0.name: {said}"
     assert refusal(stage("rest", f'state = "{name}"')) == f"protocol.stages.0.state: {said}"
 
@@ -301,7 +304,7 @@ def test_a_bound_on_a_mountain_by_a_measure_is_valley_positive():
     ending = {"name": "a", "drive": "close", "hold": 0.0, "time_limit": 1.0}
     values = {"pattern.assignment": "M", "measure": [measure]}
     with_values(LETTER, values | {"protocol.stages": [ending | {"until": "hills < -174 deg"}]})
-    with pytest.raises(InputError, match="a stop keeps crease 0 from there: need a value <= 3 deg, got 90 deg"):
+    with pytest.raises(InputError, match="a stop keeps crease 0 from reaching it: need a value <= 3 deg, got 90 deg"):
         with_values(LETTER, values | {"protocol.stages": [ending | {"until": "hills > 90 deg"}]})
 
 
@@ -310,7 +313,7 @@ def test_a_tendon_must_cross_something(refusal):
         '[[tendon]]\nname = "t"\nfrom = "vertex 0"\nto = "facet 0 at 1, 1"\nstiffness = "1 N/cm"\nrest_length = "1 cm"'
     )
     assert refusal(tendon) == (
-        "tendon.0.to: need a place on another facet than tendon.0.from, or its length never changes, got facet 0 for"
+        "tendon.0.to: need a place on another facet than tendon.0.from, or the length never changes, got facet 0 for"
         " both"
     )
 
@@ -481,7 +484,7 @@ def test_a_tendon_that_nothing_stretches_is_refused(tmp_path, start, end, why):
     with pytest.raises(InputError) as caught:
         load_design("letter-fold", sheet | {"tendon": [tendon]})
     assert str(caught.value).endswith(
-        "tendon.0.to: need a place that creases move against tendon.0.from, or its length never changes, got"
+        "tendon.0.to: need a place that moves relative to tendon.0.from, or the length never changes, got"
         f' "{end}": {why}'
     )
 
@@ -520,9 +523,9 @@ MIURA = {
         ({"measure": [WIDTH | {"to": "vertex 0"}]}, "measure.0.to: need another place than measure.0.from, got"),
         (
             {"crease.group": [{"name": "crease 0", "of": "crease 1"}]},
-            "crease.group.0.name: need a name that means noth",
+            "crease.group.0.name: need a name that has no oth",
         ),
-        ({"crease.group": [{"name": "a and b", "of": "crease 1"}]}, "crease.group.0.name: need a name that means noth"),
+        ({"crease.group": [{"name": "a and b", "of": "crease 1"}]}, "crease.group.0.name: need a name that has no oth"),
     ],
 )
 def test_a_sheet_of_nodes_that_cannot_be_what_it_says_is_refused(values, why):

@@ -182,15 +182,15 @@ def test_a_material_may_be_written_by_hand():
     [
         (
             {"tendon.law": "tpu-82a"},
-            'binder2025: tendon.area: is missing; tendon.law gives force by area, so give one such as "12.5 mm^2"',
+            'binder2025: tendon.area: is missing; tendon.law gives force per area, so give one such as "12.5 mm^2"',
         ),
         (
             AREA,
-            "tendon.area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead",
+            "tendon.area: needs tendon.law, which gives force per area; also give a law, or tendon.stiffness instead",
         ),
         (
             TPU | {"tendon.rest_length": "0 cm"},
-            "tendon.rest_length: need > 0 with tendon.law, for strain is extension by resting length, got 0 cm",
+            "tendon.rest_length: need > 0 with tendon.law, because strain is extension per resting length, got 0 cm",
         ),
         (
             TPU | {"tendon.stiffness": "20 N/cm"},
@@ -237,7 +237,7 @@ def test_a_material_may_be_written_by_hand():
         ),
         (
             TPU | {"tendon.law": "none"},
-            "tendon.area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead",
+            "tendon.area: needs tendon.law, which gives force per area; also give a law, or tendon.stiffness instead",
         ),
         (
             TPU | {"tendon.law.quadratic_modulus": "-1 MPa"},

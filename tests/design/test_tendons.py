@@ -201,7 +201,7 @@ def test_a_new_design_file_says_how_a_tendon_of_one_vein_is_given(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("[[tendon]]\nvein = 3", "tendon.3: there is no vein 3: need one of 0 to 2, with pattern.units = 1"),
+        ("[[tendon]]\nvein = 3", "tendon.3: there is no vein 3: need 0 to 2 with pattern.units = 1"),
         ("[[tendon]]\nvein = 1\n[[tendon]]\nvein = 1", "tendon.vein: need one [[tendon]] for each vein, got 1 twice"),
         ("[[tendon]]\nvein = -1", "tendon.vein: need the number of a vein, from 0 on, got -1"),
         ("[[tendon]]\nvein = 1e300", "tendon.vein: need the number of a vein, from 0 on, got 1e+300"),
@@ -215,7 +215,7 @@ def test_a_new_design_file_says_how_a_tendon_of_one_vein_is_given(tmp_path):
         ("tendon = [1]", "tendon: need tables, each under [[tendon]], got 1"),
         (
             "[tendon]\nvein = 1",
-            "tendon.vein: unknown key, got 1; a tendon of one vein stands under [[tendon]], where it names its vein",
+            "tendon.vein: unknown key, got 1; the key vein is for a table under [[tendon]], a tendon of one vein",
         ),
         (
             '[[tendon]]\nvein = 2\nstifness = "1 N/cm"',
@@ -224,7 +224,7 @@ def test_a_new_design_file_says_how_a_tendon_of_one_vein_is_given(tmp_path):
         ('[[tendon]]\nvein = 2\nstiffness = "-1 N/cm"', "tendon.2.stiffness: need >= 0, got -1 N/cm"),
         (
             '[[tendon]]\nvein = 2\nlaw = "tpu-82a"',
-            'tendon.2.area: is missing; tendon.law gives force by area, so give one such as "12.5 mm^2"',
+            'tendon.2.area: is missing; tendon.law gives force per area, so give one such as "12.5 mm^2"',
         ),
         (
             '[[tendon]]\nvein = 2\narea = "1 mm^2"\nlaw = "tpu-82"',
@@ -263,7 +263,7 @@ def test_what_an_entry_needs_is_asked_for(wing):
         ({"tendon.2": "1 N/cm"}, 'tendon.2: need a table under [tendon.2], got "1 N/cm"'),
         (
             {"tendon.2.vein": 1},
-            "tendon.2.vein: unknown key, got 1; a tendon of one vein stands under [[tendon]], where it",
+            "tendon.2.vein: unknown key, got 1; the key vein is for a table under [[tendon]]",
         ),
         ({"tendon.stiffness": "-1 N/cm"}, "tendon.0.stiffness: need >= 0, got -1 N/cm"),
         ({"tendon.2.stiffness": "-1 N/cm"}, "tendon.2.stiffness: need >= 0, got -1 N/cm"),

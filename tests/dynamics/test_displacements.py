@@ -132,7 +132,7 @@ def test_a_servo_shortens_the_longest_timestep():
         ({"drive": [LIFT | {"force": 1.0}]}, r'drive\.0\.force: is not for kind = "displacement"'),
         ({"drive": [_without("distance")]}, r"drive\.0\.distance: is missing; needed here: .* distance, direction"),
         ({"drive": [_without("direction")]}, r"drive\.0\.direction: is missing"),
-        ({"drive": [LIFT | {"direction": [0, 0, 0]}]}, r"drive\.0\.direction: need the way it points"),
+        ({"drive": [LIFT | {"direction": [0, 0, 0]}]}, r"drive\.0\.direction: need a direction that is not zero"),
         ({"drive": [LIFT], "facet.kind": "rigid", "support": []}, r'drive\.0\.kind: need "torque"'),
         ({"drive": [LIFT | {"of": "vertex 0"}]}, r"drive\.0\.of: need a vertex that is free along"),
     ],

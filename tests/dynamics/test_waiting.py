@@ -198,7 +198,7 @@ def test_a_wait_is_read_in_days_and_hours_and_written_again(reference, tmp_path)
         ),
         (
             {"protocol.stages.1.wait": "1 d"},
-            'stages.1.wait: need until = "rest", for it waits at rest, got until = "folded"',
+            'stages.1.wait: need until = "rest", because a wait begins at rest, got until = "folded"',
         ),
         ({"protocol.stages.0.wait": "1 d"}, 'got until = "time"'),
     ],

@@ -122,15 +122,15 @@ LETTER = {
     [
         (
             {"vary": {"tendon.0.stiffness": ["0.4 N/cm"], "tendon.left.stiffness": ["0.5 N/cm"]}},
-            "vary.tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+            "vary.tendon.left.stiffness: is given twice, also as tendon.0.stiffness",
         ),
         (
             {"tolerances": {"tendon.0.stiffness": "5 %", "tendon.left.stiffness": "9 %"}},
-            "tolerances.tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+            "tolerances.tendon.left.stiffness: is given twice, also as tendon.0.stiffness",
         ),
         (
             {"settings": {"tendon.0.stiffness": "0.4 N/cm", "tendon.left.stiffness": "0.5 N/cm"}},
-            "tendon.left.stiffness: is given twice, the other time as tendon.0.stiffness",
+            "tendon.left.stiffness: is given twice, also as tendon.0.stiffness",
         ),
         ({"limits": {"close_time": []}}, "limits.close_time: need at least one limit, got an empty list"),
         (

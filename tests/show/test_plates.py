@@ -217,4 +217,4 @@ def test_a_named_design_of_plates_leaves_what_every_run_does(letter_run, no_figu
         }
     page = (tmp_path / "report.html").read_text("utf-8")
     assert "Every value is that of the named design letter-fold." in page
-    assert "Tendons: springs between two places, which only pull" in page
+    assert "Tendons: pull-only springs between two places" in page

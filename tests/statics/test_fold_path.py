@@ -101,12 +101,12 @@ def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sect
         (
             {"pattern.hub_radius": 0.0},
             "pattern.hub_radius is 0, so the ring fold stays straight until the pleats are closed: rigid panels never"
-            " reach the overbend, and their energy is the same all along; a hub radius > 0 couples the two",
+            " reach the overbend, and their energy is constant; a hub radius > 0 couples ring fold and pleats",
         ),
         (
             {},
             "rigid panels reach the overbend of 3 deg only with veins turned back by 11.75 deg, and hinge.turn_back"
-            " stops them at 5 deg: in the compliant wing the membrane gives way instead",
+            " stops them at 5 deg: in the compliant wing the membrane stretches instead",
         ),
         ({"hinge.overbend": 0.0, "protocol.initial_overbend": 0.0}, None),
         ({"tendon.rest_length": 0.2}, None),

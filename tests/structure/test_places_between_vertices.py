@@ -131,5 +131,5 @@ def test_a_tendon_needs_two_places():
 
 
 def test_shares_of_a_facet_that_stands_upright_say_nothing():
-    with pytest.raises(InputError, match=r"tendon\.0\.to: need a facet that does not stand upright"):
+    with pytest.raises(InputError, match=r"tendon\.0\.to: need a facet that is not vertical"):
         sheet("facet 0 at 0.5, 0.5", **{"pattern.acute_angle": 0.5, "pattern.fold": np.pi - 1e-9})

@@ -126,7 +126,7 @@ def test_laws_are_a_factor_by_their_names():
         ("protocol.stages.time_limit", "need the number of an entry of protocol.stages"),
         ("tendon.stiffness.x", r'unknown key, got \["1 s"\]; did you mean tendon.stiffness\?'),
         ("name", "need a key on which runs depend"),
-        ("based_on", "is no value of a design; name the design to start from"),
+        ("based_on", "is not a value of a design; name the design to start from"),
         ("", r'unknown key, got \["1 s"\]; allowed here: '),
     ],
 )

@@ -279,7 +279,7 @@ def test_a_study_that_is_not_utf8_is_one_clear_error(tmp_path):
 
 def test_one_value_by_two_names_is_refused():
     twice = {"tendon.0.stiffness": ["0.4 N/cm"], "tendon.left.stiffness": ["0.5 N/cm", "0.6 N/cm"]}
-    with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice, the other time as tendon\.0\."):
+    with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice, also as tendon\.0\."):
         ff.new_study("letter-fold", twice)
     with pytest.raises(InputError, match=r"tendon\.left\.stiffness: is given twice"):
         with_values(ff.load_design("letter-fold"), {key: values[0] for key, values in twice.items()})

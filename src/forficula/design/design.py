@@ -1,4 +1,4 @@
-"""Design: what every one has, whatever is built: a name, a source, a protocol, bounds on what can be computed."""
+"""The base class of all designs: a name, a source, a protocol, and bounds on what can be computed."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ if TYPE_CHECKING:
     from forficula.design.chosen import Choice
 
 _MOST_STEPS = 1e9
-# rows of a record times parts: some 5 GB in memory
+# rows of a record times number of parts: about 5 GB in memory
 _MOST_ROWS = 1e7
 
 
 @dataclass(frozen=True, kw_only=True)
 class DesignIdentity:
-    """What results are of.
+    """The design that a result belongs to.
 
     Attributes:
         design: name of the design.
-        design_hash: hash of all its values.
+        design_hash: hash of all values of the design.
     """
 
     design: str
@@ -44,39 +44,41 @@ class DesignIdentity:
 
 
 class Design(Displayed, Section):
-    """The thing to build and what is done to it; every number in SI and radians."""
+    """The structure to build and the protocol that is applied to it; every number in SI units and radians."""
 
-    # key of a value that every design of its kind has, for a study to begin with
+    # key of a value that every design of its kind has; the template of a study varies it
     varied_key: ClassVar[str]
-    # a named design that a new file begins with; None: `example` has the keys of a pattern to begin with
+    # named design on which a new file is based; where it is None, `example` has the first keys of a pattern
     reference: ClassVar[str | None] = None
     example: ClassVar[Mapping[str, object]] = {}
     # publications of its pattern and model, by their keys in analysis/citations.py, and what is taken from each
     papers: ClassVar[Mapping[str, str]] = {}
-    # keys, or starts of keys, of what matters to where it rests, but for its tendons
+    # keys, or beginnings of keys, on which the rest states depend, apart from the tendons
     rest_keys: ClassVar[tuple[str, ...]]
-    # the section that says how heavy it is, which matters to where it rests under gravity
+    # section with the masses, on which the rest states under gravity depend
     weight_section: ClassVar[str]
 
-    name: Annotated[str, Field(min_length=1, description="what outputs call it")]
-    source: Annotated[str, Field(description="where its values come from")]
+    name: Annotated[str, Field(min_length=1, description="name of the design in all outputs")]
+    source: Annotated[str, Field(description="where the values of the design come from")]
     shows: Annotated[
-        str | None, Field(description="what one would look at it for", examples=["how a sheet folds all at once"])
+        str | None, Field(description="what the design demonstrates", examples=["how a sheet folds all at once"])
     ] = None
     reproduces: Annotated[
-        str | None, Field(description="the paper that its figures are set beside", examples=["binder2025"])
+        str | None, Field(description="paper with which the results are compared", examples=["binder2025"])
     ] = None
-    medium: Annotated[MediumSection | None, Field(description="what it moves in; without it, empty space")] = None
-    stops: Annotated[StopSection, Field(description="how stops of hinges and guard tendons give way")] = StopSection()
+    medium: Annotated[MediumSection | None, Field(description="fluid around the structure; a vacuum if not given")] = (
+        None
+    )
+    stops: Annotated[StopSection, Field(description="compliance of hinge stops and guard tendons")] = StopSection()
     make: Annotated[
-        MakeSection | None, Field(description="how its parts are made; without it, by the defaults of each key")
+        MakeSection | None, Field(description="how the parts are made; by the default of each key if not given")
     ] = None
     protocol: Protocol
 
     @field_validator("medium")
     @classmethod
-    def _is_there(cls, medium: MediumSection | None) -> MediumSection | None:
-        """Empty space is no medium."""
+    def _not_a_vacuum(cls, medium: MediumSection | None) -> MediumSection | None:
+        """Return None for a medium without density and viscosity."""
         return medium if medium is not None and (medium.density or medium.viscosity) else None
 
     @field_validator("name")
@@ -90,48 +92,48 @@ class Design(Displayed, Section):
         return reproduces if reproduces is None else check_paper(reproduces)
 
     def __repr__(self) -> str:
-        """The design by its name; `print` writes its file, with units."""
+        """Return the class, the name and the hash; `print` writes the design file, with units."""
         return f"<{type(self).__name__} {self.name}, hash {self.hash}>"
 
     def __str__(self) -> str:
-        """The design file."""
+        """Return the design file as text."""
         from forficula.design.files.design_file import design_text
 
         return design_text(self)
 
     @property
     def has_stops_of_bodies(self) -> bool:
-        """Whether its hinges have stops, or its bodies guard tendons, that go by `stops`."""
+        """Whether hinges have stops, or bodies guard tendons, to which the section `stops` applies."""
         return True
 
     @property
     def hash(self) -> str:
-        """Sixteen hexadecimal digits that name the values, whatever the design or its material is called."""
+        """Sixteen hexadecimal digits that identify the values, not the names of the design and its material."""
         name: str = self.once("hash", lambda: _hash(self.hash_values()))
         return name
 
     @property
     def identity(self) -> DesignIdentity:
-        """Its name and hash, as files of results have them."""
+        """Name and hash of the design, as in files of results."""
         return DesignIdentity(design=self.name, design_hash=self.hash)
 
     @property
     def named_protocol(self) -> NamedProtocol:
-        """Its protocol by names, in the form that designs of every kind have."""
+        """The protocol by names, in the form that is common to all kinds of designs."""
         raise NotImplementedError
 
     @property
     def chosen(self) -> tuple[Choice, ...]:
-        """The values that a rule chooses, for they are not given; there are such of sheets."""
+        """The values that are not given and that a rule chooses; only sheets have such values."""
         return ()
 
     @property
     def idle(self) -> tuple[str, ...]:
-        """What is given and does nothing, a sentence each."""
+        """Sentences about given values that have no effect."""
         return ()
 
     def with_values(self, values: Mapping[str, object]) -> Self:
-        """The design with some values replaced, by dotted key: text with a unit, or a number in SI.
+        """Return the design with some values replaced, by dotted key: text with a unit, or a number in SI.
 
         Raises:
             InputError: an unknown key, or a value that is not allowed.
@@ -143,16 +145,16 @@ class Design(Displayed, Section):
     def with_other_start(self) -> Self | None:
         """Return the design with a start that differs slightly; None where its start has no value to vary.
 
-        A verdict that another start changes is no property of the structure.
+        A verdict that changes with a slightly different start is not a property of the structure.
         """
         return None
 
     def settled(self) -> Self:
-        """The design with the values that a rule chooses."""
+        """Return the design with the values that a rule chooses filled in."""
         return self
 
     def hash_values(self) -> dict[str, Any]:
-        """The values but for what they are called, where they come from, and how parts are made: a run is the same."""
+        """Return the values that affect a run: all but names, sources, and how the parts are made."""
         return {key: value for key, value in super().hash_values().items() if key not in (*WORDS, "make")}
 
 
@@ -161,15 +163,15 @@ def _hash(values: dict[str, Any]) -> str:
 
 
 def check_duration(design: Design, parts: int, what: str) -> None:
-    """Refuse a run of more steps than anyone waits for, and a record of more rows than memory holds.
+    """Refuse a run of more than 1e9 steps, and a record that does not fit into memory.
 
     Args:
-        design: with its protocol.
-        parts: how many parts of the structure a row has the numbers of.
-        what: what these parts are called.
+        design: design with its protocol.
+        parts: number of parts of the structure in a row of the record.
+        what: name of these parts, for messages.
 
     Raises:
-        InputError: a timestep or sample interval that is too long or too short.
+        InputError: the timestep or the sample interval is too long or too short.
     """
     protocol, longest = design.protocol, sum(stage.time_limit for stage in design.protocol.stages)
     timestep = 0.0 if protocol.timestep == "auto" else protocol.timestep
@@ -190,5 +192,5 @@ def check_duration(design: Design, parts: int, what: str) -> None:
 
 
 def shortest_sample_interval(design: Design, parts: int) -> float:
-    """The least time between two rows, s, at which the longest record that there can be fits into memory."""
+    """Return the shortest time between two rows, s, at which the longest possible record fits into memory."""
     return sum(stage.time_limit for stage in design.protocol.stages) * parts / _MOST_ROWS

@@ -1,4 +1,4 @@
-"""Fields of the files of studies, goals and observations: what key tables say of them, and tables by key."""
+"""Fields of study, goal and observations files: their entries in tables of keys, and tables by design key."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from forficula.errors import InputError
 from forficula.names import folder_name
 from forficula.quantities import as_written
 
-# a text in an annotation says what a value may be
+# a text in an annotation states which values are allowed
 Whole = Annotated[int, Field(strict=True)]
 YesOrNo = Annotated[bool, Field(strict=True)]
 DesignValue = Annotated[Any, "as in a design"]
@@ -23,12 +23,12 @@ DesignValue = Annotated[Any, "as in a design"]
 
 @dataclass(frozen=True, kw_only=True)
 class ByKey:
-    """How a table by keys of a design is read: keys of nested tables become dotted keys.
+    """Reader of a table whose keys are keys of a design; keys of nested tables become dotted keys.
 
     Attributes:
-        allowed: what its values may be.
-        entry: what a table under a key may have that is a value itself; None where no table is one.
-        placeholder: what stands for the keys in tables of keys.
+        allowed: allowed values, in words.
+        entry: fields of a table that is itself a value; None where no table is a value.
+        placeholder: text in place of the design's keys in tables of keys.
     """
 
     allowed: str
@@ -40,11 +40,11 @@ class ByKey:
         return self._dotted(value, f"{info.field_name}.", "") if isinstance(value, Mapping) else value
 
     def _dotted(self, table: Mapping[str, Any], header: str, prefix: str) -> dict[str, Any]:
-        # distributions, and laws that are based on others, are values in every table
-        of_values = {"based_on", "distribution", *(() if self.entry is None else self.entry.model_fields)}
+        # a table with one of these keys is a value: a distribution, or a law that is based on another one
+        value_keys = {"based_on", "distribution", *(() if self.entry is None else self.entry.model_fields)}
         flat: dict[str, Any] = {}
         for key, value in table.items():
-            nested = isinstance(value, Mapping) and value and not of_values & value.keys()
+            nested = isinstance(value, Mapping) and value and not value_keys & value.keys()
             more = self._dotted(value, header, f"{prefix}{key}.") if nested else {f"{prefix}{key}": value}
             if twice := flat.keys() & more.keys():
                 raise InputError(
@@ -55,7 +55,7 @@ class ByKey:
 
 
 def by_key(field: FieldInfo) -> ByKey | None:
-    """How a field is read that is a table by keys of a design; None of any other."""
+    """Return the reader of a field that is a table by keys of a design; None for any other field."""
     return next(
         (rule.func for rule in field.metadata if isinstance(rule, BeforeValidator) and isinstance(rule.func, ByKey)),
         None,
@@ -70,14 +70,14 @@ def entry(
     examples: tuple[str, ...] = (),
     at_least: int | None = None,
 ) -> Any:
-    """A field of a file; one whose default is ... is required.
+    """Define a field of a file; a field whose default is `...` is required.
 
     Args:
-        description: what its value means.
-        default: its value where it is left out.
-        left_out: what counts where it is left out, where its default does not say so; "needed" where something must be
-            given that is checked later.
-        examples: lines of a file with it, in which `$name` stands for a text of the design that the file is about.
+        description: meaning of the value.
+        default: value if the field is left out.
+        left_out: text for tables of keys about a field that is left out, where the default does not explain it;
+            "needed" where a later check requires a value.
+        examples: example lines of a file, in which `$name` stands for a text of the design that the file refers to.
         at_least: least value of a whole number.
     """
     return Field(
@@ -86,7 +86,7 @@ def entry(
 
 
 def left_out(field: FieldInfo) -> str:
-    """Return what `entry` was given as `left_out`; "" of any other field."""
+    """Return the argument `left_out` of `entry`; "" for any other field."""
     words = field.json_schema_extra
     return str(words.get("left out", "")) if isinstance(words, dict) else ""
 
@@ -102,4 +102,4 @@ FolderName = Annotated[str, BeforeValidator(folder_name)]
 DesignName = Annotated[Any, "text", BeforeValidator(_named_design)]
 Settings = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed="as in a design"))]
 DESIGN = entry("a named design, or the path of a design file", left_out="needed", examples=('design = "$design"',))
-SETTINGS = entry("replaces the value of this key of the design", {}, examples=('protocol.timestep = "0.1 ms"',))
+SETTINGS = entry("value that replaces the one of the design", {}, examples=('protocol.timestep = "0.1 ms"',))

@@ -1,4 +1,4 @@
-"""The law of a tendon's material in a design: stress against strain, its rate and its past."""
+"""The law of a tendon's material in a design: stress as a function of strain, strain rate and strain history."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from forficula.material.law.softening import OgdenRoxburgh, pulls
 from forficula.quantities import Unit, as_written
 
 AREA = Unit(display="mm^2", si="m^2", example="12.5 mm^2")
-# of a law file, what is chosen where a material has only a range
+# key of a law file whose value the design must choose where the material has only a range
 _CHOSEN = "modulus.linear"
 
 
@@ -31,13 +31,15 @@ class LawBranch(Section):
 
 
 class LawSoftening(Section):
-    """Softening after the largest strain seen (Ogden and Roxburgh 1999)."""
+    """Softening below the largest strain reached so far (Ogden and Roxburgh 1999)."""
 
-    about: ClassVar[str] = "Softening after the largest strain seen (Ogden and Roxburgh 1999)"
+    about: ClassVar[str] = "Softening below the largest strain reached so far (Ogden and Roxburgh 1999)"
 
-    r: Annotated[float, Field(strict=True, ge=1, description="the largest share that is lost is 1/r")]
-    m: float = quantity(law_unit("softening.m"), "energy scale", at_least=0)
-    beta: Annotated[float, Field(strict=True, ge=0, description="share of the largest energy in the scale")] = 0.0
+    r: Annotated[float, Field(strict=True, ge=1, description="1/r is the largest share of the stress that is lost")]
+    m: float = quantity(law_unit("softening.m"), "constant part of the energy scale of softening", at_least=0)
+    beta: Annotated[
+        float, Field(strict=True, ge=0, description="share of the largest stored energy that adds to the energy scale")
+    ] = 0.0
 
     @model_validator(mode="after")
     def _has_a_scale(self) -> LawSoftening:
@@ -51,14 +53,14 @@ Whole = Annotated[int, Field(strict=True, ge=1)]
 
 
 class LawDrift(Section):
-    """A change over the cycles of a test; see `Drift`."""
+    """A change of a material over the cycles of a test; see `Drift`."""
 
-    about: ClassVar[str] = "A change over the cycles of a test; see `Drift`"
+    about: ClassVar[str] = "A change of a material over the cycles of a test; see `Drift`"
 
-    kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="its course over the cycles")]
-    rate: Annotated[Number, Field(description="of the change")] = 0.0
-    interval: Annotated[tuple[Number, Number], Field(description="of the rate, 95 % confidence")] = (0.0, 0.0)
-    cycles: Annotated[Number, Field(description="of the plateau")] = 0.0
+    kind: Annotated[Literal["none", "logarithm", "plateau"], Field(description="shape of the change over the cycles")]
+    rate: Annotated[Number, Field(description="rate of the change")] = 0.0
+    interval: Annotated[tuple[Number, Number], Field(description="95 % confidence interval of the rate")] = (0.0, 0.0)
+    cycles: Annotated[Number, Field(description="decay constant of the approach to a plateau, in cycles")] = 0.0
     seen: Annotated[tuple[Whole, Whole], Field(description="first and last cycle of the data")]
 
     @model_validator(mode="after")
@@ -67,7 +69,7 @@ class LawDrift(Section):
         return self
 
     def drift(self, *, relative: bool) -> Drift:
-        """The same as the material's drift."""
+        """Return the drift as the material package has it."""
         return Drift(
             kind=self.kind,
             rate=self.rate,
@@ -79,49 +81,53 @@ class LawDrift(Section):
 
 
 class LawSection(Section):
-    """The law of the tendon's material by unit length and area; see `MaterialLaw`.
+    """The law of the tendon's material, stress against strain; see `MaterialLaw`.
 
-    Read from values by key, from the name of a material or the path of a law file, or from values with either of these
-    under `based_on`.
+    It is read from values by key, from the name of a material or the path of a law file, or from values with either of
+    these under `based_on`.
     """
 
-    about: ClassVar[str] = "The law of the tendon's material by unit length and area; see `MaterialLaw`"
+    about: ClassVar[str] = "The law of the tendon's material, stress against strain; see `MaterialLaw`"
 
-    name: Annotated[str, Field(description="of the material")] = ""
-    linear_modulus: float = quantity(law_unit("modulus.linear"), "stress by strain", at_least=0)
-    quadratic_modulus: float = quantity(law_unit("modulus.quadratic"), "stress by strain squared", default=0.0)
-    cubic_modulus: float = quantity(law_unit("modulus.cubic"), "stress by strain cubed", default=0.0, at_least=0)
+    name: Annotated[str, Field(description="name of the material")] = ""
+    linear_modulus: float = quantity(law_unit("modulus.linear"), "stress per strain", at_least=0)
+    quadratic_modulus: float = quantity(law_unit("modulus.quadratic"), "stress per strain squared", default=0.0)
+    cubic_modulus: float = quantity(law_unit("modulus.cubic"), "stress per strain cubed", default=0.0, at_least=0)
     linear_viscosity: float | None = quantity(
-        law_unit("viscosity.linear"), "stress by strain rate", default=None, at_least=0
+        law_unit("viscosity.linear"), "stress per strain rate", default=None, at_least=0
     )
     quadratic_viscosity: float | None = quantity(
-        law_unit("viscosity.quadratic"), "stress by strain rate squared", default=None, at_least=0
+        law_unit("viscosity.quadratic"), "stress per strain rate squared", default=None, at_least=0
     )
     cubic_viscosity: float | None = quantity(
-        law_unit("viscosity.cubic"), "stress by strain rate cubed", default=None, at_least=0
+        law_unit("viscosity.cubic"), "stress per strain rate cubed", default=None, at_least=0
     )
     branches: Annotated[tuple[LawBranch, ...], Field(description="Maxwell branches")] = ()
     yield_strain: float | None = quantity(
-        law_unit("yield_strain"), "beyond it the resting length grows", default=None, above=0
+        law_unit("yield_strain"), "strain beyond which the resting length grows", default=None, above=0
     )
     residual_strain: float = quantity(
-        law_unit("residual_strain"), "by which the resting length has grown before", default=0.0, at_least=0
+        law_unit("residual_strain"), "strain by which the resting length has already grown", default=0.0, at_least=0
     )
     largest_strain: float | None = quantity(
-        law_unit("largest_strain"), "up to which it was measured", default=None, above=0
+        law_unit("largest_strain"), "largest strain of the measurements", default=None, above=0
     )
     lowest_strain_rate: float | None = quantity(
-        law_unit("lowest_strain_rate"), "from which on it was measured", default=None, above=0
+        law_unit("lowest_strain_rate"), "lowest strain rate of the measurements", default=None, above=0
     )
     highest_strain_rate: float | None = quantity(
-        law_unit("highest_strain_rate"), "up to which it was measured", default=None, above=0
+        law_unit("highest_strain_rate"), "highest strain rate of the measurements", default=None, above=0
     )
-    softening: Annotated[LawSoftening | None, Field(description="softening after the largest strain seen")] = None
+    softening: Annotated[
+        LawSoftening | None, Field(description="softening below the largest strain reached so far")
+    ] = None
 
-    stiffness_drift: Annotated[LawDrift | None, Field(description="of ln of every stress over the cycles")] = None
-    residual_strain_drift: Annotated[LawDrift | None, Field(description="of the residual strain over the cycles")] = (
-        None
-    )
+    stiffness_drift: Annotated[
+        LawDrift | None, Field(description="change of the logarithm of every stress over the cycles")
+    ] = None
+    residual_strain_drift: Annotated[
+        LawDrift | None, Field(description="change of the residual strain over the cycles")
+    ] = None
 
     @model_validator(mode="before")
     @classmethod
@@ -131,9 +137,9 @@ class LawSection(Section):
         if not isinstance(given, dict) or not isinstance(named := given.get("based_on"), str | MaterialLaw):
             return given
         material, si = tendon_material(named), bool(info.context and info.context.get("si"))
-        own = {key: value for key, value in given.items() if key != "based_on"}
-        _check_choice(material, own.get("linear_modulus"), si=si)
-        return law_tables(material, si=si) | own
+        values = {key: value for key, value in given.items() if key != "based_on"}
+        _check_choice(material, values.get("linear_modulus"), si=si)
+        return law_tables(material, si=si) | values
 
     @model_validator(mode="after")
     def _pulls(self) -> LawSection:
@@ -150,12 +156,12 @@ class LawSection(Section):
         return self
 
     def hash_values(self) -> dict[str, Any]:
-        """The values but for the name of the material."""
+        """Return all values except the name of the material."""
         return {key: value for key, value in super().hash_values().items() if key != "name"}
 
     @property
     def material(self) -> MaterialLaw:
-        """The same as the material's law."""
+        """The law as the material package has it."""
         viscosity = (self.linear_viscosity, self.quadratic_viscosity, self.cubic_viscosity)
         soft, stiffness, longer = self.softening, self.stiffness_drift, self.residual_strain_drift
         return MaterialLaw(
@@ -175,10 +181,10 @@ class LawSection(Section):
 
 
 def tendon_material(named: str | MaterialLaw) -> MaterialLaw:
-    """The material of a name or of the path of a law file, if a tendon can be made of it; a law as it is.
+    """Return the material law for a name or the path of a law file; return a law unchanged.
 
     Raises:
-        InputError: there is no such material, or it is for no tendon.
+        InputError: there is no such material, or no tendon can be made of it.
     """
     if isinstance(named, str) and named.strip().lower() == "none":
         raise InputError(
@@ -193,10 +199,10 @@ def tendon_material(named: str | MaterialLaw) -> MaterialLaw:
 
 
 def law_tables(material: MaterialLaw, *, si: bool) -> dict[str, Any]:
-    """The values of a material by the keys of `LawSection`; what is absent is left out, the moduli, too.
+    """Return the values of a material law by the keys of `LawSection`; absent values, also moduli, are left out.
 
     Args:
-        material: whose law it is.
+        material: the law.
         si: whether numbers are SI floats instead of text.
     """
     values: dict[str, Any] = {"name": material.name}
@@ -212,13 +218,13 @@ def law_tables(material: MaterialLaw, *, si: bool) -> dict[str, Any]:
         values[f"{name}_drift"] = {key: getattr(drift, key) for key in LawDrift.model_fields}
     if si:
         return values
-    # a law that needs a choice has no modulus yet
+    # a law whose modulus the design must choose has no modulus yet
     text = LawSection.model_validate({"linear_modulus": 1.0} | values, context={"si": True}).as_tables()
     return {name: value for name, value in text.items() if name in values}
 
 
 def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
-    """Refuse a linear modulus that is missing where a material has only a range, and one that is not in it."""
+    """Refuse a linear modulus that is missing, or outside the range, where a material has only a range."""
     if material.moduli is not None:
         return
     key = "linear_modulus"
@@ -232,7 +238,7 @@ def _check_choice(material: MaterialLaw, given: object, *, si: bool) -> None:
     reader = field_quantity(LawSection.model_fields[key])
     try:
         value = reader.read(given, in_si=si) if reader else None
-    except InputError:  # the field itself says what is wrong with it
+    except InputError:  # validation of the field reports the error
         return
     try:
         chosen(material, float(value or 0.0))

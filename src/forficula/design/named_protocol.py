@@ -69,13 +69,13 @@ class Drive:
 
 @dataclass(frozen=True, kw_only=True)
 class RestState:
-    """Where a protocol says that the structure rests.
+    """A named state in which the protocol expects the structure to rest.
 
     Attributes:
-        name: such as "folded".
-        goal: within which it deserves the name: a goal by name, or as text.
-        missed: what to call it otherwise, such as "not folded".
-        unknown: what to call it where nothing is to be trusted, such as "after folding".
+        name: name of the state, such as "folded".
+        goal: goal, by name or as text, that must hold for the state to have this name.
+        missed: name of the state if the goal does not hold, such as "not folded".
+        unknown: name of the state if the run is unreliable, such as "after folding".
     """
 
     name: str
@@ -86,16 +86,16 @@ class RestState:
 
 @dataclass(frozen=True, kw_only=True)
 class Wording:
-    """How sentences speak of a transition.
+    """Words for a transition in sentences.
 
     Attributes:
-        done: what it came to, such as "folded".
-        verb: such as "fold" in "did not fold".
-        doing: what goes on, such as "folding" in "still folding".
-        stays: state that must last, such as "folded" in "did not stay folded".
-        time: what its time is called, such as "fold time".
-        noun: what it is called itself, such as "folding" in "work of folding".
-        did: what it came to in a story of several, such as "opened again"; what it came to if empty.
+        done: outcome, such as "folded".
+        verb: verb, such as "fold" in "did not fold".
+        doing: progressive form, such as "folding" in "still folding".
+        stays: adjective of the state that must last, such as "folded" in "did not stay folded".
+        time: name of the duration, such as "fold time".
+        noun: name of the transition, such as "folding" in "work of folding".
+        did: outcome in a sentence about several transitions, such as "opened again"; `done` if empty.
     """
 
     done: str
@@ -108,28 +108,28 @@ class Wording:
 
     @property
     def does(self) -> str:
-        """What it does, such as "folds"."""
+        """The verb in the third person, such as "folds"."""
         first, *rest = self.verb.split(maxsplit=1)
         return " ".join([f"{first}s", *rest])
 
 
 @dataclass(frozen=True, kw_only=True)
 class Transition:
-    """A way to a named state: a drive, the goal that it is to reach, and what must be left of it when released.
+    """A transition to a named state: a drive, the goal to be reached, and the goal that must hold after release.
 
     Attributes:
-        name: of its own, such as "fold".
+        name: name of the transition, such as "fold".
         drive: name of the drive.
-        stage: number of the protocol's stage that drives it; None where the protocol has none.
+        stage: number of the protocol's stage with the drive; None where the protocol has no such stage.
         goal: name of the goal, or its text.
-        state: name of the state that it leads to.
-        released: the goal, by name or as text, that the state must keep where the stage was to reach the other one;
-            where it was not, the state must keep its own.
-        measure: name of the measure that tells how far it got.
-        kind: of that measure.
+        state: name of the state that the transition leads to.
+        released: goal, by name or as text, that the released state must keep if the stage reached `goal`; otherwise
+            the state must keep its own goal.
+        measure: name of the measure that shows the progress.
+        kind: kind of that measure.
         furthest: which of the measure's readings is furthest from the goal.
-        begun: reading beyond which it has begun for good; None where sentences do not tell how far it got.
-        wording: for sentences.
+        begun: reading beyond which the transition has begun irreversibly; None where sentences do not report progress.
+        wording: words for sentences.
     """
 
     name: str

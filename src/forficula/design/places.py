@@ -1,4 +1,4 @@
-"""Places on the veins, in the flat wing or anywhere in space: rows of the membrane's mesh."""
+"""Positions of the rows of the membrane's mesh on the veins, in the flat wing or in space."""
 
 from __future__ import annotations
 
@@ -14,15 +14,14 @@ Points = NDArray[np.float64]
 
 
 def mesh_rows(places: Sequence[Points], design: FanDesign) -> Points:
-    """Place the rows of the membrane's mesh on a vein.
+    """Compute the positions of the rows of the membrane's mesh on a vein.
 
     Args:
-        places: hub end of the vein, its ring vertices and its tip, from the hub outwards, in any unit of length,
-            (axis,) each.
-        design: the rows, in shares of the two lengths.
+        places: hub end of the vein, ring vertices and tip, from the hub outwards, in any unit of length, each (axis,).
+        design: design with the rows as shares of the two lengths.
 
     Returns:
-        Hub to tip, (row, axis); those of the ring folds follow the proximal ones, that of the tip comes last.
+        Positions from hub to tip, (row, axis): proximal rows, ring folds, distal rows, tip.
     """
     first, last = design.membrane.proximal_rows, design.membrane.distal_rows
     shares = [first, *[()] * (len(places) - 3), last]
@@ -35,20 +34,25 @@ def mesh_rows(places: Sequence[Points], design: FanDesign) -> Points:
 
 
 def row_bars(folds: int, design: FanDesign) -> list[int]:
-    """The bar of a vein across so many ring folds that lies between a row of the mesh and the next, (row - 1,)."""
+    """Return, for each interval between two rows of the mesh, the number of the bar on which it lies, (row - 1,).
+
+    Args:
+        folds: number of ring folds.
+        design: design with the rows.
+    """
     counts = [len(design.membrane.proximal_rows), *[1] * (folds - 1), len(design.membrane.distal_rows) + 1]
     return [bar for bar, count in enumerate(counts) for _ in range(count)]
 
 
-def margin_edge(here: Points, there: Points, design: FanDesign, along: Points | None = None) -> Points:
-    """Where a row of a panel leaves the margin on its vein, (axis,).
+def margin_edge(start: Points, end: Points, design: FanDesign, along: Points | None = None) -> Points:
+    """Compute the position at which a row of a panel leaves the margin on its vein, (axis,).
 
     Args:
-        here: on the axis of the vein, (axis,).
-        there: on that of the next one, (axis,).
-        design: how wide margins are.
-        along: unit vector to the edge, (axis,); without it, towards `there`.
+        start: point of the row on the axis of the vein, (axis,).
+        end: point of the row on the axis of the next vein, (axis,).
+        design: design with the width of the margins.
+        along: unit vector to the edge, (axis,); if not given, towards `end`.
     """
-    width = float(np.linalg.norm(there - here))
+    width = float(np.linalg.norm(end - start))
     margin = min(design.membrane.margin, design.membrane.margin_limit * width)
-    return np.asarray(here + (margin / width * (there - here) if along is None else margin * along))
+    return np.asarray(start + (margin / width * (end - start) if along is None else margin * along))

@@ -1,4 +1,4 @@
-"""Protocol: what is done to a structure, stage by stage, and what counts as done."""
+"""Protocol: the stages in which a structure is driven, and the criteria by which a run is judged."""
 
 from __future__ import annotations
 
@@ -14,31 +14,36 @@ from forficula.errors import InputError
 from forficula.names import one_of, shown_name
 from forficula.quantities import Unit, as_written, parse_quantity, show_quantity
 
-_WRITTEN = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
+_BOUND = re.compile(r"\s*(?P<name>[^<>=]+?)\s*(?P<relation>[<>])=?\s*(?P<value>[^<>=]+?)\s*")
 
-# s, a thousand million days: every leap is twice the last one at most, and a wait of 1e300 d would never end
+# s, a thousand million days: every step of a wait is at most twice the previous one, so 1e300 d would never end
 _LONGEST_WAIT = 1e9 * 86400
 
 
 class StageSection(Section):
-    """A part of the protocol: what drives the structure, and when it ends."""
+    """A stage of the protocol: the drives that act, and the goal that ends it."""
 
-    about: ClassVar[str] = "A part of the protocol: what drives the structure, and when it ends"
+    about: ClassVar[str] = "A stage of the protocol: the drives that act, and the goal that ends it"
 
     natural: ClassVar[tuple[str, ...]] = ("wait",)
 
-    name: Annotated[str, Field(min_length=1, description="what figures and tables call it")]
-    drive: Annotated[str | tuple[str, ...], Field(description="what acts: a drive by name, a list of them, or none")]
+    name: Annotated[str, Field(min_length=1, description="name of the stage in figures and tables")]
+    drive: Annotated[str | tuple[str, ...], Field(description="drive that acts, a list of drives, or none")]
     until: Annotated[
-        str, Field(description='goal that ends it: time, rest, one by name, or a bound such as "ring < -150 deg"')
+        str,
+        Field(description='goal that ends the stage: time, rest, a named goal, or a bound such as "ring < -150 deg"'),
     ]
-    state: Annotated[str | None, Field(description="what to call the state at its end", examples=["folded"])] = None
+    state: Annotated[
+        str | None, Field(description="name of the state at the end of the stage", examples=["folded"])
+    ] = None
     hold: float = quantity(TIME, "how long the goal must hold before the stage ends", default=0.0, at_least=0)
-    time_limit: float = quantity(TIME, "longest duration; of a stage with a wait, until it rests", above=0)
+    time_limit: float = quantity(
+        TIME, "longest duration of the stage; with a wait, the longest time until the structure rests", above=0
+    )
     wait: float | None = quantity(
         LONG_TIME,
-        "how long it stays at rest, which is not simulated step by step: tendons with Maxwell branches relax meanwhile;"
-        ' needs until = "rest"',
+        "how long the structure stays at rest while Maxwell branches of its tendons relax; this time is not simulated"
+        ' step by step; needs until = "rest"',
         default=None,
         at_least=0,
         at_most=_LONGEST_WAIT,
@@ -52,7 +57,7 @@ class StageSection(Section):
     @field_validator("drive", mode="before")
     @classmethod
     def _names_drives(cls, drive: object) -> object:
-        """Refuse what is no name and no list of names in one sentence; pydantic would have one for each."""
+        """Refuse a value that is neither a name nor a list of names, with one message instead of one for each type."""
         names = [drive] if isinstance(drive, str) else drive
         if not isinstance(names, list | tuple) or not names or not all(isinstance(name, str) for name in names):
             raise InputError(f'need a drive by name in quotes, a list of them, or "none", got {as_written(drive)}')
@@ -60,33 +65,33 @@ class StageSection(Section):
 
 
 class Protocol(Section):
-    """What is done to a structure, and what counts as done."""
+    """The stages in which the structure is driven, and the criteria by which a run is judged."""
 
-    about: ClassVar[str] = "What is done to a structure, and what counts as done"
+    about: ClassVar[str] = "The stages in which the structure is driven, and the criteria by which a run is judged"
 
     natural: ClassVar[tuple[str, ...]] = ("gravity",)
     later: ClassVar[tuple[str, ...]] = ("shortest_timestep",)
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
-        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
+        'step of the integrator, or "auto": halved until verdict and times converge and the energy balance closes',
         above=0,
         words=("auto",),
     )
     shortest_timestep: float | None = quantity(
         SHORT_TIME,
-        'shortest step that "auto" tries; without it, the first one halved eight times',
+        'shortest step that "auto" tries; if not given, the first one halved eight times',
         default=None,
         above=0,
         examples=["1 µs"],
     )
     sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", above=0)
-    rise: float = quantity(TIME, "time over which torques rise evenly from 0; 0: at once", default=0.0, at_least=0)
-    rest_speed: float = quantity(ANGULAR_SPEED, "at rest means that every hinge is slower", above=0)
+    rise: float = quantity(TIME, "time over which torques rise linearly from 0; 0: at once", default=0.0, at_least=0)
+    rest_speed: float = quantity(ANGULAR_SPEED, "speed below which a hinge counts as at rest", above=0)
     window: float = quantity(
         TIME,
-        "over which a state is averaged, as far as it rests; what rests so long short of its goal, and three times as"
-        " long as those of its tendons' Maxwell branches take to relax that are no slower than its stages, is stuck",
+        "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
+        " relaxation times of the slowest Maxwell branch that is no slower than the stages",
         above=0,
     )
     least_hold: Annotated[
@@ -94,7 +99,8 @@ class Protocol(Section):
         Field(
             strict=True,
             ge=0,
-            description="how long a goal must hold at least, by the time that it took; less is a bounce",
+            description="shortest time for which a goal must hold, divided by the time taken to reach it; anything"
+            " shorter is a bounce",
         ),
     ] = 0.25
     residual_limit: Annotated[
@@ -103,20 +109,21 @@ class Protocol(Section):
             strict=True,
             gt=0,
             le=1,
-            description="largest share of the energy that was exchanged that may be missing in a run to be trusted",
+            description="largest residual of the energy balance, as a share of the exchanged energy; above it the"
+            " verdict is untrusted",
         ),
     ] = 0.005
-    gravity: float = quantity(ACCELERATION, "gravity across the sheet, downwards where it lies flat; 0 switches it off")
+    gravity: float = quantity(ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off")
     contact: Annotated[bool, Field(strict=True, description="whether bodies touch each other")]
-    stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="what happens, in order")]
+    stages: Annotated[tuple[StageSection, ...], Field(min_length=1, description="stages of the protocol, in order")]
 
 
 @dataclass(frozen=True, kw_only=True)
 class GoalText:
-    """A bound as it is written.
+    """A bound as text, split into its three terms.
 
     Attributes:
-        name: of a measure or of the role of hinges.
+        name: name of a measure or role of hinges.
         relation: "<" or ">".
         value: a quantity with its unit.
     """
@@ -127,28 +134,28 @@ class GoalText:
 
 
 def read_goal(text: str) -> GoalText | None:
-    """Take a written bound apart; None where it is none."""
-    found = _WRITTEN.fullmatch(text)
-    return None if found is None else GoalText(**found.groupdict())
+    """Split a bound into its terms; return None for text that is not a bound."""
+    match = _BOUND.fullmatch(text)
+    return None if match is None else GoalText(**match.groupdict())
 
 
 def stage_drives(stage: StageSection) -> tuple[str, ...]:
-    """Names of the drives of a stage."""
+    """Return the names of the drives of a stage."""
     names = (stage.drive,) if isinstance(stage.drive, str) else stage.drive
     return tuple(name for name in names if name != "none")
 
 
 def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str], measures: dict[str, Unit]) -> None:
-    """Refuse stages that name no drive or no goal.
+    """Refuse stages with an unknown drive or goal.
 
     Args:
-        protocol: with the stages.
-        drives: names that a stage may give, but for "none".
-        goals: names that it may give, but for "time" and "rest".
-        measures: what it may bound, and in which unit.
+        protocol: protocol with the stages.
+        drives: allowed names of drives, besides "none".
+        goals: allowed names of goals, besides "time" and "rest".
+        measures: names that a bound may have, with their units.
 
     Raises:
-        InputError: a name that is not known, or a bound that cannot be read.
+        InputError: an unknown name, or a bound that cannot be read.
     """
     for number, stage in enumerate(protocol.stages):
         names = stage_drives(stage)
@@ -158,15 +165,15 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
             if names.count(name) > 1:
                 raise InputError(f"protocol.stages.{number}.drive: need each drive once, got {as_written(stage.drive)}")
         if stage.wait and stage.until != "rest":
-            rule = 'need until = "rest", for it waits at rest'
+            rule = 'need until = "rest", because a wait begins at rest'
             raise InputError(f"protocol.stages.{number}.wait: {rule}, got until = {as_written(stage.until)}")
         if stage.wait and stage.wait <= protocol.window:
-            least = f"need > {show_quantity(protocol.window, TIME)}, the protocol.window of a state, or none"
+            least = f"need > {show_quantity(protocol.window, TIME)}, which is protocol.window, or no wait"
             raise InputError(f"protocol.stages.{number}.wait: {least}, got {show_quantity(stage.wait, TIME)}")
         if stage.until in ("time", "rest", *goals):
             continue
         key, written = f"protocol.stages.{number}.until", read_goal(stage.until)
-        # the value may stand first, which is no bound either
+        # a bound whose value comes first is not allowed either
         if written is None or written.value in measures:
             bound = f'a bound such as "{next(iter(measures))} < -150 deg"'
             raise InputError(f"{key}: need {one_of(['time', 'rest', *goals], stage.until, [bound])}")
@@ -179,36 +186,36 @@ def check_stages(protocol: Protocol, drives: Sequence[str], goals: Sequence[str]
 
 
 def check_states(protocol: Protocol, states: Sequence[str]) -> None:
-    """Refuse stages that call their end something there is not, or two ends the same.
+    """Refuse stages with an unknown state, and two stages with the same state.
 
     Args:
-        protocol: with the stages.
-        states: names that a stage may give.
+        protocol: protocol with the stages.
+        states: allowed names of states.
 
     Raises:
-        InputError: another name, or one that comes twice.
+        InputError: an unknown name, or a repeated one.
     """
-    given: list[str] = []
+    previous: list[str] = []
     for number, stage in enumerate(protocol.stages):
         if stage.state is None:
             continue
         key = f"protocol.stages.{number}.state"
         if stage.state not in states:
             raise InputError(f"{key}: need {one_of(states, stage.state)}")
-        if stage.state in given:
+        if stage.state in previous:
             raise InputError(f"{key}: need a name of its own, got {as_written(stage.state)} again")
-        given.append(stage.state)
+        previous.append(stage.state)
 
 
 def check_bounds(protocol: Protocol, stops: dict[str, tuple[float, float]]) -> None:
-    """Refuse bounds on angles that stops keep hinges from.
+    """Refuse bounds on angles that the stops of hinges make unreachable.
 
     Args:
-        protocol: its stages have been checked by `check_stages`.
-        stops: rad, the least and the largest angle of what a stage may bound; what is not there has no stops.
+        protocol: protocol whose stages have been checked by `check_stages`.
+        stops: smallest and largest angle, rad, by the name that a bound may have; other names have no stops.
 
     Raises:
-        InputError: which stage, and what it may bound.
+        InputError: a bound beyond a stop.
     """
     for number, stage in enumerate(protocol.stages):
         written = read_goal(stage.until)
@@ -217,10 +224,10 @@ def check_bounds(protocol: Protocol, stops: dict[str, tuple[float, float]]) -> N
 
 
 def check_bound(key: str, written: GoalText, low: float, high: float, *, whose: str) -> None:
-    """Refuse a bound on an angle, between its stops in rad, that they keep from being met."""
+    """Refuse a bound on an angle that cannot be met between the stops `low` and `high`, rad."""
     value, above = parse_quantity(written.value, ANGLE), written.relation == ">"
     if value > high if above else value < low:
         bound = f"<= {show_quantity(high, ANGLE)}" if above else f">= {show_quantity(low, ANGLE)}"
         raise InputError(
-            f"{key}: a stop keeps {whose} from there: need a value {bound}, got {show_quantity(value, ANGLE)}"
+            f"{key}: a stop keeps {whose} from reaching it: need a value {bound}, got {show_quantity(value, ANGLE)}"
         )

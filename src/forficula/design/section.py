@@ -1,4 +1,4 @@
-"""What sections of a design are made of: fields with units, checked, that read as text and are SI inside."""
+"""The base class of sections of a design, and fields with units: text in files, checked, SI inside."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ ACCELERATION = Unit(display="m/s^2", si="m/s^2", example="9.81 m/s^2")
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
-    """How a field with a unit is read: text with a unit into an SI float within bounds (SI, too)."""
+    """Reader of a field with a unit: converts text with a unit to an SI float within bounds, also SI."""
 
     unit: Unit
     above: float = -math.inf
@@ -60,7 +60,7 @@ class Quantity:
         raise InputError(f"need {sign} {show_quantity(bound, self.unit) if bound else 0}, got {got}")
 
     def _broken_rule(self, number: float) -> tuple[str, float] | None:
-        """The first bound that a number is beyond, with its sign; None where there is none."""
+        """Return the first bound that a number violates, with its sign; None if it violates none."""
         if not number > self.above:
             return ">", self.above
         if not number >= self.at_least:
@@ -70,7 +70,7 @@ class Quantity:
         return None if number <= self.at_most else ("<=", self.at_most)
 
     def parse(self, value: object) -> float:
-        """Read text with a unit, whatever the bounds; raise InputError where it is none."""
+        """Read text with a unit, regardless of the bounds; raise InputError where it is not a quantity."""
         try:
             return parse_quantity(value, self.unit)
         except InputError as error:
@@ -78,7 +78,7 @@ class Quantity:
             raise InputError(f"{error}{words}") from None
 
     def __call__(self, schema: dict[str, Any]) -> None:
-        """Tell the JSON schema that the field is text with a unit, or a list of such text."""
+        """Declare the field in the JSON schema as text with a unit, or a list of such text."""
         schema.pop("anyOf", None)
         if schema.get("type") == "array":
             schema["items"] = {"type": "string", "examples": [self.unit.example]}
@@ -95,34 +95,34 @@ def quantity(
     examples: list[Any] | None = None,
     **bounds: float,
 ) -> Any:
-    """A field that `Quantity` reads, required without a default; one that may be absent has None.
+    """Define a field that `Quantity` reads; it is required without a default, and may be absent if that is None.
 
-    A field of a tuple of floats is a list, each entry of which is read so. Without examples the unit's is one.
+    Each entry of a tuple of floats is read in the same manner. Without examples, the example of the unit is used.
     """
     read = Quantity(unit=unit, words=words, **bounds)
     return Field(default, description=description, examples=examples, json_schema_extra=read)
 
 
 def field_quantity(field: FieldInfo) -> Quantity | None:
-    """How a field is read, or None where it has no unit."""
+    """Return the reader of a field, or None if the field has no unit."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Quantity) else None
 
 
 class Section(BaseModel):
     """A section of a design file: frozen, no unknown keys."""
 
-    # what was worked out of it, which a slot keeps out of copies, of comparisons and of what is sent elsewhere
-    __slots__ = ("_worked_out",)
+    # cached results; a slot keeps them out of copies, comparisons and pickles
+    __slots__ = ("_cache",)
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
-    # what it is, in a line, for pages and new files: as its docstring, which Python may leave out
+    # one line for pages and new files, equal to the docstring, which Python may omit (-OO)
     about: ClassVar[str] = ""
-    # over tables of it; without one its key is
+    # heading of tables of the section; its key if empty
     heading: ClassVar[str] = ""
-    # keys that came later, which count where they are not their defaults: designs keep the hashes that they had
+    # keys that were added later: they enter the hash only if they differ from their defaults, so old hashes stay valid
     later: ClassVar[tuple[str, ...]] = ()
-    # keys of what no size of a structure changes: how a material relaxes, and what acts everywhere
+    # keys whose values do not scale with the size of a structure: relaxation of materials, gravity, machines
     natural: ClassVar[tuple[str, ...]] = ()
 
     @field_validator("*", mode="before")
@@ -138,7 +138,7 @@ class Section(BaseModel):
         return _read_list(reader, value, in_si=in_si) if is_list(field) else reader.read(value, in_si=in_si)
 
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
-        """The part as TOML tables, quantities as exact text unless written otherwise; what is absent is left out."""
+        """Return the section as TOML tables without absent values; `write` formats quantities, by default exactly."""
         tables: dict[str, Any] = {}
         for name, reader in _readers(type(self)).items():
             value = getattr(self, name)
@@ -158,23 +158,23 @@ class Section(BaseModel):
         return tables
 
     def si_tables(self) -> dict[str, Any]:
-        """The part as tables with SI floats; made once, and not to be changed."""
+        """Return the section as tables with SI floats; the result is cached and must not be changed."""
         tables: dict[str, Any] = self.once("tables", lambda: self.as_tables(in_si))
         return tables
 
-    def once(self, what: str, make: Callable[[], Any]) -> Any:
-        """What is made of a part, by what it is called; made once, for a part is frozen."""
+    def once(self, name: str, make: Callable[[], Any]) -> Any:
+        """Return a cached result by its name; compute it at the first call, since a section is frozen."""
         try:
-            made: dict[str, Any] = object.__getattribute__(self, "_worked_out")
+            cached: dict[str, Any] = object.__getattribute__(self, "_cache")
         except AttributeError:
-            made = {}
-            object.__setattr__(self, "_worked_out", made)
-        if what not in made:
-            made[what] = make()
-        return made[what]
+            cached = {}
+            object.__setattr__(self, "_cache", cached)
+        if name not in cached:
+            cached[name] = make()
+        return cached[name]
 
     def hash_values(self) -> dict[str, Any]:
-        """The values that tell it from others, SI, as plain data; what is absent is left out."""
+        """Return the values that enter the hash, SI, as plain data; absent values are left out."""
         values: dict[str, Any] = {}
         defaults = {name: type(self).model_fields[name].default for name in self.later}
         for name in _readers(type(self)):
@@ -189,27 +189,27 @@ class Section(BaseModel):
 
 
 def in_si(value: float, _: Unit) -> float:
-    """A value of tables that are SI."""
+    """Return a value unchanged, as tables in SI have it."""
     return value
 
 
-def _tables(part: Section, write: Callable[[float, Unit], object]) -> dict[str, Any]:
-    return part.si_tables() if write is in_si else part.as_tables(write)
+def _tables(section: Section, write: Callable[[float, Unit], object]) -> dict[str, Any]:
+    return section.si_tables() if write is in_si else section.as_tables(write)
 
 
-def _hash_values(part: Section) -> dict[str, Any]:
-    values: dict[str, Any] = part.once("hash values", part.hash_values)
+def _hash_values(section: Section) -> dict[str, Any]:
+    values: dict[str, Any] = section.once("hash values", section.hash_values)
     return values
 
 
-@cache  # asked for every field of every section of every design that is read or changed
-def _readers(part: type[Section]) -> dict[str, Quantity | None]:
-    """How each field of a part is read, None where it has no unit."""
-    return {name: field_quantity(field) for name, field in part.model_fields.items()}
+@cache  # called for every field of every section of every design that is read or changed
+def _readers(section: type[Section]) -> dict[str, Quantity | None]:
+    """Return the reader of each field of a section, None for a field without a unit."""
+    return {name: field_quantity(field) for name, field in section.model_fields.items()}
 
 
 def is_list(field: FieldInfo) -> bool:
-    """Whether a field holds a list."""
+    """Whether a field is a list."""
     return get_origin(field.annotation) is tuple
 
 

@@ -1,4 +1,4 @@
-"""The protocol of a sheet by names: what its drives act on, and the states and transitions that its stages lead to."""
+"""The protocol of a sheet by names: its drives with what they act on, its states and its transitions."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def sheet_protocol(design: SheetDesign) -> NamedProtocol:
 
 
 def _is_bound(stage: StageSection) -> bool:
-    """Whether a stage ends at bounds on what is watched."""
+    """Whether a stage ends at a goal on measures, not at a time or at rest."""
     return stage.until not in ("time", "rest")
 
 
@@ -88,14 +88,14 @@ def _transitions(design: SheetDesign) -> tuple[Transition, ...]:
                 kind="distance" if measure in distances else "angle",
                 furthest="smallest" if written is None or written.relation == ">" else "largest",
                 begun=None,
-                wording=_wording(state, " and ".join([*(each.state for each in transitions), state])),
+                wording=_wording(state, " and ".join([*(transition.state for transition in transitions), state])),
             )
         )
     return tuple(transitions)
 
 
 def _states(stages: Sequence[StageSection]) -> tuple[RestState, ...]:
-    """Return the states at the ends of stages: the goal of each is that of the last driven stage, or none before it."""
+    """Return the states at the ends of stages; the goal of each is that of the last driven stage, or "time"."""
     states: list[RestState] = []
     goal, last = "time", ""
     for stage in stages:
@@ -114,7 +114,7 @@ def _states(stages: Sequence[StageSection]) -> tuple[RestState, ...]:
 
 
 def _state_after(stages: Sequence[StageSection], number: int) -> str | None:
-    """Return the state that a driven stage leads to: its own, or that of the release after it."""
+    """Return the state that a driven stage leads to: its own state, or that of a release that follows."""
     stage = stages[number]
     if stage.state is not None or number + 1 == len(stages) or stage_drives(stages[number + 1]):
         return stage.state

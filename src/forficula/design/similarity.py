@@ -1,4 +1,4 @@
-"""Designs in other units, and designs scaled in size: both multiply every value by its dimension's powers."""
+"""Designs in other units and designs scaled in size: both multiply each value according to its dimension."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from forficula.design.section import Quantity, Section, field_quantity
 from forficula.errors import InputError
 from forficula.quantities import as_written, dimension, show_quantity
 
-_Part = TypeVar("_Part", bound=Section)
+_SectionOf = TypeVar("_SectionOf", bound=Section)
 
-# beyond atoms and mountains; within, a fifth power is a float
+# smaller than atoms, larger than mountains; within this range a fifth power is a float
 _SMALLEST, _LARGEST = 1e-9, 1e9
 
 
@@ -29,28 +29,28 @@ def in_units(design: Design, *, length: float, mass: float, time: float) -> Desi
         time: the new unit of time, s.
 
     Returns:
-        The same design, its numbers in the new units. It is not checked again: the bounds are SI.
+        The same design with its numbers in the new units. It is not checked again, because the bounds are SI.
 
     Raises:
-        InputError: a number in these units is beyond those that can be computed with.
+        InputError: a number in these units is not finite.
     """
     return _rescaled(design.settled(), length, mass, time, f"{design.name}: ")
 
 
 def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> Design:
-    """Scale a structure's size at fixed modulus and density, with all that makes it move alike.
+    """Scale the size of a structure at fixed modulus and density, so that its motion is geometrically similar.
 
-    Stiffness goes with the factor, energy and torque with its cube, inertia with its fifth power, time with the factor
-    itself, so that the tips are as fast as before (dimensional analysis; Ilton et al. 2018, arXiv 1711.04920, measured
-    that speed).
+    Stiffness and time are proportional to the factor, energy and torque to its cube, inertia to its fifth power. The
+    speed of the tips does not change (dimensional analysis; Ilton et al. 2018, arXiv 1711.04920, measured that speed).
 
     Args:
-        design: or its name or path.
-        factor: size of the new structure by that of the old.
-        natural: whether what no size changes is left as it is: gravity, and how fast materials relax.
+        design: the design, its name or its path.
+        factor: size of the new structure divided by that of the old one.
+        natural: whether quantities that do not depend on size keep their values: gravity and relaxation times.
 
     Returns:
-        The scaled design; in t / time scale its motion is the same, or, if natural, the same but for what that does.
+        The scaled design. In scaled time its motion is the same, except for effects of quantities that `natural`
+        leaves unchanged.
 
     Raises:
         InputError: no such design, the factor is not between 1e-9 and 1e9, or a value leaves its bounds.
@@ -62,31 +62,33 @@ def scale_design(design: AnyDesign, factor: float, *, natural: bool = False) -> 
     if not design.has_stops_of_bodies:
         scaled = scaled.model_copy(update={"stops": design.stops})
     if natural:
-        # what a rule chooses is no material's, and goes by the rule
+        # a value that a rule chooses is not a property of a material, so it is scaled
         scaled = _with_natural(scaled, design.settled(), {(choice.section, choice.key) for choice in design.chosen})
-    told = scaled_source(design.name, design.source, factor)
-    return with_values(scaled, {"name": f"{design.name}-x{factor:g}", "source": told})
+    source = scaled_source(design.name, design.source, factor)
+    return with_values(scaled, {"name": f"{design.name}-x{factor:g}", "source": source})
 
 
-def _with_natural(scaled: _Part, original: _Part, but: Collection[tuple[str, str]], section: str = "") -> _Part:
-    """A scaled part whose values that no size changes are those of the original, but for some of its sections."""
+def _with_natural(
+    scaled: _SectionOf, original: _SectionOf, scaled_keys: Collection[tuple[str, str]], section: str = ""
+) -> _SectionOf:
+    """Return a scaled section with the natural values of the original, except for keys that are to stay scaled."""
     changes: dict[str, Any] = {}
     for name in type(scaled).model_fields:
         value, before = getattr(scaled, name), getattr(original, name)
         if name in type(scaled).natural:
-            changes[name] = value if (section, name) in but else before
+            changes[name] = value if (section, name) in scaled_keys else before
         elif isinstance(value, Section):
-            changes[name] = _with_natural(value, before, but, name)
+            changes[name] = _with_natural(value, before, scaled_keys, name)
         elif isinstance(value, tuple):
             changes[name] = tuple(
-                _with_natural(entry, own, but, name) if isinstance(entry, Section) else entry
-                for entry, own in zip(value, before, strict=True)
+                _with_natural(entry, entry_before, scaled_keys, name) if isinstance(entry, Section) else entry
+                for entry, entry_before in zip(value, before, strict=True)
             )
     return scaled.model_copy(update=changes)
 
 
-def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str = "") -> _Part:
-    """The part in other units; raise InputError where a number is none in these."""
+def _rescaled(section: _SectionOf, length: float, mass: float, time: float, prefix: str = "") -> _SectionOf:
+    """Return the section in other units; raise InputError where a number is not finite in these units."""
 
     def converted(value: float, quantity: Quantity, key: str) -> float:
         by_length, by_mass, by_time = dimension(quantity.unit)
@@ -98,8 +100,8 @@ def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str 
         return changed
 
     changes: dict[str, Any] = {}
-    for name, field in type(part).model_fields.items():
-        value, quantity = getattr(part, name), field_quantity(field)
+    for name, field in type(section).model_fields.items():
+        value, quantity = getattr(section, name), field_quantity(field)
         if isinstance(value, Section):
             changes[name] = _rescaled(value, length, mass, time, f"{prefix}{name}.")
         elif isinstance(value, tuple):
@@ -113,4 +115,4 @@ def _rescaled(part: _Part, length: float, mass: float, time: float, prefix: str 
             )
         elif quantity is not None and isinstance(value, float):
             changes[name] = converted(value, quantity, f"{prefix}{name}")
-    return part.model_copy(update=changes)
+    return section.model_copy(update=changes)

@@ -1,4 +1,4 @@
-"""How stops, length limits and contacts give way: springs and dampers whose parameters no timestep changes."""
+"""Compliance of stops, length limits and contacts: springs and dampers that do not depend on the timestep."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pydantic import Field
 
 from forficula.design.section import SHORT_TIME, Section, quantity
 
-# [chosen] with this one the openings of the reference wing converge in the timestep; with 0.4 ms one of five does not
+# [chosen] at 1 ms, opening of the reference wing converges with the timestep; at 0.4 ms one case of five does not
 _TIME_CONSTANT = 1e-3  # s
 
 
@@ -20,8 +20,8 @@ class StopSection(Section):
 
     time_constant: float = quantity(
         SHORT_TIME,
-        "time constant T of a stop or a guard tendon: it pushes back like a spring and a damper that decay in T;"
-        " a stop that is met at a speed v yields by about 0.37 v T",
+        "time constant T of a stop or a guard tendon, a critically damped spring: at an impact speed v it deflects by"
+        " about 0.37 v T",
         default=_TIME_CONSTANT,
         above=0,
         examples=["2 ms"],
@@ -32,6 +32,6 @@ class StopSection(Section):
             strict=True,
             gt=0,
             le=1,
-            description="share of critical damping; 1: the rebound has 0.14 of the speed of the impact",
+            description="share of critical damping; at 1 the rebound has 0.14 of the impact speed",
         ),
     ] = 1.0

@@ -1,4 +1,4 @@
-"""The sections of a design for tendons, and the law that they come to."""
+"""Sections of a design for tendons, and the tendon law that results."""
 
 from __future__ import annotations
 
@@ -15,32 +15,32 @@ from forficula.material.law.material_law import scaled
 from forficula.material.law.tendon_law import TendonLaw
 from forficula.quantities import show_quantity
 
-# by what follows from a law, what to set instead
+# by keys that follow from a law, the keys to set instead
 _FOLLOWING = {
     "stiffness": "tendon.area or tendon.law.linear_modulus",
     "damping": "tendon.area or tendon.law.linear_viscosity",
 }
-# what is given by hand is what follows, but for how it was written
+# largest relative difference between a given value and the one that follows from a law: rounding of text
 _ROUNDING = 1e-9
 
 
 class ElasticTendon(Section):
-    """What pulls: a spring with a damper, or the law of a material."""
+    """A pull-only tendon: a spring with a damper, or the law of a material."""
 
-    about: ClassVar[str] = "What pulls: a spring with a damper, or the law of a material"
+    about: ClassVar[str] = "A pull-only tendon: a spring with a damper, or the law of a material"
 
-    # keys that one without a law must have
+    # keys that a tendon without a law must have
     needed: ClassVar[tuple[str, ...]] = ("stiffness", "damping")
     natural: ClassVar[tuple[str, ...]] = ("law",)
     later: ClassVar[tuple[str, ...]] = ("pushes_when_slack",)
 
     stiffness: float | None = quantity(
-        STIFFNESS, "force by extension beyond the resting length", default=None, at_least=0
+        STIFFNESS, "force per extension beyond the resting length", default=None, at_least=0
     )
-    rest_length: float = quantity(LENGTH, "length below which it does not pull", at_least=0)
+    rest_length: float = quantity(LENGTH, "length below which the tendon is slack", at_least=0)
     damping: float | None = quantity(
         TENDON_DAMPING,
-        "viscous damping while it is taut; spring and damper together never push",
+        "viscous damping while the tendon is taut; spring and damper together never push",
         default=None,
         at_least=0,
     )
@@ -48,52 +48,53 @@ class ElasticTendon(Section):
         bool,
         Field(
             strict=True,
-            description="whether its damping and Maxwell branches act when it is slack, too, and push, as a strut's do",
+            description="whether damping and Maxwell branches also act, and push, while the tendon is slack, as in a"
+            " strut",
         ),
     ] = False
-    area: float | None = quantity(AREA, "cross-section; with a law or a density", default=None, above=0)
+    area: float | None = quantity(AREA, "cross-section; needed with a law or a density", default=None, above=0)
     law: Annotated[
         LawSection | None,
         Field(
-            description="a material, or a law file, instead of stiffness and damping; with an area",
+            description="material or law file that replaces stiffness and damping; needs an area",
             examples=["tpu-82a"],
         ),
     ] = None
 
     @property
     def weighs(self) -> bool:
-        """Whether it has a mass."""
+        """Whether the tendon has a mass."""
         return False
 
     @model_validator(mode="after")
     def _spring_or_law(self) -> Self:
-        """Keep the law alone where stiffness and damping are given, too, and agree with it."""
+        """Drop stiffness and damping where they agree with a law that is also given."""
         if self.law is None:
             if self.area is not None and not self.weighs:
                 raise InputError(
-                    "area: needs tendon.law, which gives force by area; give a law, too, or tendon.stiffness instead"
+                    "area: needs tendon.law, which gives force per area; also give a law, or tendon.stiffness instead"
                 )
             for key in self.needed:
                 if getattr(self, key) is None:
                     raise InputError(f"{key}: is missing")
             return self
         if self.area is None:
-            raise InputError(f'area: is missing; tendon.law gives force by area, so give one such as "{AREA.example}"')
+            raise InputError(f'area: is missing; tendon.law gives force per area, so give one such as "{AREA.example}"')
         if self.rest_length == 0:
             raise InputError(
-                "rest_length: need > 0 with tendon.law, for strain is extension by resting length, got 0 cm"
+                "rest_length: need > 0 with tendon.law, because strain is extension per resting length, got 0 cm"
             )
         for key, follows in small_extension(self).items():
-            given, reader = getattr(self, key), field_quantity(type(self).model_fields[key])
-            if given is not None and reader is not None and not math.isclose(given, follows, rel_tol=_ROUNDING):
+            value, reader = getattr(self, key), field_quantity(type(self).model_fields[key])
+            if value is not None and reader is not None and not math.isclose(value, follows, rel_tol=_ROUNDING):
                 raise InputError(
                     f"{key}: follows from tendon.law, {show_quantity(follows, reader.unit)}; set {_FOLLOWING[key]}"
-                    f" instead, got {show_quantity(given, reader.unit)}"
+                    f" instead, got {show_quantity(value, reader.unit)}"
                 )
         return self.model_copy(update=dict.fromkeys(_FOLLOWING))
 
     def hash_values(self) -> dict[str, Any]:
-        """The values that tell it from others, with the stiffness and the damping that follow from a law."""
+        """Return the values that enter the hash, with the stiffness and the damping that follow from a law."""
         return super().hash_values() | small_extension(self)
 
 
@@ -110,24 +111,29 @@ class TendonSection(ElasticTendon):
 
     density: float = quantity(
         DENSITY,
-        "mass by volume; its ends carry that of its area and resting length by halves",
+        "density; the mass, from area and resting length, is divided equally between the two ends",
         default=0.0,
         at_least=0,
     )
-    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the ring fold", above=0)
-    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the ring fold", above=0)
+    proximal_attachment: float = quantity(LENGTH, "distance from the ring fold to the end on the proximal bar", above=0)
+    distal_attachment: float = quantity(LENGTH, "distance from the ring fold to the end on the distal bar", above=0)
     proximal_offset: float = quantity(
-        LENGTH, "how far that end stands off the proximal bar's axis, towards the overbend side", default=0.0
+        LENGTH,
+        "distance of the end on the proximal bar from the bar's axis, normal to the sheet, positive towards the"
+        " overbend side",
+        default=0.0,
     )
-    distal_offset: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+    distal_offset: float = quantity(LENGTH, "the same for the end on the distal bar", default=0.0)
     proximal_aside: float = quantity(
-        LENGTH, "how far its end on the proximal bar lies beside the bar's axis, towards the next vein", default=0.0
+        LENGTH,
+        "distance of the end on the proximal bar from the bar's axis, in the sheet, positive towards the next vein",
+        default=0.0,
     )
-    distal_aside: float = quantity(LENGTH, "alike, of its end on the distal bar", default=0.0)
+    distal_aside: float = quantity(LENGTH, "the same for the end on the distal bar", default=0.0)
 
     @property
     def weighs(self) -> bool:
-        """Whether it has a mass."""
+        """Whether the tendon has a mass."""
         return self.density > 0
 
     @model_validator(mode="after")
@@ -138,21 +144,21 @@ class TendonSection(ElasticTendon):
 
     @property
     def mass(self) -> float:
-        """Of all of it, in the design's unit."""
+        """Mass of the tendon, in the design's unit."""
         return self.density * (self.area or 0.0) * self.rest_length
 
 
 def check_on_bars(key: str, tendon: TendonSection, proximal_length: float, distal_length: float) -> None:
-    """Refuse a tendon that does not end on its bars, which are so long, m.
+    """Refuse a tendon that does not end on its bars.
 
     Args:
-        key: of the tendon, such as "tendon.1".
-        tendon: across a distal hinge.
-        proximal_length: of the bar up to the hinge.
-        distal_length: of that beyond it.
+        key: key of the tendon, such as "tendon.1".
+        tendon: tendon across a distal hinge.
+        proximal_length: length of the bar up to the hinge, m.
+        distal_length: length of the bar beyond the hinge, m.
 
     Raises:
-        InputError: which end, and what is allowed.
+        InputError: an end beyond its bar.
     """
     for end, length in (("proximal", proximal_length), ("distal", distal_length)):
         attachment, bar = getattr(tendon, f"{end}_attachment"), show_quantity(length, LENGTH)
@@ -161,19 +167,19 @@ def check_on_bars(key: str, tendon: TendonSection, proximal_length: float, dista
                 f"{key}.{end}_attachment: lies beyond the bar: need <= pattern.{end}_length,"
                 f" {bar}, got {show_quantity(attachment, LENGTH)}"
             )
-        for way in ("offset", "aside"):
-            if abs(value := getattr(tendon, f"{end}_{way}")) > length:
+        for direction in ("offset", "aside"):
+            if abs(value := getattr(tendon, f"{end}_{direction}")) > length:
                 raise InputError(
-                    f"{key}.{end}_{way}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
+                    f"{key}.{end}_{direction}: need >= -{bar} and <= {bar}, pattern.{end}_length,"
                     f" got {show_quantity(value, LENGTH)}"
                 )
 
 
 def tendon_law(tendon: ElasticTendon) -> TendonLaw:
-    """The law of a tendon, in its units, whatever they are; linear, with linear damping, where it names no material.
+    """Return the law of a tendon in the units of its section; linear with linear damping where no material is named.
 
     Raises:
-        InputError: the law gives no number that can be computed with.
+        InputError: the law gives a number that is not finite.
     """
     if tendon.law is not None and tendon.area is not None:
         law = scaled(tendon.law.material, length=tendon.rest_length, area=tendon.area)
@@ -187,7 +193,7 @@ def tendon_law(tendon: ElasticTendon) -> TendonLaw:
 
 
 def small_extension(tendon: ElasticTendon) -> dict[str, float]:
-    """Stiffness and damping of a tendon where it is hardly stretched: with a law E1 A / L and eta1 A / L."""
+    """Compute stiffness and damping of a tendon at small extension: with a law, E1 A / L and eta1 A / L."""
     if tendon.law is None:
         return {"stiffness": tendon.stiffness or 0.0, "damping": tendon.damping or 0.0}
     law = tendon_law(tendon)

@@ -1,4 +1,4 @@
-"""What tensile tests say of a material: its cycles, its moduli, how they drift, and its law."""
+"""Characterisation of a material by tensile tests: its cycles, moduli, their drift, and its law."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ LENGTH = Unit(display="mm", si="m", example="60 mm")
 AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
 BAND_SHARE = Unit(display="%", si="dimensionless", example="5 %")
 SIMULATED_STIFFNESSES = (1000.0, 6000.0)  # N/m: 10 to 60 N/cm, Binder et al. 2025
-_FEWEST_CYCLES = 3  # that tell a drift
+_FEWEST_CYCLES = 3  # least number of cycles that determine a drift
 _FEWEST_SPECIMENS = 3  # ISO 37
-_POOR_FIT = 0.05  # of the largest stress
-_SAME_SIZE = 0.01
-_ONE_RATE = 1.05  # ratio of fast to slow
+_POOR_FIT = 0.05  # share of the largest stress
+_SAME_SIZE = 0.01  # largest relative difference between sizes that count as equal
+_ONE_RATE = 1.05  # largest ratio of two strain rates that count as one
 
-# relative ones drift by a factor
+# functions of a cycle, and whether the drift is relative, that is, a factor
 DRIFTING: dict[str, tuple[Callable[[Cycle], float], bool]] = {
     "peak_stress": (lambda cycle: cycle.secant_modulus * cycle.largest_strain, True),
     "loss": (lambda cycle: cycle.loss, True),
@@ -50,9 +50,9 @@ class Specimen:
     """One specimen and its cycles.
 
     Attributes:
-        test: as the machine recorded it.
-        cycles: that count.
-        left_out: the first cycle, where it does not count.
+        test: test as the machine recorded it.
+        cycles: cycles that are evaluated.
+        left_out: the first cycle, if it is not evaluated.
     """
 
     test: Annotated[TensileTest, Written.BESIDE]
@@ -61,7 +61,7 @@ class Specimen:
 
     @property
     def strain_rate(self) -> Annotated[float, Unit("1/s")]:
-        """Median over the samples of loading and unloading, 1/s."""
+        """Median of the mean strain rates of loading and unloading, 1/s."""
         branches = [branch for cycle in self.cycles for branch in (cycle.loading, cycle.unloading)]
         rates = [abs(np.ptp(branch.strain)) / max(np.ptp(branch.time), 1e-300) for branch in branches]
         return float(np.median(rates))
@@ -69,12 +69,12 @@ class Specimen:
 
 @dataclass(frozen=True, kw_only=True)
 class DriftSummary:
-    """How the cycles of a material change.
+    """Changes over the cycles of a material.
 
     Attributes:
-        specimens: how many have two cycles or more.
-        change: from one cycle to the next.
-        drifts: by the quantity that drifts; None where the tests do not determine it.
+        specimens: number of specimens with two cycles or more.
+        change: change from one cycle to the next.
+        drifts: drift of each quantity; None if the tests do not determine it.
     """
 
     specimens: int
@@ -84,20 +84,21 @@ class DriftSummary:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Characterisation(Displayed):
-    """What the tensile tests of a material say.
+    """Results of the tensile tests of a material.
 
     Attributes:
-        name: of the material.
-        specimens: in the order given.
-        cycles: medians over specimens.
-        change: of the cycles, from one to the next.
-        drifts: of peak stress, loss and residual strain, by the keys of `DRIFTING`; None where they cannot be told.
+        name: name of the material.
+        specimens: specimens in the given order.
+        cycles: medians over the specimens, cycle by cycle.
+        change: change from one cycle to the next.
+        drifts: drifts of peak stress, loss and residual strain, by the keys of `DRIFTING`; None if the tests do not
+            determine them.
         by_cycle: moduli in classes of strain, cycle by cycle.
-        pooled: moduli in classes of strain, cycles put together.
-        single: the values behind both, those of each cycle of each specimen.
-        fit: of the law; None where the data determine none.
-        law: that was chosen, with its source and the size of the specimens; None as `fit`.
-        remarks: what a person should know, one sentence each.
+        pooled: moduli in classes of strain, with all cycles pooled.
+        single: moduli in classes of strain for each cycle of each specimen.
+        fit: fit of the law; None if the data determine no law.
+        law: chosen law, with its source and the size of the specimens; None if the data determine no law.
+        remarks: remarks for the user, as sentences.
     """
 
     name: Annotated[str, Key("material")]
@@ -113,18 +114,18 @@ class Characterisation(Displayed):
     remarks: tuple[str, ...] = field(default=())
 
     def __repr__(self) -> str:
-        """What was tested, and the form of its law."""
+        """Return the material, the number of specimens, and the form of the law."""
         specimens = f"{len(self.specimens)} specimen{'s' * (len(self.specimens) != 1)}"
         return f"<Characterisation of {self.name}: {specimens}, {'no law' if self.fit is None else self.fit.form.name}>"
 
     @property
     def drift(self) -> Annotated[DriftSummary, Written.ALWAYS]:
-        """How cycles change."""
+        """Changes over the cycles."""
         return DriftSummary(specimens=self.change.specimens, change=self.change, drifts=self.drifts)
 
     @property
     def modulus_by_strain(self) -> Annotated[tuple[ModulusClass, ...], Written.ALWAYS]:
-        """Moduli in classes of strain, cycle by cycle and then pooled."""
+        """Moduli in classes of strain, cycle by cycle, then pooled."""
         return (*self.by_cycle, *self.pooled)
 
     @property
@@ -137,7 +138,7 @@ class Characterisation(Displayed):
 
     @property
     def law_values(self) -> Annotated[LawSummary | None, Key("law")]:
-        """The law and its values; None where the data determine none."""
+        """The law and its values; None if the data determine no law."""
         return None if self.law is None else law_summary(self.law)
 
     @property
@@ -147,11 +148,11 @@ class Characterisation(Displayed):
 
     @property
     def simulated_moduli(self) -> tuple[float, float]:
-        """Moduli that tendons of the specimens' size need for 10 to 60 N/cm, E = k L / A, Pa.
+        """Moduli E = k L / A, Pa, with which tendons of the specimens' median size have stiffnesses of 10 and 60 N/cm.
 
-        The stiffnesses are those of Binder et al. 2025; the size is the median of the specimens'.
+        The stiffnesses are those of Binder et al. 2025.
         """
-        ratio = float(np.median([each.test.length / each.test.area for each in self.specimens]))
+        ratio = float(np.median([specimen.test.length / specimen.test.area for specimen in self.specimens]))
         low, high = SIMULATED_STIFFNESSES
         return low * ratio, high * ratio
 
@@ -168,20 +169,21 @@ def characterise(
     """Find cycles, moduli, drift and the law of a material.
 
     Args:
-        tests: of its specimens.
-        name: of the material.
-        source: of the tests, for the law.
-        drop_first: leave out the first cycle; the law runs through it all the same, since materials remember it.
-        band: hysteresis of the turning points, a share of the largest travel.
-        forms: of laws to try, all by default; that none of those given can be determined is an error, not a remark.
+        tests: tensile tests of the specimens.
+        name: name of the material.
+        source: source of the tests, for the law.
+        drop_first: leave out the first cycle; the law is still computed through it, because materials remember it.
+        band: hysteresis of the turning points, as a share of the largest travel.
+        forms: forms of laws to try; all by default. If none of the given forms can be determined, this is an error
+            instead of a remark.
 
     Raises:
-        InputError: no test, or one without cycles; the message names the specimen.
+        InputError: no test, or a test without cycles; the message names the specimen.
     """
     if not tests:
         raise InputError("need at least one tensile test, got none")
     specimens = tuple(_specimen(test, drop_first, band) for test in tests)
-    cycles = [each.cycles for each in specimens]
+    cycles = [specimen.cycles for specimen in specimens]
     drifts = {key: _drift(cycles, value, relative) for key, (value, relative) in DRIFTING.items()}
     fit, refusal = _fit(specimens, name, source, forms)
     return Characterisation(
@@ -200,20 +202,20 @@ def characterise(
 
 
 def known_length(law: MaterialLaw) -> float | None:
-    """The length of the specimens that a law comes from, m; None where it is not among the law's facts."""
+    """Return the length of the specimens from which a law was fitted, m; None if it is not among the law's facts."""
     return next((parse_quantity(fact.value, LENGTH) for fact in law.facts if fact.what == SPECIMEN_LENGTH), None)
 
 
 def cycle_table(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float]) -> Array:
-    """A value of the cycles that every specimen has, shape (specimen, cycle), nan where it is absent."""
+    """Return a value of the cycles that all specimens have, shape (specimen, cycle), nan where it is absent."""
     numbers = common_cycles(cycles)
-    by_number = [{cycle.number: value(cycle) for cycle in own} for own in cycles]
-    return np.array([[own[number] for number in numbers] for own in by_number], dtype=np.float64)
+    by_number = [{cycle.number: value(cycle) for cycle in specimen} for specimen in cycles]
+    return np.array([[values[number] for number in numbers] for values in by_number], dtype=np.float64)
 
 
 def common_cycles(cycles: Sequence[Sequence[Cycle]]) -> list[int]:
-    """Numbers of the cycles that every specimen has."""
-    return sorted(set.intersection(*({cycle.number for cycle in own} for own in cycles)))
+    """Return the numbers of the cycles that all specimens have."""
+    return sorted(set.intersection(*({cycle.number for cycle in specimen} for specimen in cycles)))
 
 
 def _specimen(test: TensileTest, drop_first: bool, band: float) -> Specimen:
@@ -232,20 +234,20 @@ def _drift(cycles: Sequence[Sequence[Cycle]], value: Callable[[Cycle], float], r
 
 
 def _with_drifts(law: MaterialLaw, cycles: Sequence[Sequence[Cycle]]) -> MaterialLaw:
-    """A law and how it drifts, where that can be told."""
+    """Add to a law the drifts that the cycles determine."""
     longer = _drift(cycles, lambda cycle: cycle.residual_strain, False)
     stiffness = _drift(cycles, _stiffness if longer else lambda cycle: cycle.secant_modulus, True)
     return replace(law, stiffness_drift=stiffness, residual_strain_drift=longer)
 
 
 def _stiffness(cycle: Cycle) -> float:
-    """Peak stress over the strain beyond the residual one, so that a longer set does not count twice."""
+    """Return the peak stress divided by the strain beyond the residual strain, so that the set does not count twice."""
     return cycle.secant_modulus * cycle.largest_strain / max(cycle.largest_strain - cycle.residual_strain, 1e-12)
 
 
 def _single(cycles: Sequence[Sequence[Cycle]]) -> Iterator[ModulusClass]:
-    """The moduli of each cycle of each specimen alone; cycles that pass half of no class give none."""
-    for cycle in (cycle for own in cycles for cycle in own):
+    """Yield the moduli of each cycle of each specimen; a cycle that covers less than half of every class gives none."""
+    for cycle in (cycle for specimen in cycles for cycle in specimen):
         try:
             yield from moduli_by_strain([[cycle]])
         except InputError:
@@ -253,9 +255,9 @@ def _single(cycles: Sequence[Sequence[Cycle]]) -> Iterator[ModulusClass]:
 
 
 def strain_history(specimen: Specimen) -> StrainHistory:
-    """A specimen's whole test as a law is fitted to it, compared from the first cycle that counts.
+    """Return a specimen's whole test for the fit of a law, which is compared from the first evaluated cycle on.
 
-    Of rows with the same time the first is taken.
+    Of several rows with the same time, the first is used.
     """
     test = specimen.test
     rows = np.concatenate([[True], np.diff(test.time) > 0])
@@ -273,28 +275,31 @@ def strain_history(specimen: Specimen) -> StrainHistory:
 
 
 def _zero(specimen: Specimen) -> tuple[float | None, float]:
-    """Offset at the middle of the test, Pa, and drift, Pa/s, of the force while the specimen hangs slack.
+    """Compute the zero of the force from cycles in which the specimen hangs slack.
 
-    The drift from three such cycles on: a straight line through two times cannot tell whether it is one.
+    Returns:
+        Offset at the middle of the test, Pa, None if the specimen never hangs slack; and drift, Pa/s. The drift is 0
+        for fewer than three such cycles, because two points do not show whether it is linear.
     """
-    slack = [each for each in (*specimen.left_out, *specimen.cycles) if each.hanging.any()]
+    slack = [cycle for cycle in (*specimen.left_out, *specimen.cycles) if cycle.hanging.any()]
     if not slack:
         return None, 0.0
-    shown = np.array([each.zero_stress for each in slack])
+    zeros = np.array([cycle.zero_stress for cycle in slack])
     if len(slack) < _FEWEST_CYCLES:
-        return float(np.mean(shown)), 0.0
+        return float(np.mean(zeros)), 0.0
     middle = (specimen.test.time[0] + specimen.test.time[-1]) / 2
-    times = np.array([np.median(each.unloading.time[each.hanging]) for each in slack]) - middle
-    drift, offset = np.polyfit(times, shown, 1)
+    times = np.array([np.median(cycle.unloading.time[cycle.hanging]) for cycle in slack]) - middle
+    drift, offset = np.polyfit(times, zeros, 1)
     return float(offset), float(drift)
 
 
 def _fit(
     specimens: Sequence[Specimen], name: str, source: str, forms: Sequence[LawForm] | None
 ) -> tuple[LawFit | None, str]:
-    """The law, or why there is none."""
+    """Return the fitted law and "", or None and the reason why there is no law."""
     try:
-        return fit_law([strain_history(each) for each in specimens], name=name, source=source, forms=forms), ""
+        histories = [strain_history(specimen) for specimen in specimens]
+        return fit_law(histories, name=name, source=source, forms=forms), ""
     except InputError as error:
         if forms is not None:
             raise
@@ -302,42 +307,42 @@ def _fit(
 
 
 def _facts(specimens: Sequence[Specimen], fit: LawFit) -> Iterator[LawFact]:
-    """What a reader of the law needs to know of the tests."""
-    own = "the same tests"
+    """Yield facts about the tests, for readers of the law."""
+    source = "the same tests"
     for what, unit, factor, sizes in (
-        (SPECIMEN_LENGTH, "mm", 1e-3, [each.test.length for each in specimens]),
-        (SPECIMEN_AREA, "mm^2", 1e-6, [each.test.area for each in specimens]),
+        (SPECIMEN_LENGTH, "mm", 1e-3, [specimen.test.length for specimen in specimens]),
+        (SPECIMEN_AREA, "mm^2", 1e-6, [specimen.test.area for specimen in specimens]),
     ):
         if max(sizes) <= (1 + _SAME_SIZE) * min(sizes):
-            yield LawFact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=own)
+            yield LawFact(what=what, value=f"{np.median(sizes) / factor:.6g} {unit}", source=source)
     if fit.scatter is not None:
-        yield LawFact(what=AMPLITUDE_SCATTER, value=f"{100 * fit.scatter:.3g} %", source=own)
-    yield LawFact(what="number of specimens", value=str(len(specimens)), source=own)
+        yield LawFact(what=AMPLITUDE_SCATTER, value=f"{100 * fit.scatter:.3g} %", source=source)
+    yield LawFact(what="number of specimens", value=str(len(specimens)), source=source)
 
 
 def _remarks(
     specimens: Sequence[Specimen], drifts: Mapping[str, Drift | None], fit: LawFit | None, refusal: str
 ) -> Iterator[str]:
     count = len(specimens)
-    if any(each.left_out for each in specimens):
-        yield "the first cycle of every specimen is left out of all values; the law runs through it"
+    if any(specimen.left_out for specimen in specimens):
+        yield "the first cycle of every specimen is left out of all values; only the fit of the law includes it"
     if count < _FEWEST_SPECIMENS:
         known = "one specimen" if count == 1 else f"{count} specimens"
-        yield f"{known}: intervals and quartiles hardly say how specimens differ; ISO 37 asks for three or more"
-    ratios = [each.test.length / each.test.area for each in specimens]
+        yield f"{known}: intervals and quartiles hardly show the scatter of specimens; ISO 37 requires three or more"
+    ratios = [specimen.test.length / specimen.test.area for specimen in specimens]
     if max(ratios) > (1 + _SAME_SIZE) * min(ratios):
-        yield "the specimens differ in size; the band of moduli in modulus.png is for their median"
-    untold = [key.replace("_", " ") for key, drift in drifts.items() if drift is None]
-    if untold:
+        yield "the specimens differ in size; the band of moduli in modulus.png is for their median size"
+    undetermined = [key.replace("_", " ") for key, drift in drifts.items() if drift is None]
+    if undetermined:
         yield (
-            f"the drift of {', '.join(untold)} cannot be told: that takes {_FEWEST_CYCLES} cycles in every specimen,"
-            " each with a value that stands clear of 0"
+            f"the drift of {', '.join(undetermined)} cannot be determined: it needs {_FEWEST_CYCLES} cycles in every"
+            " specimen, each with a value that differs clearly from 0"
         )
     yield from _fit_remarks(fit, refusal)
-    rates = [each.strain_rate for each in specimens]
+    rates = [specimen.strain_rate for specimen in specimens]
     one_rate = max(rates) <= _ONE_RATE * min(rates)
-    if one_rate and fit and fit.form.damper and not any(each.form.branches for each in fit.candidates):
-        yield "at one rate a Maxwell branch may fit as well as the damper; none was asked for, so none was tried"
+    if one_rate and fit and fit.form.damper and not any(candidate.form.branches for candidate in fit.candidates):
+        yield "at a single rate a Maxwell branch may fit as well as the damper; no law with a branch was tried"
 
 
 def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
@@ -345,17 +350,17 @@ def _fit_remarks(fit: LawFit | None, refusal: str) -> Iterator[str]:
         yield f"there is no law: {refusal}"
         return
     if fit.relative_misfit > _POOR_FIT:
-        yield f"the law misses the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
+        yield f"the law deviates from the data by {fit.relative_misfit:.0%} of the largest stress; see fit.png"
     if scaled(fit.law, length=1.0, area=1.0).must_push:
         yield (
-            "a simulated tendon of this law pushes when it is slack, which a real one does not, and a design must allow"
-            " that by tendon.pushes_when_slack; laws without yield and with linear viscosity only pull"
+            "a simulated tendon with this law pushes when it is slack, which a real one does not; a design must allow"
+            " this by tendon.pushes_when_slack. Laws without yield and with linear viscosity only pull"
         )
-    refused = [each.refused for each in fit.candidates if each.refused]
-    # the one that names most values says it for all
+    refused = [candidate.refused for candidate in fit.candidates if candidate.refused]
+    # the longest reason names all values
     for what in ("apart", "viscosity.linear from"):
         reasons = [reason for reason in refused if "one rate only" in reason and what in reason]
         if reasons:
             yield max(reasons, key=len)
     if refused:
-        yield f"{len(refused)} of {len(fit.candidates)} laws are refused; material.json says why for each"
+        yield f"{len(refused)} of {len(fit.candidates)} laws are refused; material.json gives the reason for each"

@@ -1,4 +1,4 @@
-"""Tensile tests that were never made: specimens to try commands with, and laws that are known to check them by."""
+"""Synthetic tensile tests: made-up specimens for trying commands, and tests with a known law."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.errors import InputError
 from forficula.files import replacing_all, write_text
 from forficula.material.tensile.tensile_test import TensileTest
 
-# stress of a strain, (sample,), in the cycle of that number, from 1; Pa
+# function that computes the stress, Pa, of strains, (sample,), in the cycle with a number, from 1
 Way = Callable[[Array, int], Array]
 
 LENGTH, AREA = 0.06, 5e-6  # m and m2; Binder et al. 2025
@@ -33,36 +33,38 @@ def cyclic_test(
     seed: int = 1,
     name: str = "s",
 ) -> TensileTest:
-    """A specimen that is pulled to a strain and back, over and over, at one speed.
+    """Create the test of a specimen that is stretched to a strain and back repeatedly at one speed.
 
     Args:
-        loading: its stress on the way up.
-        unloading: on the way down; the same if not given.
-        cycles: how many.
-        largest: strain.
-        samples: on each way.
+        loading: stress while loading.
+        unloading: stress while unloading; the same as while loading if not given.
+        cycles: number of cycles.
+        largest: largest strain.
+        samples: number of samples while loading, and while unloading.
         noise: standard deviation of the stress, Pa.
-        offset: of the stress, Pa.
-        seed: of the noise.
-        name: of the specimen.
+        offset: offset of the stress, Pa.
+        seed: seed of the noise.
+        name: name of the specimen.
     """
     up = np.linspace(0, largest, samples, endpoint=False)
     down = unloading or loading
-    ways = [way for number in range(1, cycles + 1) for way in ((up, loading, number), (largest - up, down, number))]
-    strain = np.concatenate([*(way[0] for way in ways), [0.0]])
-    stress = np.concatenate([*(law(path, number) for path, law, number in ways), down(np.zeros(1), cycles)])
+    branches = [
+        branch for number in range(1, cycles + 1) for branch in ((up, loading, number), (largest - up, down, number))
+    ]
+    strain = np.concatenate([*(branch[0] for branch in branches), [0.0]])
+    stress = np.concatenate([*(law(path, number) for path, law, number in branches), down(np.zeros(1), cycles)])
     stress = stress + offset + noise * np.random.default_rng(seed).standard_normal(len(stress))
     time = np.arange(len(strain), dtype=np.float64) * (largest * LENGTH / SPEED / samples)
     return TensileTest(name=name, time=time, extension=strain * LENGTH, force=stress * AREA, length=LENGTH, area=AREA)
 
 
 def rubber_test(seed: int, *, cycles: int = 4, samples: int = 100) -> TensileTest:
-    """A made-up specimen: nonlinear, hysteretic, slack below 35 % strain on unloading, softer every cycle.
+    """Create a made-up specimen: nonlinear, hysteretic, slack below 35 % strain on unloading, softer with every cycle.
 
     Args:
-        seed: of its scatter, by which specimens differ in stiffness by 3 %, and of its noise.
-        cycles: to a strain of 100 %.
-        samples: on each way.
+        seed: seed of the scatter, a standard deviation of 3 % in the stiffness, and of the noise.
+        cycles: number of cycles to a strain of 100 %.
+        samples: number of samples while loading, and while unloading.
     """
     stiffness = 4.8e6 * (1 + 0.03 * np.random.default_rng(seed).standard_normal())
 
@@ -82,13 +84,14 @@ def rubber_test(seed: int, *, cycles: int = 4, samples: int = 100) -> TensileTes
 
 
 def write_sample_tests(path: Path) -> list[Path]:
-    """Write made-up specimens as a testing machine exports them, a file each, and say so in each.
+    """Write made-up specimens in the format of a testing machine, one file each, with a note that they are made up.
 
     Args:
-        path: ends with .csv; before the ending the files have a number and "made-up", which the source of a law tells.
+        path: path that ends with .csv. "made-up" and a number are inserted before the ending, so that the source of a
+            fitted law names them.
 
     Raises:
-        InputError: another ending, one of them is there, or it cannot be written.
+        InputError: another ending, a file that exists already, or a file that cannot be written.
     """
     if path.suffix.lower() != ".csv":
         raise InputError(f"{path}: need a file that ends with .csv")
@@ -103,7 +106,7 @@ def write_sample_tests(path: Path) -> list[Path]:
 
 
 def _exported(test: TensileTest) -> str:
-    """A test as a table with units in its names, under the note that it was not measured."""
+    """Return a test as a table with units in the names of columns, below the note that it was not measured."""
     rows = np.column_stack([test.time, 1e3 * test.extension, test.force]).tolist()
     lines = [_NOTE, "time [s],extension [mm],force [N]", *(",".join(f"{cell:.6g}" for cell in row) for row in rows)]
     return "\n".join([*lines, ""])

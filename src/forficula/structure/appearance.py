@@ -1,4 +1,4 @@
-"""What drawings and sentences need of a structure beside its parts."""
+"""Words, sizes and pattern of a structure, for drawings and sentences."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from forficula.pattern import CreasePattern
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Appearance:
-    """What drawings and sentences need of a structure beside its parts.
+    """Words, sizes and pattern of a structure, for drawings and sentences.
 
     Attributes:
-        whole: what sentences call it.
-        bar: what they call a bar.
-        crease: what they call a crease that no bar lies on.
-        overbend: what they call a hinge's way past straight that its fold is not on.
-        bodies: what the number of its bodies follows from, such as "two for every vein"; empty where nothing is to say.
-        text: what it is, with its sizes, as the start of a sentence; empty where its parts are to be counted instead.
-        sizes: lengths that it is known by, m, by name.
-        titles: headings of plots of angles, by name of the measure or role of the hinges; else they are told by that.
-        pattern: creases of the sheet that the built shape is, m; None where there are none.
-        circles: radii of circles about the origin that the pattern is constructed on, m, by name.
+        whole: word for the structure.
+        bar: word for a bar.
+        crease: word for a crease without a bar on it.
+        overbend: word for bending of a hinge past straight, away from folding.
+        bodies: phrase on the number of bodies, such as "two for every vein"; empty without one.
+        text: description with sizes, as the start of a sentence; if empty, bodies and hinges are counted instead.
+        sizes: characteristic lengths, m, by name.
+        titles: titles of plots of angles, by name of the measure or role of the hinges; this name without one.
+        pattern: crease pattern of the sheet in the built shape, m; None without a sheet.
+        circles: radii of circles about the origin from which the pattern is constructed, m, by name.
     """
 
     whole: str = "structure"

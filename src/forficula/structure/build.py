@@ -1,4 +1,4 @@
-"""Design -> Structure: each way of building is a file of its own, and this is the only place that chooses."""
+"""From a design to a structure: the only place that chooses among the modules that build structures."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from forficula.structure.structure import Structure
 
 
 def _sheet_structure(design: SheetDesign) -> Structure:
-    """Plates where facets are rigid, nodes where they bend."""
+    """Build plates if facets are rigid, nodes if they bend."""
     return plates.plate_structure(design) if design.facet.kind == "rigid" else nodes.node_structure(design)
 
 
-_WAYS: Mapping[type[Design], Callable[[Any], Structure]] = {
+_BUILDERS: Mapping[type[Design], Callable[[Any], Structure]] = {
     FanDesign: veins.vein_structure,
     JointDesign: joint.joint_structure,
     SheetDesign: _sheet_structure,
@@ -26,7 +26,7 @@ _WAYS: Mapping[type[Design], Callable[[Any], Structure]] = {
 
 
 def structure_of(design: AnyDesign) -> Structure:
-    """Build a design, or that of a name or path, in the units that its numbers are in.
+    """Build the structure of a design, or of its name or path, in the units of the design's numbers.
 
     Raises:
         InputError: no such design, or it cannot be built.
@@ -34,20 +34,20 @@ def structure_of(design: AnyDesign) -> Structure:
     return _built(as_design(design))
 
 
-@lru_cache(maxsize=16)  # a design and what it is built of are frozen; a run, its checks and its page all ask for it
+@lru_cache(maxsize=16)  # designs and structures are frozen; a run, its checks and its page need the same structure
 def _built(design: Design) -> Structure:
-    for kind, build in _WAYS.items():
+    for kind, build in _BUILDERS.items():
         if isinstance(design, kind):
             return build(design)
-    raise InputError(f"{design.name}: there is no way to build it")
+    raise InputError(f"{design.name}: designs of this class cannot be built")
 
 
 def drive_keys(design: Design) -> tuple[str, ...]:
-    """Keys of the values that say how strong a design's drives are."""
+    """Return the keys of the strengths of a design's drives."""
     return tuple(drive.key for drive in design.named_protocol.drives)
 
 
 def static_keys(design: Design) -> tuple[str, ...]:
-    """Keys, or starts of keys, of what matters to where a design rests, but for its tendons."""
-    # without gravity it rests where it rests, however heavy it is
+    """Return the keys, or beginnings of keys, on which the rest states of a design depend, apart from its tendons."""
+    # without gravity, the rest states do not depend on masses
     return (*design.rest_keys, design.weight_section) if design.protocol.gravity else design.rest_keys

@@ -1,4 +1,4 @@
-"""What is done with a structure, by name: motors, measures, goals, and its own fold."""
+"""Motors, measures and goals of a structure by name, and its rigid fold."""
 
 from __future__ import annotations
 
@@ -11,22 +11,20 @@ from forficula.arrays import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motor:
-    """What a drive sets: torque on hinges, force at points, how far they go, or by how much springs rest further on.
+    """A torque on hinges, a force at points, a displacement of points or a change of rest angles, set by drives.
 
     Attributes:
-        name: of its own, as works and powers are called by.
-        kind: "torque": on each hinge in its own sense, N m; "rest-angle": by which the rest angle of each crease goes
-            on in its own sense, rad; "force": at each point, N; "displacement": of each point, m, from where it is when
-            the drive begins.
+        name: name of the motor, also of its work and power.
+        kind: "torque" on each hinge in its own sense, N m; "rest-angle": change of the rest angle of each crease in its
+            own sense, rad; "force" at each point, N; "displacement" of each point, m, from its position when the drive
+            begins.
         hinges: numbers of the hinges.
-        gains: of each hinge, by which what is set counts there; empty where it counts once.
+        gains: factor of the setting for each hinge; empty if all are 1.
         points: numbers of the points.
-        direction: of a force or a displacement, unit vector in the axes of the ground, (3,); None of what acts on
-            hinges.
-        stiffness: of the servo that displaces a point, N/m.
-        damping: of the servo of each point, N s/m.
-        no_load_speed: of a torque, speed of a hinge along it at which nothing is left of it, in proportion, rad/s; inf
-            where it does not mind speeds.
+        direction: direction of a force or a displacement, unit vector in the axes of the ground, (3,); None for hinges.
+        stiffness: stiffness of the servo that displaces a point, N/m.
+        damping: damping of the servo of each point, N s/m.
+        no_load_speed: speed of a hinge at which a torque has fallen linearly to 0, rad/s; inf for a constant torque.
     """
 
     name: str
@@ -42,16 +40,16 @@ class Motor:
 
 @dataclass(frozen=True, kw_only=True)
 class Measure:
-    """Angles or a distance that are watched by name.
+    """Angles, or a distance, that are recorded under one name.
 
     Attributes:
-        name: of its own.
+        name: name of the measure.
         kind: "angle" or "distance".
         hinges: numbers of the hinges of an angle.
-        signs: by which the angles of these hinges, in their own senses, are multiplied.
-        together: so many of them, one after another, are one reading: the sum of what they would read each.
+        signs: factors, 1 or -1, of the angles of these hinges in their own senses.
+        together: number of consecutive hinges whose angles are added to one reading.
         points: numbers of the two points of a distance.
-        label: what tables and figures call it.
+        label: name in tables and figures.
     """
 
     name: str
@@ -64,20 +62,20 @@ class Measure:
 
     @property
     def parts(self) -> tuple[tuple[int, ...], ...]:
-        """Numbers of the hinges of every reading of an angle."""
+        """Numbers of the hinges in each reading of an angle."""
         return tuple(self.hinges[first : first + self.together] for first in range(0, len(self.hinges), self.together))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class StageGoal:
-    """What ends a stage: bounds on what is watched, rest, or neither, the time.
+    """The goal that ends a stage: bounds on coordinates, rest, or a time.
 
     Attributes:
-        name: as stages call it.
+        name: name of the goal in stages.
         kind: "time", "rest" or "bounds".
-        least: of every hinge's angle in its own sense, rad, then of every distance that is measured, m, and of every
-            reading that is the sum of angles, rad, (coordinate,); -inf where there is none. See `goal_coordinates`.
-        most: alike; inf where there is none.
+        least: lower bounds on the angle of every hinge in its own sense, rad, then on every measured distance, m, and
+            on every reading that is a sum of angles, rad, (coordinate,); -inf without a bound. See `goal_coordinates`.
+        most: upper bounds on the same coordinates; inf without a bound.
     """
 
     name: str
@@ -88,23 +86,23 @@ class StageGoal:
 
 @dataclass(frozen=True, kw_only=True)
 class RigidFold:
-    """The one way in which the panels fold if they are rigid, along the angle of their pleats.
+    """The fold of a structure with rigid panels, which has one degree of freedom, the pleat angle.
 
-    Hinges in `turns` turn by half the pleat angle. Those in `folds` fold to the negative of the ring angle,
-    tan(ring / 2) = ratio tan(pleat / 2). All others go where the sheets between the panels are stretched least.
+    Hinges in `turns` turn by half the pleat angle. Those in `folds` fold to the negative of the ring angle, with
+    tan(ring / 2) = ratio tan(pleat / 2). The other hinges minimise the stretching of the membrane between the panels.
 
     Attributes:
-        turns: numbers of hinges.
-        folds: numbers of hinges.
-        ratio: of the tangents; 0 where the ring stays straight until the pleats are closed.
-        first: pleat angle at which the folds are at their upper stops, rad, negative; None where they never are.
+        turns: numbers of the hinges that turn with the pleats.
+        folds: numbers of the hinges that fold with the ring.
+        ratio: ratio of the tangents; 0 if the ring is straight until the pleats are closed.
+        first: pleat angle, rad, negative, at which the folds reach their upper stops; None if they never do.
         last: pleat angle at which a stop ends the fold, rad.
         base_length: length of the bars up to the folds, m.
-        tip_length: length of the bars beyond them, m.
-        tips: numbers of the points at the ends of these, one for each of `folds`.
-        start: name of the state before it folds.
-        end: name of the state at its end.
-        remarks: sentences on what keeps the panels from it.
+        tip_length: length of the bars beyond the folds, m.
+        tips: numbers of the points at the outer ends of these bars, one for each hinge of `folds`.
+        start: name of the state before the fold.
+        end: name of the state at the end of the fold.
+        remarks: sentences on limits of the rigid fold.
     """
 
     turns: tuple[int, ...]

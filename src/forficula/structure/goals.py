@@ -1,4 +1,4 @@
-"""Drives, measures, goals and states by their names."""
+"""Look-up of drives, measures, goals and states by name, and the coordinates that goals bound."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ _UNITS = {"torque": "N m", "force": "N", "displacement": "m", "rest-angle": "rad
 
 
 def drive_of(structure: Structure, name: str) -> Drive:
-    """The drive of a name.
+    """Return the drive with a name.
 
     Raises:
-        InputError: there is none.
+        InputError: there is no such drive.
     """
     for drive in structure.drives:
         if drive.name == name:
@@ -33,39 +33,42 @@ def drive_of(structure: Structure, name: str) -> Drive:
 
 
 def driven_motor(structure: Structure, drive: Drive) -> Motor:
-    """The first motor that a drive sets: of several kinds that act together, it is as strong as that."""
-    set_ = (motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share)
-    return next(set_, structure.motors[0])
+    """Return the first motor that a drive sets; its kind defines the unit of the drive's strength."""
+    driven = (motor for motor, share in zip(structure.motors, drive.shares, strict=True) if share)
+    return next(driven, structure.motors[0])
 
 
 def drive_unit(structure: Structure, drive: Drive) -> str:
-    """The SI unit of how strong a drive is."""
+    """Return the SI unit of the strength of a drive."""
     return _UNITS[driven_motor(structure, drive).kind]
 
 
 def transition_of(structure: Structure, name: str) -> Transition | None:
-    """The transition that a drive of a name makes, or None."""
-    return next((each for each in structure.transitions if each.drive == name), None)
+    """Return the transition with the drive of a name, or None."""
+    return next((transition for transition in structure.transitions if transition.drive == name), None)
 
 
 def state_of(structure: Structure, name: str) -> RestState | None:
-    """The state of a name, or None."""
+    """Return the state with a name, or None."""
     return next((state for state in structure.states if state.name == name), None)
 
 
 def first_state(structure: Structure, names: Sequence[str]) -> str:
-    """The first of some states that no transition leads to, by its name; "" where there is none.
+    """Return the name of the first of some states to which no transition leads; "" if there is none.
 
     Args:
-        structure: whose transitions count.
-        names: of states, such as those that stages end in; empty ones do not count.
+        structure: structure with the transitions.
+        names: names of states, such as those in which stages end; empty names are ignored.
     """
     led_to = {transition.state for transition in structure.transitions}
     return next((name for name in names if name and name not in led_to), "")
 
 
 def measure_of(structure: Structure, name: str) -> Measure | None:
-    """The measure of a name; the name of a role measures all hinges of that role, in their own senses. None if none."""
+    """Return the measure with a name, or None.
+
+    The name of a role means the angles of all hinges with that role, in their own senses.
+    """
     for measure in structure.measures:
         if measure.name == name:
             return measure
@@ -76,15 +79,15 @@ def measure_of(structure: Structure, name: str) -> Measure | None:
 
 
 def hinges_of(structure: Structure, role: str) -> tuple[int, ...]:
-    """Numbers of the hinges of a role."""
+    """Return the numbers of the hinges with a role."""
     return tuple(number for number, hinge in enumerate(structure.hinges) if hinge.role == role)
 
 
 def goal_of(structure: Structure, text: str) -> StageGoal:
-    """The goal of a name, or as it is written: "time", "rest", or a bound on a measure or on the hinges of a role.
+    """Return the goal for a text: "time", "rest", a name, or a bound on a measure or on the hinges of a role.
 
     Raises:
-        InputError: there is none, and which there are.
+        InputError: there is no such goal; the message lists the goals.
     """
     count = coordinate_count(structure)
     free = {"least": np.full(count, -np.inf), "most": np.full(count, np.inf)}
@@ -105,7 +108,7 @@ def goal_of(structure: Structure, text: str) -> StageGoal:
 
 
 def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalText) -> StageGoal:
-    """A bound on a measure as a goal.
+    """Return a bound on a measure as a goal.
 
     Raises:
         InputError: the value has another unit.
@@ -122,17 +125,17 @@ def bounds_on(structure: Structure, measure: Measure, name: str, written: GoalTe
 def bounded(
     structure: Structure, measure: Measure, name: str, *, least: float = -math.inf, most: float = math.inf
 ) -> StageGoal:
-    """The goal that every reading of a measure is within bounds, rad or m."""
+    """Return the goal that every reading of a measure is within bounds, rad or m."""
     count = coordinate_count(structure)
     low, high = np.full(count, -np.inf), np.full(count, np.inf)
     first = len(structure.hinges)
     if measure.kind == "distance":
-        place = first + [each.name for each in distances_of(structure)].index(measure.name)
-        low[place], high[place] = least, most
+        index = first + [distance.name for distance in distances_of(structure)].index(measure.name)
+        low[index], high[index] = least, most
     elif measure.together > 1:
         sums = sums_of(structure)
-        before = sums[: [each.name for each in sums].index(measure.name)]
-        first += len(distances_of(structure)) + sum(len(each.parts) for each in before)
+        before = sums[: [summed.name for summed in sums].index(measure.name)]
+        first += len(distances_of(structure)) + sum(len(summed.parts) for summed in before)
         low[first : first + len(measure.parts)], high[first : first + len(measure.parts)] = least, most
     else:
         for hinge, sign in zip(measure.hinges, measure.signs, strict=True):
@@ -141,28 +144,28 @@ def bounded(
 
 
 def distances_of(structure: Structure) -> tuple[Measure, ...]:
-    """The measures that are distances, in the order of their coordinates in goals."""
+    """Return the measures that are distances, in the order of their coordinates in goals."""
     return tuple(measure for measure in structure.measures if measure.points is not None)
 
 
 def sums_of(structure: Structure) -> tuple[Measure, ...]:
-    """The measures whose readings are sums of angles, in the order of their coordinates in goals."""
+    """Return the measures whose readings are sums of angles, in the order of their coordinates in goals."""
     return tuple(measure for measure in structure.measures if measure.together > 1)
 
 
 def coordinate_count(structure: Structure) -> int:
-    """How many coordinates a goal has, see `goal_coordinates`."""
+    """Return the number of coordinates of a goal, see `goal_coordinates`."""
     sums = sum(len(measure.parts) for measure in sums_of(structure))
     return len(structure.hinges) + len(distances_of(structure)) + sums
 
 
 def goal_coordinates(structure: Structure, angles: Array, distances: Array | None = None) -> Array:
-    """What goals are bounds on, (..., coordinate).
+    """Compute the coordinates that goals bound, (..., coordinate).
 
     Args:
-        structure: with its measures.
-        angles: of all hinges in their own senses, rad, (..., hinge).
-        distances: of all measures that are distances, m, (..., distance); None where there are none.
+        structure: structure with its measures.
+        angles: angles of all hinges in their own senses, rad, (..., hinge).
+        distances: readings of all measures that are distances, m, (..., distance); None without such measures.
     """
     sums = [read_angles(measure, angles) for measure in sums_of(structure)]
     parts = [angles, *([] if distances is None else [distances]), *sums]
@@ -170,7 +173,12 @@ def goal_coordinates(structure: Structure, angles: Array, distances: Array | Non
 
 
 def read_angles(measure: Measure, angles: Array) -> Array:
-    """What a measure of angles reads, rad, (..., reading), of all hinges' angles in their own senses, (..., hinge)."""
+    """Compute the readings of a measure of angles, rad, (..., reading).
+
+    Args:
+        measure: measure of angles.
+        angles: angles of all hinges in their own senses, rad, (..., hinge).
+    """
     turned = np.array(measure.signs) * angles[..., list(measure.hinges)]
     if measure.together == 1:
         return np.asarray(turned)
@@ -178,37 +186,37 @@ def read_angles(measure: Measure, angles: Array) -> Array:
 
 
 def measure_stops(structure: Structure, measure: Measure) -> list[tuple[float, float]]:
-    """Between which readings of a measure of angles the stops keep it, rad, for every reading."""
+    """Return the range to which stops limit each reading of a measure of angles, rad."""
     signs = dict(zip(measure.hinges, measure.signs, strict=True))
     stops = {number: (structure.hinges[number].lower, structure.hinges[number].upper) for number in measure.hinges}
     ends = {number: sorted(sign * end for end in stops[number]) for number, sign in signs.items()}
-    return [(sum(ends[each][0] for each in part), sum(ends[each][1] for each in part)) for part in measure.parts]
+    return [(sum(ends[hinge][0] for hinge in part), sum(ends[hinge][1] for hinge in part)) for part in measure.parts]
 
 
 def hinge_bounds(structure: Structure, goal: StageGoal) -> tuple[Array, Array]:
-    """Bounds of a goal on the angle of each hinge, rad, (hinge,) each; those on a sum are shared evenly."""
+    """Return the bounds of a goal on each hinge's angle, rad, (hinge,) each; bounds on sums are divided equally."""
     count = len(structure.hinges)
-    place, least, most = count + len(distances_of(structure)), goal.least[:count].copy(), goal.most[:count].copy()
+    index, least, most = count + len(distances_of(structure)), goal.least[:count].copy(), goal.most[:count].copy()
     for measure in sums_of(structure):
         for part in measure.parts:
             for hinge in part:
                 sign = measure.signs[measure.hinges.index(hinge)]
-                ends = sign * goal.least[place] / len(part), sign * goal.most[place] / len(part)
+                ends = sign * goal.least[index] / len(part), sign * goal.most[index] / len(part)
                 least[hinge], most[hinge] = max(least[hinge], min(ends)), min(most[hinge], max(ends))
-            place += 1
+            index += 1
     return least, most
 
 
-def _names(parts: Sequence[Drive] | Sequence[Measure] | Sequence[StageGoal]) -> list[str]:
-    return [part.name for part in parts]
+def _names(entries: Sequence[Drive] | Sequence[Measure] | Sequence[StageGoal]) -> list[str]:
+    return [entry.name for entry in entries]
 
 
 def short_of(coordinates: Array, goal: StageGoal) -> float:
-    """How far the furthest of what a goal bounds is from its bound, rad or m, >= 0.
+    """Compute the largest distance of a coordinate from its bound, rad or m, >= 0; 0 if the goal is reached.
 
     Args:
-        coordinates: as of `goal_coordinates`, (coordinate,).
-        goal: with its bounds.
+        coordinates: as `goal_coordinates` returns, (coordinate,).
+        goal: goal with the bounds.
     """
     above, below = np.isfinite(goal.most), np.isfinite(goal.least)
     short = [*(coordinates - goal.most)[above], *(goal.least - coordinates)[below]]

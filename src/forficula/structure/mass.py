@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of bodies, in closed form."""
+"""Mass, centre of mass and inertia of bodies, in closed form."""
 
 from __future__ import annotations
 
@@ -14,66 +14,68 @@ from forficula.structure.tree import ancestry, built_frames
 
 
 def mass_of(structure: Structure, body: int) -> tuple[float, Array, Array]:
-    """Mass, centre and inertia of a body: of what it is and of what it carries, shared with copies that close loops.
+    """Compute mass, centre of mass and inertia of a body with everything that it carries.
+
+    A body and its copies, which close loops, share the mass equally.
 
     Args:
-        structure: SI, or in other units.
-        body: its number.
+        structure: structure in SI or in other units.
+        body: number of the body.
 
     Returns:
         Mass, kg; centre of mass in the axes of the body, m, (3,); inertia about the centre in those axes, kg m^2,
-        (3, 3). All 0 where it is nothing.
+        (3, 3). All are 0 for a body without mass.
     """
     original, copies = _copies(structure, body)
     if copies:
         mass, centre, inertia = _of_parts(structure, original)
-        own = next((each for each in copies if each.bodies[1] == body), None)
-        if own is not None:
-            centre, inertia = own.frame.T @ (centre - own.position), own.frame.T @ inertia @ own.frame
+        copy = next((closure for closure in copies if closure.bodies[1] == body), None)
+        if copy is not None:
+            centre, inertia = copy.frame.T @ (centre - copy.position), copy.frame.T @ inertia @ copy.frame
         return mass / (len(copies) + 1), centre, inertia / (len(copies) + 1)
     return _of_parts(structure, body)
 
 
 def _copies(structure: Structure, body: int) -> tuple[int, list[Closure]]:
-    """What a body is a copy of, itself if of nothing, and all copies of that."""
-    original = next((each.bodies[0] for each in structure.closures if each.bodies[1] == body), body)
-    return original, [each for each in structure.closures if each.bodies[0] == original]
+    """Return the body of which a body is a copy, or the body itself, and all copies of that body."""
+    original = next((closure.bodies[0] for closure in structure.closures if closure.bodies[1] == body), body)
+    return original, [closure for closure in structure.closures if closure.bodies[0] == original]
 
 
 def _of_parts(structure: Structure, body: int) -> tuple[float, Array, Array]:
-    """The same of all bars, plates and masses that it carries alone."""
+    """Compute mass, centre and inertia of all bars, plates and masses on a body, without sharing."""
     parts = [_of_bar(bar) for bar in structure.bars if bar.body == body]
     parts += [
         _of_plate(plate, np.array([structure.points[point].place for point in plate.points]))
         for plate in structure.plates
         if plate.body == body
     ]
-    return _together(parts + [_at_one_place(each) for each in structure.masses if each.body == body])
+    return _combined(parts + [_of_point_mass(mass) for mass in structure.masses if mass.body == body])
 
 
 def gathered_mass(masses: Sequence[PointMass]) -> tuple[float, Array, Array]:
-    """Mass, centre and inertia about it of what one body carries at places, as of `mass_of`."""
-    return _together([_at_one_place(each) for each in masses])
+    """Compute mass, centre of mass and inertia about the centre of point masses on one body, as `mass_of`."""
+    return _combined([_of_point_mass(mass) for mass in masses])
 
 
-def _at_one_place(each: PointMass) -> tuple[float, Array, Array]:
-    return each.mass, each.place, np.zeros((3, 3))
+def _of_point_mass(point: PointMass) -> tuple[float, Array, Array]:
+    return point.mass, point.place, np.zeros((3, 3))
 
 
-def _together(parts: Sequence[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
-    """Mass, centre and inertia of several of them as one."""
+def _combined(parts: Sequence[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
+    """Combine several masses, with centres and inertias, to one."""
     mass = sum((part[0] for part in parts), 0.0)
     if not mass:
         return 0.0, np.zeros(3), np.zeros((3, 3))
     if len(parts) == 1:
         return parts[0]
     centre = np.sum([weight * place for weight, place, _ in parts], axis=0) / mass
-    inertia = np.sum([own + weight * _of_point(place - centre) for weight, place, own in parts], axis=0)
+    inertia = np.sum([central + weight * _of_point(place - centre) for weight, place, central in parts], axis=0)
     return mass, centre, inertia
 
 
 def _of_bar(bar: Bar) -> tuple[float, Array, Array]:
-    """A solid cylinder from the origin to its end."""
+    """Compute mass, centre and inertia of a solid cylinder from the origin to its end."""
     length = float(np.linalg.norm(bar.end))
     along, radius = bar.end / length, bar.diameter / 2
     mass = bar.density * math.pi * radius**2 * length
@@ -82,7 +84,7 @@ def _of_bar(bar: Bar) -> tuple[float, Array, Array]:
 
 
 def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
-    """A prism over a flat polygon, which lies in its middle.
+    """Compute mass, centre and inertia of a prism whose mid-plane is a flat polygon.
 
     Area, first and second moments are sums over the triangles from the first corner to every side (Green's theorem).
     """
@@ -94,7 +96,7 @@ def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
     areas = normals @ normal / 2
     area = areas.sum()
     first = (areas[:, None] * (away + following)).sum(axis=0) / 3
-    # of a triangle 0, a, b: area / 12 times (a + b) (a + b)' + a a' + b b'
+    # second moment of a triangle 0, a, b: area / 12 times ((a + b) (a + b)' + a a' + b b')
     both = away + following
     second = np.einsum("t,ti,tj->ij", areas / 12, both, both)
     second += np.einsum("t,ti,tj->ij", areas / 12, away, away)
@@ -106,21 +108,21 @@ def _of_plate(plate: Plate, corners: Array) -> tuple[float, Array, Array]:
 
 
 def _of_point(place: Array) -> Array:
-    """Inertia of a unit mass at a place about the origin (Huygens and Steiner)."""
+    """Compute the inertia about the origin of a unit mass at a point (Huygens and Steiner)."""
     return np.asarray(place @ place * np.eye(3) - np.outer(place, place))
 
 
 def end_inertia(*, diameter: float, density: float, length: float, along: float, across: float) -> float:
-    """Inertia of a solid cylinder about an axis through the middle of its end, kg m^2.
+    """Compute the inertia of a solid cylinder about an axis through the middle of its end, kg m^2.
 
-    m r^2 / 2 cos^2 + m (r^2 / 4 + l^2 / 3) sin^2 of the angle between axis and bar.
+    The inertia is m r^2 / 2 cos^2 + m (r^2 / 4 + l^2 / 3) sin^2 of the angle between axis and bar.
 
     Args:
         diameter: m.
         density: kg/m^3.
         length: m.
-        along: cosine of that angle.
-        across: its sine.
+        along: cosine of the angle between axis and bar.
+        across: sine of this angle.
     """
     radius = diameter / 2
     mass = density * math.pi * radius**2 * length
@@ -128,25 +130,26 @@ def end_inertia(*, diameter: float, density: float, length: float, along: float,
 
 
 def turned_inertia(masses: Sequence[PointMass], body: int, axis: Array) -> float:
-    """Inertia of what a body carries beside its bars and plates about an axis through its origin, kg m^2.
+    """Compute the inertia of the point masses on a body about an axis through its origin, kg m^2.
 
     Args:
-        masses: of all bodies.
-        body: its number.
-        axis: unit vector in its axes, (3,).
+        masses: point masses of all bodies.
+        body: number of the body.
+        axis: unit vector in the axes of the body, (3,).
     """
-    return sum((each.mass * float(axis @ _of_point(each.place) @ axis) for each in masses if each.body == body), 0.0)
+    carried = (mass for mass in masses if mass.body == body)
+    return sum((mass.mass * float(axis @ _of_point(mass.place) @ axis) for mass in carried), 0.0)
 
 
 def inertia_about(structure: Structure, hinge: int) -> float:
-    """Inertia about a hinge's axis of all that turns with it as built, with its armature, kg m^2."""
+    """Compute the inertia about a hinge's axis of all bodies that turn with it as built, with its armature, kg m^2."""
     origins, frames = built_frames(structure)
     body = structure.hinges[hinge].body
     axis, total = frames[body] @ structure.hinges[hinge].axis, structure.hinges[hinge].armature
     for number in range(len(structure.bodies)):
         if body in ancestry(structure, number):
-            mass, centre, own = mass_of(structure, number)
-            way = origins[number] + frames[number] @ centre - origins[body]
-            inertia = frames[number] @ own @ frames[number].T + mass * _of_point(way)
+            mass, centre, central = mass_of(structure, number)
+            arm = origins[number] + frames[number] @ centre - origins[body]
+            inertia = frames[number] @ central @ frames[number].T + mass * _of_point(arm)
             total += float(axis @ inertia @ axis)
     return total

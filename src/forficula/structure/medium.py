@@ -1,4 +1,4 @@
-"""What surrounds a structure, and what of it moves with its panels: the medium as triangles and added masses."""
+"""The medium around a structure, as triangles that it acts on and as added masses that move with its panels."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from forficula.structure.tree import built_frames
 
 
 def immersed(structure: Structure, chosen: MediumSection | None, panels: Iterable[Panel]) -> Structure:
-    """A structure in a medium; itself where there is none.
+    """Return a structure in a medium; the structure itself without a medium.
 
     Args:
-        structure: without one.
+        structure: structure without a medium.
         chosen: the medium, in the structure's units.
-        panels: of the structure as built, each once.
+        panels: triangles of the panels as built, each once.
     """
     panels = [] if chosen is None else list(panels)
     if chosen is None or not panels:
@@ -62,13 +62,13 @@ def immersed(structure: Structure, chosen: MediumSection | None, panels: Iterabl
 def facet_panels(
     sheet: CreasePattern, triangles: CreasePattern, parts: Indices, carriers: Sequence[int] | None
 ) -> list[Panel]:
-    """The triangles of facets, each as wide as its facet's area by the longest side of that.
+    """Return the triangles of facets; the width of each is the area of its facet divided by the facet's longest side.
 
     Args:
-        sheet: with the facets.
-        triangles: the facets split, with their vertices where they are built.
+        sheet: pattern with the facets.
+        triangles: the facets split into triangles, with the vertices as built.
         parts: number of the facet of each triangle, (triangle,).
-        carriers: number of the body of each facet; None where every vertex of the triangles is a body.
+        carriers: number of the body of each facet; None if every vertex of the triangles is a body.
     """
     faces = np.array(triangles.faces_vertices, dtype=np.int64)
     corners = triangles.vertices_coords[faces]

@@ -1,6 +1,6 @@
-"""What a structure is made of: bodies and the points, bars and plates on them, hinges, springs, tendons, membranes.
+"""Components of a structure: bodies with points, bars and plates on them, hinges, springs, tendons, membranes.
 
-Frozen data in SI and radians, or in any other coherent units that a design was written in.
+All are frozen data in SI and radians, or in other coherent units in which a design is written.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ GROUND = -1
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Body:
-    """Something rigid that moves as one.
+    """A rigid body.
 
     Attributes:
-        name: of its own.
-        role: what it is called with others of its kind.
-        parent: number of the body that it hangs on, an earlier one, or GROUND. Without hinges it is fixed there.
-        position: of its origin in the axes of its parent, m, (3,).
-        frame: rotation from its axes to those of its parent, (3, 3).
-        slides: axes of the ground, 0 to 2, along which its origin is free to go; only of a body that hangs on the
-            ground and has no hinges.
-        turns: whether it is free to turn, too; only of one that slides along all three.
-        mass: at its origin, beside that of its bars and plates, kg.
+        name: name of the body.
+        role: role, shared with other bodies of the same kind.
+        parent: number of the parent body, which comes earlier, or GROUND. Without hinges the body is fixed to it.
+        position: origin in the axes of the parent, m, (3,).
+        frame: rotation from the axes of the body to those of the parent, (3, 3).
+        slides: axes of the ground, 0 to 2, along which the origin is free to move; only for a body without hinges whose
+            parent is the ground.
+        turns: whether the body is also free to turn; only for a body that slides along all three axes.
+        mass: mass at the origin, in addition to that of bars and plates, kg.
     """
 
     name: str
@@ -46,13 +46,13 @@ class Body:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:
-    """A named place on a body.
+    """A named point on a body.
 
     Attributes:
-        name: of its own.
-        role: what it is called with others of its kind.
-        body: number of the body that carries it, or GROUND.
-        place: in the axes of the body, from its origin, m, (3,).
+        name: name of the point.
+        role: role, shared with other points of the same kind.
+        body: number of the body that carries the point, or GROUND.
+        place: position in the axes of the body, from its origin, m, (3,).
     """
 
     name: str
@@ -66,12 +66,13 @@ class Bar:
     """A solid cylinder from the origin of a body.
 
     Attributes:
-        body: number of the body that it is.
-        end: in the axes of the body, m, (3,).
+        body: number of the body.
+        end: outer end in the axes of the body, m, (3,).
         diameter: m.
         density: kg/m^3.
-        points: numbers of the points that it is drawn between.
-        overlaps: how far from the origin on it may overlap others in the built shape, m: there it touches nothing.
+        points: numbers of the points between which the bar is drawn.
+        overlaps: length from the origin, m, in which the bar may overlap others in the built shape; contact is ignored
+            there.
     """
 
     body: int
@@ -84,11 +85,11 @@ class Bar:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Plate:
-    """A flat polygon of even thickness.
+    """A flat polygon of uniform thickness.
 
     Attributes:
-        body: number of the body that it is.
-        points: numbers of its corners, points of that body, one after another.
+        body: number of the body.
+        points: numbers of the corners, points of that body, in order.
         thickness: m.
         density: kg/m^3.
     """
@@ -101,13 +102,13 @@ class Plate:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PointMass:
-    """Mass that a body carries beside that of its bars and plates, small enough to be at one place.
+    """A point mass that a body carries in addition to its bars and plates.
 
     Attributes:
-        body: number of the body that carries it.
-        place: in the axes of the body, from its origin, m, (3,).
+        body: number of the body that carries the mass.
+        place: position in the axes of the body, from its origin, m, (3,).
         mass: kg.
-        role: what it is the mass of, such as "membrane".
+        role: component to which the mass belongs, such as "membrane".
     """
 
     body: int
@@ -121,10 +122,10 @@ class Facet:
     """A polygon between points of any bodies: a panel of a sheet that may bend.
 
     Attributes:
-        name: of its own.
-        points: numbers of its corners, one after another.
+        name: name of the facet.
+        points: numbers of the corners, in order.
         thickness: m.
-        inside: numbers of points on it where it bends, too.
+        inside: numbers of points inside the polygon at which the facet also bends.
     """
 
     name: str
@@ -135,38 +136,39 @@ class Facet:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Hinge:
-    """Where a structure folds: a joint by which a body turns against its parent, or a crease between two flaps.
+    """A hinge: a joint about which a body turns relative to its parent, or a crease between two flaps.
 
-    A joint goes through its body's origin; several of one body follow each other: the first one turns the axes of the
-    next. A crease has no body of its own: its angle is that between two
-    triangles, 0 where they lie in one plane, positive where both rise to the side from which the left one is seen
-    counterclockwise. Angles count in the hinge's own sense.
+    The axis of a joint passes through the origin of its body. A body may have several joints, of which each turns the
+    axes of the next. A crease has no body: its angle is that between two triangles, 0 if they lie in one plane, and
+    positive if both rise to the side from which the left one is seen counterclockwise. All angles are in the hinge's
+    own sense.
 
     Attributes:
-        name: of its own.
-        role: what it is called with others of its kind, in goals, groups and tables.
-        body: number of the body that it turns; GROUND of a crease.
-        axis: unit vector in the axes of the body, (3,); zeros of a crease.
-        flaps: of a crease, numbers of points: tail, head and corner of the triangle on its left, and tail, head and
-            corner of that on its right, seen along it from tail to head; None of a joint.
-        sense: +1 or -1: an angle in the hinge's own sense is a right-handed turn about the axis, or the angle between
-            the flaps, times that.
-        lower: where a stop ends its range, rad; -inf where none does.
-        upper: alike; inf where none does.
-        stiffness: of its spring, N m/rad.
-        rest_angle: where its spring rests, rad.
-        lock_below: below which its spring stiffens until it locks at -180 deg, as of panels that touch, rad; -inf for
-            a spring that does not.
-        lock_above: alike towards 180 deg; inf for a spring that does not.
-        stop_stiffness: of a crease's stops, N m/rad; None where it is chosen, see `crease_law`.
+        name: name of the hinge.
+        role: role, shared with other hinges of the same kind, in goals, groups and tables.
+        body: number of the body that turns; GROUND for a crease.
+        axis: unit vector in the axes of the body, (3,); zeros for a crease.
+        flaps: points of a crease: tail, head and corner of the triangle on the left, then tail, head and corner of the
+            triangle on the right, seen from tail to head; None for a joint.
+        sense: +1 or -1, the factor between a right-handed turn about the axis, or the angle between the flaps, and the
+            angle in the hinge's own sense.
+        lower: angle of the lower stop, rad; -inf without a stop.
+        upper: angle of the upper stop, rad; inf without a stop.
+        stiffness: stiffness of the spring, N m/rad.
+        rest_angle: rest angle of the spring, rad.
+        lock_below: angle, rad, below which the spring stiffens until it locks at -180 deg, as panels that touch do;
+            -inf for a spring that does not lock.
+        lock_above: angle, rad, above which the spring stiffens until it locks at 180 deg; inf for a spring that does
+            not lock.
+        stop_stiffness: stiffness of the stops of a crease, N m/rad; None if `crease_law` chooses it.
         damping: N m s/rad.
-        friction: of a joint, torque of its dry friction, N m.
-        armature: inertia added to it, kg m^2.
-        built: of a joint, its angle in the built shape, rad.
-        start: its angle at the start, rad; of a crease, that of the built shape.
-        assignment: of one that is an edge of a pattern, its letter, such as "M"; empty of others.
-        edge: number of the edge of the pattern that it is, or is part of; -1 of others.
-        label: what tables and figures call it; its name if empty.
+        friction: torque of the dry friction of a joint, N m.
+        armature: added inertia, kg m^2.
+        built: angle of a joint in the built shape, rad.
+        start: initial angle, rad; for a crease, the angle in the built shape.
+        assignment: letter of a hinge that is an edge of a pattern, such as "M"; empty for others.
+        edge: number of the edge of the pattern to which the hinge belongs; -1 for others.
+        label: name in tables and figures; `name` if empty.
     """
 
     name: str
@@ -194,15 +196,15 @@ class Hinge:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Coupling:
-    """What ties two joints to each other: how far the second turns beside a multiple of the first is its twist.
+    """A spring or a rigid connection between two joints; its twist is the second angle minus `ratio` times the first.
 
-    Angles count from those of the built shape, where nothing twists it, in the hinges' own senses.
+    Angles are relative to the built shape, in which the twist is 0, and in the hinges' own senses.
 
     Attributes:
-        name: of its own.
+        name: name of the coupling.
         hinges: numbers of the two joints.
-        stiffness: of its spring, N m/rad; inf where it is rigid and lets nothing twist it.
-        ratio: by how much the second turns where the first turns by 1 and nothing is twisted.
+        stiffness: stiffness of the spring, N m/rad; inf for a rigid coupling, whose twist is always 0.
+        ratio: angle of the second joint divided by that of the first, without a twist.
     """
 
     name: str
@@ -212,23 +214,23 @@ class Coupling:
 
     @property
     def rigid(self) -> bool:
-        """Whether its joints turn as one."""
+        """Whether the twist is always 0."""
         return math.isinf(self.stiffness)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Closure:
-    """A crease that closes a loop: its hinge turns a copy of a body, which lies on that body and moves with it.
+    """A crease that closes a loop: its hinge turns a copy of a body, and the copy is constrained to move with the body.
 
-    The body and all of its copies share its mass evenly.
+    The body and all of its copies share its mass equally.
 
     Attributes:
-        name: of its own.
-        bodies: number of the body, and of its copy.
-        position: of the copy's origin in the axes of the body, m, (3,).
-        frame: rotation from the copy's axes to those of the body, (3, 3).
-        points: pairs of points at both ends of the crease, on the side of the copy's parent and on the body; the
-            distance of a pair is the gap of the closure.
+        name: name of the closure.
+        bodies: numbers of the body and of its copy.
+        position: origin of the copy in the axes of the body, m, (3,).
+        frame: rotation from the axes of the copy to those of the body, (3, 3).
+        points: pairs of points at both ends of the crease, on the parent of the copy and on the body; the distance of a
+            pair is the gap of the closure.
     """
 
     name: str
@@ -240,16 +242,16 @@ class Closure:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Spring:
-    """An elastic bar between two points: it pulls and it pushes.
+    """An elastic bar between two points, which pulls and pushes.
 
     Attributes:
-        name: of its own.
-        role: what it is called with others of its kind.
-        points: numbers of its ends.
+        name: name of the spring.
+        role: role, shared with other springs of the same kind.
+        points: numbers of the end points.
         stiffness: N/m.
         rest_length: m.
         damping: N s/m.
-        area: of its cross-section, by which its force is a stress, m^2; 0 where it has none.
+        area: cross-section, by which the force is divided to obtain the stress, m^2; 0 without one.
     """
 
     name: str
@@ -263,19 +265,19 @@ class Spring:
 
 @dataclass(frozen=True, kw_only=True)
 class Crossing:
-    """How a tendon lies across a hinge, where its length depends on that hinge alone.
+    """Geometry of a tendon across a single hinge, on whose angle alone its length depends.
 
-    Its ends turn about the hinge's axis on two circles with radii A and B, an offset c apart along the axis:
+    The ends turn about the hinge's axis on two circles with radii A and B, which are an offset c apart along the axis:
     length^2 = A^2 + B^2 + c^2 + 2 A B cos(angle + delta), with the hinge's angle in its own sense.
 
     Attributes:
         hinge: number of the hinge.
-        proximal_arm: A, distance of the end on the side of the hinge's parent from the axis, m.
-        distal_arm: B, the same of the end on the side that turns, m.
-        axial_offset: c, m; 0 where the ends lie in one plane square to the axis.
-        offset_angle: delta, rad; the tendon is longest where the hinge's angle is -delta. 0 where axis and ends lie in
-            one plane as built.
-        inertia: of what turns about the axis as built, with the hinge's armature, kg m^2.
+        proximal_arm: A, distance from the axis to the end on the side of the hinge's parent, m.
+        distal_arm: B, distance from the axis to the end on the side that turns, m.
+        axial_offset: c, m; 0 if both ends lie in one plane normal to the axis.
+        offset_angle: delta, rad; the tendon is longest at the hinge angle -delta. 0 if axis and ends lie in one plane
+            as built.
+        inertia: inertia of everything that turns about the axis, as built, with the hinge's armature, kg m^2.
     """
 
     hinge: int
@@ -288,21 +290,20 @@ class Crossing:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Tendon:
-    """A spring between two points that pulls and never pushes.
+    """A pull-only spring between two points.
 
     Attributes:
-        name: of its own.
-        role: what it is called with others of its kind.
-        points: numbers of its ends.
-        law: force against length, rate and past, in the structure's units.
-        longest: the length beyond which it is never stretched, m.
-        crossing: how it lies across the only hinge that its length depends on; None where it depends on several.
-        ideal: the same with both bars square to the hinge's axis, as closed forms have it; None where there are no
-            bars to be so.
-        gauge_length: by which its extension is a strain, m: the resting length that it had before any set.
-        material: whose law it has, in the structure's units; None where it is a spring of no material.
-        key: of the design's section that it comes from, such as "tendon", or "tendon.1" where others differ.
-        label: what tables and figures call it; its name if empty.
+        name: name of the tendon.
+        role: role, shared with other tendons of the same kind.
+        points: numbers of the end points.
+        law: force as a function of length, rate and history, in the structure's units.
+        longest: largest possible length, m.
+        crossing: geometry across the only hinge on which the length depends; None if it depends on several.
+        ideal: the same with both bars normal to the hinge's axis, as in closed forms; None without bars.
+        gauge_length: resting length before any permanent set, m; strain is extension divided by this length.
+        material: law of the material, in the structure's units; None for a spring without a material.
+        key: key of the section of the design, such as "tendon", or "tendon.1" if tendons differ.
+        label: name in tables and figures; `name` if empty.
     """
 
     name: str
@@ -320,13 +321,13 @@ class Tendon:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LengthLimit:
-    """What keeps two points from moving further apart, and does nothing else: a guard tendon.
+    """An upper limit of the distance between two points: a guard tendon.
 
     Attributes:
-        name: of its own.
-        points: numbers of the two.
-        built_length: their distance in the built shape, m.
-        most: their largest distance, m.
+        name: name of the limit.
+        points: numbers of the two points.
+        built_length: distance in the built shape, m.
+        most: largest distance, m.
     """
 
     name: str
@@ -337,13 +338,13 @@ class LengthLimit:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MembraneLaw:
-    """Of an elastic sheet that resists stretch only.
+    """The law of an elastic sheet that resists stretching only.
 
     Attributes:
         youngs_modulus: Pa.
-        poisson_ratio: of the sheet.
+        poisson_ratio: Poisson's ratio.
         thickness: m.
-        damping: relaxation time of its Kelvin-Voigt damping, s.
+        damping: relaxation time of the Kelvin-Voigt damping, s.
     """
 
     youngs_modulus: float
@@ -354,14 +355,14 @@ class MembraneLaw:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Surface:
-    """All that there is of an elastic sheet, as triangles whose corners bodies carry, glued strips and all.
+    """The complete surface of an elastic sheet, including glued strips, as triangles whose corners bodies carry.
 
     Attributes:
         bodies: number of the body that carries each node, (node,).
-        places: nodes in the axes of their bodies, m, (node, 3).
+        places: positions of the nodes in the axes of their bodies, m, (node, 3).
         triangles: three nodes each, (triangle, 3).
-        panels: number, in `names`, of the panel that each triangle is of, (triangle,).
-        names: of the panels: the parts of it that folds part.
+        panels: index in `names` of the panel of each triangle, (triangle,).
+        names: names of the panels, which are separated by folds.
     """
 
     bodies: Indices
@@ -372,16 +373,16 @@ class Surface:
 
     @property
     def carried(self) -> list[tuple[int, tuple[float, ...]]]:
-        """The body of each node and its place on it, alike for nodes that surfaces have in common."""
+        """The body and position of each node, which are equal for nodes that two surfaces have in common."""
         return list(zip(self.bodies.tolist(), map(tuple, self.places.tolist()), strict=True))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Stops:
-    """Compliance of stops, length limits or contacts, which no timestep changes.
+    """Compliance of stops, length limits or contacts, independent of the timestep.
 
-    With the inertia I that meets it, a stop is a spring and a damper of the angular frequency 1 / (T zeta) and the
-    damping ratio zeta: its moment is -I (r / (T zeta)^2 + 2 r' / T) at a depth r, and never pulls.
+    For an inertia I that meets it, a stop is a spring and a damper with the angular frequency 1 / (T zeta) and the
+    damping ratio zeta. Its moment at a penetration r is -I (r / (T zeta)^2 + 2 r' / T), and it never pulls.
 
     Attributes:
         time_constant: T, s.
@@ -394,11 +395,11 @@ class Stops:
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """How bars and sheets that touch push each other apart.
+    """Contact between bars and sheets.
 
     Attributes:
-        thickness: by which sheets keep apart, from middle to middle, m; bars do so by their diameters.
-        friction: Coulomb's coefficient of all of them.
+        thickness: distance between the mid-planes of touching sheets, m; for bars their diameters apply.
+        friction: Coulomb's friction coefficient.
         stops: compliance of a contact.
     """
 
@@ -412,16 +413,17 @@ class Membrane:
     """An elastic sheet whose nodes are carried by bodies.
 
     Attributes:
-        name: of its own.
+        name: name of the membrane.
         bodies: number of the body that carries each node, (node,).
-        places: nodes in the axes of their bodies, m, (node, 3).
-        built: nodes in the built shape, where the sheet is unstretched, m, (node, 3).
+        places: positions of the nodes in the axes of their bodies, m, (node, 3).
+        built: positions of the nodes in the built shape, in which the sheet is unstretched, m, (node, 3).
         triangles: three nodes each, (triangle, 3).
-        law: of the sheet.
-        margin: width of what is glued to a bar, m; how far a body reaches into the sheet.
-        roots: from where on its bar each node is held, in the axes of its body, m, (node, 3): the strip between the two
-            is glued to the bar. The node itself where it lies on the bar; None where all do, or where there are none.
-        surface: all of it, which may touch or cross that of others; None where that is not told.
+        law: elastic law.
+        margin: width of the strip that is glued to a bar, m.
+        roots: point on the bar from which each node is held, in the axes of its body, m, (node, 3); the strip between
+            this point and the node is glued to the bar. It is the node itself for a node on the bar. None without bars,
+            or if all nodes are on bars.
+        surface: complete surface, for contact and crossings with other surfaces; None if it is not modelled.
     """
 
     name: str
@@ -437,23 +439,25 @@ class Membrane:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Medium:
-    """Air or water around the panels of a structure, which resists where they move square to themselves.
+    """Air or water around a structure, which resists motion of its panels along their normals.
 
-    Strips of width w, by area: a mass of pi rho w / 4 moves with them (Lamb 1932, Hydrodynamics, article 71: pi rho w^2
-    / 4 by length), and the pressure on them is rho C_D v |v| / 2 + 32 mu v / (pi w) for a speed v along the normal: of
-    a plate at high Reynolds numbers (Hoerner 1965) and of a disc of diameter w at low ones (16 mu a U broadside: Lamb
-    1932, article 339). Nothing resists what moves in the plane of a panel. Panels do not shade one another, a panel's
-    ends take nothing of its width, bars have none beside their panels, and no vortex lasts: quasi-steady.
+    A strip of a panel with width w has, per area, an added mass of pi rho w / 4 (Lamb 1932, Hydrodynamics, article 71:
+    pi rho w^2 / 4 per length). At a speed v along the normal, the pressure on the strip is
+    rho C_D v |v| / 2 + 32 mu v / (pi w). The first term is that of a plate at high Reynolds numbers (Hoerner 1965), the
+    second that of a disc of diameter w at low ones (16 mu a U broadside: Lamb 1932, article 339). The model is
+    quasi-steady: no vortices persist. It ignores resistance to motion in the plane of a panel, shielding of one panel
+    by another, effects of the ends of a panel, and the resistance of bars.
 
     Attributes:
         density: kg/m^3.
         viscosity: Pa s.
         carriers: numbers of the bodies that carry the corners of triangles, (triangle, 3).
-        places: these corners in the axes of their bodies, m, (triangle, 3, 3).
-        widths: of the strips that the triangles are part of, m, (triangle,).
-        masses: that move with bodies and weigh nothing. They count in every direction, and so too much where a panel
-            moves in its plane: of the reference wing's kinetic energy what moves along normals in air has 1.2 %, and
-            that adds 0.4 % while it folds and 0.7 % while it opens. In water it is 1.2 and 0.9 times as much again.
+        places: positions of these corners in the axes of their bodies, m, (triangle, 3, 3).
+        widths: widths of the strips to which the triangles belong, m, (triangle,).
+        masses: added masses, which have no weight. They act in every direction, so too much for motion in the plane of
+            a panel. In air, the added mass along normals has 1.2 % of the reference wing's kinetic energy, and the
+            excess adds 0.4 % while the wing folds and 0.7 % while it opens. In water, the excess is 1.2 (folding) and
+            0.9 times (opening) the energy of the added mass along normals.
     """
 
     density: float
@@ -469,9 +473,9 @@ class Panel:
     """A triangle of a panel as built.
 
     Attributes:
-        corners: m, (3, 3).
-        carriers: numbers of the bodies that carry them.
-        width: of the strip that it is part of, m.
+        corners: positions of the corners, m, (3, 3).
+        carriers: numbers of the bodies that carry the corners.
+        width: width of the strip to which the triangle belongs, m.
     """
 
     corners: Array

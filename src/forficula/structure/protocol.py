@@ -1,4 +1,4 @@
-"""The protocol of a design on what is built: motors and drives on its hinges and points, and goals for its measures."""
+"""The protocol of a design applied to a structure: motors and drives on hinges and points, goals for measures."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from forficula.structure.sheets.sheet_nodes import node_of, sheet_nodes
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 
-# rad; a crease this near to its target is there
-_NO_WAY = 1e-9
-# stiffness of what displaces points, by the stiffest bar there, and its damping ratio with the mass of the point alone:
-# it lags by less than bars stretch, and shortens the timestep by less than half
+# rad, largest change of a rest angle that counts as none
+_NO_CHANGE = 1e-9
+# stiffness of the servo that displaces a point, relative to the stiffest bar at the point, and its damping ratio with
+# the mass of the point: the servo lags by less than bars stretch, and shortens the timestep by less than half
 _SERVO, _SERVO_DAMPING = 4.0, 0.5
 
 
@@ -30,11 +30,11 @@ def with_protocol(structure: Structure, design: Design) -> Structure:
     """Return a structure with the drives, goals, states and transitions of a design.
 
     Args:
-        structure: built of the design, or of one that differs from it in the protocol only.
-        design: with the protocol.
+        structure: structure of the design, or of a design that differs in the protocol only.
+        design: design with the protocol.
 
     Raises:
-        InputError: drives that the structure cannot have together, or a force on a vertex that a support holds.
+        InputError: drives that the structure cannot combine, or a force on a vertex that a support holds.
     """
     named = design.named_protocol
     motors, drives = _driven(structure, design, named)
@@ -78,38 +78,38 @@ def _driven(structure: Structure, design: Design, named: NamedProtocol) -> tuple
 
 def _torques(structure: Structure, drives: Sequence[Drive]) -> tuple[list[Motor], list[dict[int, float]]]:
     """Return the motors of torques and, for every motor, the shares of drives by their numbers."""
-    acting = [
+    torques = [
         (number, action, _hinges(structure, action))
         for number, drive in enumerate(drives)
         for action in drive.actions
         if action.kind == "torque"
     ]
-    following: dict[int, tuple[int, ...]] = {}
-    for place, (_, _, hinges) in enumerate(acting):
+    on_hinge: dict[int, tuple[int, ...]] = {}
+    for index, (_, _, hinges) in enumerate(torques):
         for hinge in hinges:
-            following[hinge] = (*following.get(hinge, ()), place)
+            on_hinge[hinge] = (*on_hinge.get(hinge, ()), index)
     shared: dict[tuple[int, ...], list[int]] = {}
-    for hinge in sorted(following):
-        shared.setdefault(following[hinge], []).append(hinge)
+    for hinge in sorted(on_hinge):
+        shared.setdefault(on_hinge[hinge], []).append(hinge)
     # motors of creases are in the order of the creases, motors of named hinges in the order of the actions
-    order = sorted(shared, key=lambda places: places[0] if acting[places[0]][1].hinges else 0)
+    order = sorted(shared, key=lambda indices: indices[0] if torques[indices[0]][1].hinges else 0)
     motors: list[Motor] = []
-    for places in order:
-        hinges = shared[places]
-        whole = [action.motor for _, action, its in (acting[place] for place in places) if its == hinges]
+    for indices in order:
+        hinges = shared[indices]
+        whole = [action.motor for _, action, driven in (torques[index] for index in indices) if driven == hinges]
         motors.append(
             Motor(
                 name=whole[0] if whole else ", ".join(structure.hinges[hinge].name for hinge in hinges),
                 hinges=tuple(hinges),
                 gains=_parts_of_creases(structure, hinges),
-                no_load_speed=_no_load_speed({acting[place][0]: acting[place][1] for place in places}),
+                no_load_speed=_no_load_speed({torques[index][0]: torques[index][1] for index in indices}),
             )
         )
-    return motors, [{acting[place][0]: acting[place][1].share for place in places} for places in order]
+    return motors, [{torques[index][0]: torques[index][1].share for index in indices} for indices in order]
 
 
 def _hinges(structure: Structure, action: Action) -> list[int]:
-    """Return the numbers of the hinges of an action, rising."""
+    """Return the numbers of the hinges of an action, in ascending order."""
     edges, names = set(action.edges), set(action.hinges)
     return [
         number
@@ -141,21 +141,21 @@ def _parts_of_creases(structure: Structure, hinges: Sequence[int]) -> tuple[floa
 
 
 def _to_targets(structure: Structure, action: Action, targets: Mapping[int, float]) -> tuple[Motor, float]:
-    """Return the motor of springs whose rest angles change to their targets, and the largest of the changes, rad."""
+    """Return the motor that changes rest angles to their targets, and the largest of the changes, rad."""
     angles, hinges = _target_angles(structure, targets), _hinges(structure, action)
-    ways = {hinge: angles[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in angles}
-    motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(ways))
-    furthest = max(map(abs, ways.values()), default=0.0)
-    if furthest <= _NO_WAY:
+    changes = {hinge: angles[hinge] - structure.hinges[hinge].rest_angle for hinge in hinges if hinge in angles}
+    motor = Motor(name=action.motor, kind="rest-angle", hinges=tuple(changes))
+    largest = max(map(abs, changes.values()), default=0.0)
+    if largest <= _NO_CHANGE:
         return motor, 0.0
-    return replace(motor, gains=tuple(way / furthest for way in ways.values())), furthest
+    return replace(motor, gains=tuple(change / largest for change in changes.values())), largest
 
 
 def _at_places(structure: Structure, design: Design, number: int, action: Action) -> Motor:
-    """Return the motor of a force or a displacement of the drive of a number."""
+    """Return the motor of a force or a displacement of the drive with a number."""
     direction = np.array(action.direction, dtype=np.float64)
     if isinstance(design, SheetDesign) and not structure.plates:
-        # nodes have the numbers of their points
+        # a node and its point have the same number
         nodes = sheet_nodes(design)
         points = tuple(node_of(design.sheet, nodes, text) for text in action.places)
         for point, text in zip(points, action.places, strict=True):
@@ -165,7 +165,7 @@ def _at_places(structure: Structure, design: Design, number: int, action: Action
                     f" {as_written(text)}, which a support holds"
                 )
     else:
-        named = {point.name: place for place, point in enumerate(structure.points)}
+        named = {point.name: number for number, point in enumerate(structure.points)}
         points = tuple(named[pushed_name(action.motor, place)] for place in range(len(action.places)))
     direction /= np.linalg.norm(direction)
     motor = Motor(name=action.motor, kind=action.kind, points=points, direction=direction)
@@ -178,9 +178,10 @@ def _at_places(structure: Structure, design: Design, number: int, action: Action
 
 
 def _stiffest(structure: Structure, points: Sequence[int]) -> float:
-    """Stiffness of the stiffest bar at some points, N/m; of membranes Young's modulus times thickness."""
+    """Return the largest stiffness at some points, N/m: of bars, or Young's modulus times thickness of membranes."""
     bars = [spring.stiffness for spring in structure.springs if set(spring.points) & set(points)]
-    return max([*bars, *(each.law.youngs_modulus * each.law.thickness for each in structure.membranes)])
+    laws = [membrane.law for membrane in structure.membranes]
+    return max([*bars, *(law.youngs_modulus * law.thickness for law in laws)])
 
 
 def pushed_name(drive: str, number: int) -> str:
@@ -191,8 +192,8 @@ def pushed_name(drive: str, number: int) -> str:
 def _target_angles(structure: Structure, targets: Mapping[int, float]) -> dict[int, float]:
     """Return the targets of creases in their own senses, rad, by the numbers of their hinges."""
     numbers = hinges_by_edge(structure.hinges)
-    found = {hinge: angle for edge, angle in targets.items() for hinge in numbers[edge]}
-    return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in found.items()}
+    angles = {hinge: angle for edge, angle in targets.items() for hinge in numbers[edge]}
+    return {hinge: structure.hinges[hinge].sense * angle for hinge, angle in angles.items()}
 
 
 def _target(structure: Structure, named: NamedProtocol) -> StageGoal:
@@ -209,20 +210,20 @@ def _together(structure: Structure, design: Design) -> list[Drive]:
     known, stages = [drive.name for drive in structure.drives], design.protocol.stages
     return [
         _in_proportion(structure, stage_drives(stages[transition.stage]))
-        for transition in {each.drive: each for each in structure.transitions}.values()
+        for transition in {transition.drive: transition for transition in structure.transitions}.values()
         if transition.drive not in known and transition.stage is not None
     ]
 
 
 def _in_proportion(structure: Structure, names: Sequence[str]) -> Drive:
-    """Return one drive for several that grow in proportion.
+    """Return one drive for several drives that increase in proportion.
 
-    Its strength and its key are those of the first drive whose strength is not 0.
+    Its strength and key are those of the first drive whose strength is not 0.
     """
     drives = [drive_of(structure, name) for name in names]
     lead = next((drive for drive in drives if drive.strength), drives[0])
     others = [drive for drive in drives if drive is not lead]
-    torques = [sum(each) for each in zip(*(drive.strengths for drive in drives), strict=True)]
+    torques = [sum(strengths) for strengths in zip(*(drive.strengths for drive in drives), strict=True)]
     return replace(
         lead,
         name=" and ".join(names),

@@ -1,6 +1,6 @@
-"""What statics, dynamics and drawings share of a design: what is built, what acts on it and what is watched.
+"""The mechanical model of a design, which statics, dynamics and drawings share.
 
-It knows no engine, and nothing here asks in which way a structure was built.
+It does not depend on an engine, nor on the kind of design from which a structure was built.
 """
 
 from __future__ import annotations
@@ -33,41 +33,42 @@ from forficula.structure.parts import (
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Structure:
-    """What is built: a tree of bodies on hinges, what spans it, what acts on it and what is watched.
+    """A structure: a tree of bodies with hinges, elastic elements between them, drives and measures.
 
     Attributes:
-        name: of the design.
-        bodies: parents before their children.
-        points: on bodies.
-        bars: of bodies.
-        plates: of bodies.
-        masses: that bodies carry beside those.
-        facets: between points of any bodies.
-        hinges: joints in the order of their bodies, and of one body in the order in which they turn it; then creases.
-        couplings: that tie joints to each other.
+        name: name of the design.
+        bodies: bodies, parents before their children.
+        points: points on bodies.
+        bars: bars of bodies.
+        plates: plates of bodies.
+        masses: point masses that bodies carry in addition to bars and plates.
+        facets: polygons between points of any bodies.
+        hinges: joints in the order of their bodies, several of one body in the order in which they turn it; then
+            creases.
+        couplings: couplings between joints.
         closures: creases that close loops of bodies.
         springs: elastic bars.
         tendons: pull-only springs.
         limits: unstressed length limits.
-        membranes: elastic sheets, each of neighbouring bodies.
-        motors: that drives set.
-        drives: by name.
-        measures: by name.
-        goals: by name.
-        states: by name.
-        stage_states: names of the states that the stages of the protocol end in, "" where one ends in none, (stage,).
-        transitions: in the order in which a protocol takes them.
-        rigid_fold: how its panels fold if they are rigid; None where there is no such way, or several.
-        remarks: sentences on what there is not of it, and why.
-        medium: that surrounds it; None for empty space.
-        span: a length of the size of the whole, m.
-        mass: of the size of its bodies' mass, kg.
-        strength: stress that the material of its facets withstands, Pa; None where it is not told.
-        imperfection: by which it is built beside its drawing; None where it is not.
-        stops: compliance of the stops of its joints and of its length limits.
-        contact: how what touches is pushed apart; None where everything passes through everything.
+        membranes: elastic sheets between neighbouring bodies.
+        motors: motors, which drives set.
+        drives: drives that stages switch on.
+        measures: angles and distances that are recorded.
+        goals: named goals.
+        states: named states.
+        stage_states: name of the state in which each stage of the protocol ends, "" for none, (stage,).
+        transitions: transitions in the order of the protocol.
+        rigid_fold: fold of the structure with rigid panels; None if it has no such fold, or several.
+        remarks: sentences on results that do not exist for this structure, with the reason.
+        medium: medium around the structure; None for a vacuum.
+        span: characteristic length of the whole structure, m.
+        mass: characteristic mass of the bodies, kg.
+        strength: stress that the material of the facets withstands, Pa; None if it is not known.
+        imperfection: random deviation from the drawing with which it is built; None without one.
+        stops: compliance of the stops of joints and of length limits.
+        contact: contact between bodies; None if bodies pass through each other.
         gravity: acceleration along -z, m/s^2.
-        appearance: what drawings and sentences need beside all that.
+        appearance: words, sizes and pattern for drawings and sentences.
     """
 
     name: str

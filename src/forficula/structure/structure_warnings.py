@@ -1,4 +1,4 @@
-"""What a person should know of a structure that can be built all the same."""
+"""Warnings about a structure that can be built."""
 
 from __future__ import annotations
 
@@ -16,26 +16,27 @@ from forficula.structure.parts import Tendon
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points, built_strains
 
-# tendons that are alike, and the largest of their strains
+# identical tendons, and the largest of their strains
 _Group = tuple[list[Tendon], float]
-# of the mass of a structure: in water the medium has twice the kinetic energy that it should on the reference wing
-_SLIGHT = 0.2
-# places along a bar at which it is compared with its neighbour
+# largest added mass without a warning, as a share of the structure's mass: in water the added mass of the reference
+# wing has twice its correct kinetic energy
+_SMALL_ADDED_MASS = 0.2
+# positions along a bar, as shares of its length, at which the distance from its neighbour is computed
 _SHARES = np.linspace(0, 1, 1001)
 
 
 def structure_warnings(design: Design, structure: Structure) -> list[str]:
-    """What a person should know of a structure that can be built all the same, one sentence each.
+    """Return warnings about a structure that can be built, as sentences.
 
     Args:
-        design: with the protocol that the structure goes through.
-        structure: as built.
+        design: design with the protocol of the structure.
+        structure: structure of the design.
 
     Returns:
-        One sentence for all tendons of which it is true, naming them where it is not true of all.
+        Sentences. A sentence about tendons names them, unless it applies to all tendons.
     """
     folded = _time_folded(design, structure)
-    groups = _alike(structure)
+    groups = _identical_tendons(structure)
     built = _as_built(structure)
     faults = flat_folding_faults(design_pattern(design))
     return [
@@ -43,14 +44,14 @@ def structure_warnings(design: Design, structure: Structure) -> list[str]:
         *_overlapping_bars(structure),
         *_heavy_medium(structure),
         *design.idle,
-        *_told(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
-        *_told(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
-        *_told(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),
+        *_sentences(structure, groups, [_unmeasured_strain(built, tendons[0], strain) for tendons, strain in groups]),
+        *_sentences(structure, groups, [_relaxing_branches(structure, tendons[0], folded) for tendons, _ in groups]),
+        *_sentences(structure, groups, [_softening(built, tendons[0], strain) for tendons, strain in groups]),
     ]
 
 
-def _alike(structure: Structure) -> list[_Group]:
-    """Tendons of the same law, and the largest of their strains as built."""
+def _identical_tendons(structure: Structure) -> list[_Group]:
+    """Group tendons with the same law; return each group with its largest strain as built."""
     groups: dict[str, _Group] = {}
     for tendon, strain in zip(structure.tendons, built_strains(structure).tolist(), strict=True):
         name = repr((tendon.law, tendon.gauge_length, tendon.material))
@@ -59,18 +60,18 @@ def _alike(structure: Structure) -> list[_Group]:
     return list(groups.values())
 
 
-def _told(structure: Structure, groups: Sequence[_Group], sentences: Sequence[str]) -> list[str]:
-    """What is to be said of groups of tendons; nothing of one is an empty sentence."""
-    told: dict[str, list[str]] = {}
+def _sentences(structure: Structure, groups: Sequence[_Group], sentences: Sequence[str]) -> list[str]:
+    """Combine equal sentences about groups of tendons, with the tendons' names; empty sentences are left out."""
+    named: dict[str, list[str]] = {}
     for (tendons, _), sentence in zip(groups, sentences, strict=True):
         if sentence:
-            told.setdefault(sentence, []).extend(tendon.name for tendon in tendons)
-    every = len(structure.tendons)
-    return [text if len(names) == every else f"{', '.join(names)}: {text}" for text, names in told.items()]
+            named.setdefault(sentence, []).extend(tendon.name for tendon in tendons)
+    count = len(structure.tendons)
+    return [text if len(names) == count else f"{', '.join(names)}: {text}" for text, names in named.items()]
 
 
 def _overlapping_bars(structure: Structure) -> list[str]:
-    """Of bars that lie so close where they are built that they overlap, from their first ends on."""
+    """Warn of neighbouring bars that overlap near their inner ends in the built shape."""
     points = built_points(structure)
     bars = [bar for bar in structure.bars if bar.overlaps]
     within = [
@@ -90,37 +91,37 @@ def _overlapping_bars(structure: Structure) -> list[str]:
 
 
 def _heavy_medium(structure: Structure) -> list[str]:
-    """Of air or water that moves with panels and counts in every direction, where much of it does."""
+    """Warn of a large added mass, because it acts in every direction."""
     if structure.medium is None:
         return []
-    with_it = sum(each.mass for each in structure.medium.masses)
-    own = sum(body.mass + mass_of(structure, number)[0] for number, body in enumerate(structure.bodies))
-    if with_it <= _SLIGHT * own:
+    added = sum(mass.mass for mass in structure.medium.masses)
+    mass = sum(body.mass + mass_of(structure, number)[0] for number, body in enumerate(structure.bodies))
+    if added <= _SMALL_ADDED_MASS * mass:
         return []
     whole = structure.appearance.whole
     return [
-        f"the medium that moves with the {whole} has {with_it / own:.2g} times its mass, and counts where it moves in"
-        " its plane, too: it moves more slowly than it should"
+        f"the added mass of the medium is {added / mass:.2g} times the mass of the {whole}, and the model also applies"
+        f" it to motion in the plane of the panels: the {whole} moves more slowly than it should"
     ]
 
 
-def _overlaps(one: Array, other: Array, apart: float) -> list[float]:
-    """How far from its first end a bar, (end, 3), is nearer to another one than that, m; nothing where it is not."""
-    close = _SHARES[np.minimum(_gaps(one, other), _gaps(other, one)) < apart]
+def _overlaps(one: Array, other: Array, least: float) -> list[float]:
+    """Return the length from its first end, m, in which a bar, (end, 3), is nearer than `least` to another, if any."""
+    close = _SHARES[np.minimum(_gaps(one, other), _gaps(other, one)) < least]
     return [float(close[-1]) * float(np.linalg.norm(one[1] - one[0]))] if len(close) else []
 
 
 def _gaps(one: Array, other: Array) -> Array:
-    """How far places along a line, (end, 3), are from another line, m, (place,)."""
-    places = one[0] + np.outer(_SHARES, one[1] - one[0]) - other[0]
+    """Compute the distances of points along a line, (end, 3), from another line, m, (point,)."""
+    points = one[0] + np.outer(_SHARES, one[1] - one[0]) - other[0]
     length = np.linalg.norm(other[1] - other[0])
     along = (other[1] - other[0]) / length
-    nearest = np.clip(places @ along, 0, length)
-    return np.asarray(np.linalg.norm(places - np.outer(nearest, along), axis=1))
+    nearest = np.clip(points @ along, 0, length)
+    return np.asarray(np.linalg.norm(points - np.outer(nearest, along), axis=1))
 
 
 def _as_built(structure: Structure) -> str:
-    """What sentences call the structure as it is built, such as "the flat wing"."""
+    """Return the words for the structure as built, such as "the flat wing"."""
     whole, state = structure.appearance.whole, structure.states[0].name if structure.states else ""
     return f"the {state} {whole}" if state and state == structure.stage_states[0] else f"the {whole} as built"
 
@@ -136,7 +137,7 @@ def _unmeasured_strain(built: str, tendon: Tendon, strain: float) -> str:
 
 
 def _time_folded(design: Design, structure: Structure) -> float:
-    """How long the stages between the first two transitions take at most, s; 0 where there are none."""
+    """Return the longest total duration of the stages between the first two transitions, s; 0 if there are none."""
     driven = [transition.stage for transition in structure.transitions[:2]]
     first, *rest = driven or [None]
     if first is None or not rest or rest[0] is None:
@@ -145,15 +146,15 @@ def _time_folded(design: Design, structure: Structure) -> float:
 
 
 def _relaxing_branches(structure: Structure, tendon: Tendon, folded: float) -> str:
-    """Of branches that relax while it is folded: in a run their length is the distance of the tendon's ends."""
+    """Warn of branches that relax while the structure is folded; in a run they follow the distance of the ends."""
     times = [branch.time for branch in tendon.law.branches if branch.time < folded]
     if not times:
         return ""
     shown = ", ".join(f"{factor * time:.3g} {unit}" for time in times for unit, factor in [reading_unit("s", time)])
     return (
         f"Maxwell branches of {shown} relax while the {structure.appearance.whole} is"
-        f" {structure.transitions[0].state}, to the distance of the tendon's ends and not to"
-        " the length of a slack tendon: when it opens they pull too much"
+        f" {structure.transitions[0].state}, to the distance of the tendon's ends instead of the length of a slack"
+        " tendon: they pull too much when it opens"
     )
 
 
@@ -162,8 +163,8 @@ def _softening(built: str, tendon: Tendon, strain: float) -> str:
     if material is None or material.softening is None or strain <= material.residual_strain:
         return ""
     return (
-        "tendons do not soften within a run: they have the spring of a first pull; with --cycles, those from the second"
-        f" on have the spring that the stretch of {built} leaves"
+        "tendons do not soften within a run: they have the stiffness of the first pull; with --cycles, they have the"
+        f" stiffness after the stretch of {built} from the second cycle on"
     )
 
 

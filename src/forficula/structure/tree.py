@@ -1,4 +1,4 @@
-"""The tree of bodies: what hangs on what, and where points are as built."""
+"""The tree of bodies: parents and children, and positions in the built shape."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from forficula.structure.structure import Structure
 
 
 def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
-    """A body and what it hangs on, up to the ground, which is left out."""
+    """Return the numbers of a body and its ancestors, without the ground."""
     chain = []
     while body != GROUND:
         chain.append(body)
@@ -19,13 +19,13 @@ def ancestry(structure: Structure, body: int) -> tuple[int, ...]:
 
 
 def hinges_between(structure: Structure, one: int, other: int) -> tuple[int, ...]:
-    """Numbers of the hinges that lie on the way from one body to another: those that change how the two are placed."""
+    """Return the numbers of the hinges on the path from one body to another, which change their relative position."""
     apart = set(ancestry(structure, one)) ^ set(ancestry(structure, other))
     return tuple(number for number, hinge in enumerate(structure.hinges) if hinge.body in apart)
 
 
 def built_points(structure: Structure) -> Array:
-    """Where all points are in the built shape, m, (point, 3)."""
+    """Compute the positions of all points in the built shape, m, (point, 3)."""
     origins, frames = built_frames(structure)
     return np.array(
         [
@@ -36,26 +36,26 @@ def built_points(structure: Structure) -> Array:
 
 
 def drawn_points(structure: Structure) -> list[int]:
-    """Numbers of the points that bars, plates and facets are drawn between."""
+    """Return the numbers of the points between which bars, plates and facets are drawn."""
     ends = [part.points for parts in (structure.bars, structure.plates, structure.facets) for part in parts]
     return sorted({point for points in ends for point in points})
 
 
 def built_lengths(structure: Structure) -> Array:
-    """The distances of the tendons' ends in the built shape, m, (tendon,)."""
+    """Compute the distances between the tendons' ends in the built shape, m, (tendon,)."""
     points = built_points(structure)
     ends = (tendon.points for tendon in structure.tendons)
     return np.array([float(np.linalg.norm(points[end] - points[start])) for start, end in ends])
 
 
 def built_strains(structure: Structure) -> Array:
-    """The strains of the tendons in the built shape, (tendon,); infinite without a gauge length."""
+    """Compute the strains of the tendons in the built shape, (tendon,); infinite without a gauge length."""
     gauges = np.array([tendon.gauge_length for tendon in structure.tendons])
     return np.where(gauges > 0, built_lengths(structure) / np.where(gauges > 0, gauges, 1.0) - 1, np.inf)
 
 
 def built_hinges(structure: Structure) -> tuple[Array, Array]:
-    """Where the hinges are in the built shape, m, (hinge, 3), and unit vectors along their axes, (hinge, 3)."""
+    """Compute positions, m, (hinge, 3), and unit vectors along the axes, (hinge, 3), of hinges in the built shape."""
     origins, frames = built_frames(structure)
     bodies = [hinge.body for hinge in structure.hinges]
     axes = [frames[hinge.body] @ hinge.axis for hinge in structure.hinges]
@@ -63,9 +63,9 @@ def built_hinges(structure: Structure) -> tuple[Array, Array]:
 
 
 def outer_ends(structure: Structure) -> Array:
-    """The points of outermost bodies, those that carry no other, that are furthest from their origins, m, (end, 3).
+    """Compute the outer ends of the outermost bodies, which have no children, in the built shape, m, (end, 3).
 
-    One a body, in the built shape: the tip of a bar, a corner of a plate.
+    The outer end of a body is the point furthest from its origin: the tip of a bar or a corner of a plate.
     """
     copies = {closure.bodies[1] for closure in structure.closures}
     carrying = {body.parent for number, body in enumerate(structure.bodies) if number not in copies}
@@ -81,14 +81,14 @@ def outer_ends(structure: Structure) -> Array:
 
 
 def crossing_tendons(structure: Structure) -> tuple[int, ...]:
-    """Numbers of the tendons that lie across one hinge each."""
+    """Return the numbers of the tendons that lie across a single hinge."""
     return tuple(number for number, tendon in enumerate(structure.tendons) if tendon.crossing is not None)
 
 
 def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float], ...]:
-    """The hinges that a tendon crosses, and the longest lever that it can have about each, m.
+    """Return the hinges that a tendon crosses, with the longest possible lever arm about each, m.
 
-    That is the distance of its nearer end from the hinge's body's origin: the pull is no further from there.
+    The lever arm cannot exceed the distance of the nearer end from the origin of the hinge's body.
     """
     origins, _ = built_frames(structure)
     bodies = [structure.points[point].body for point in tendon.points]
@@ -100,7 +100,7 @@ def tendon_arms(structure: Structure, tendon: Tendon) -> tuple[tuple[int, float]
 
 
 def built_frames(structure: Structure) -> tuple[Array, Array]:
-    """Origins, (body, 3), and rotations from the axes of bodies to those of the ground, (body, 3, 3), as built."""
+    """Compute origins of bodies, (body, 3), and rotations from their axes to the ground's, (body, 3, 3), as built."""
     origins, frames = np.zeros((len(structure.bodies), 3)), np.zeros((len(structure.bodies), 3, 3))
     for number, body in enumerate(structure.bodies):
         if body.parent == GROUND:

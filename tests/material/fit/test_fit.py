@@ -172,7 +172,7 @@ def test_a_refusal_says_every_reason_once():
     with pytest.raises(InputError) as refusal:
         fit_law([measured(SPRING, cycles(400, 3, 0.01), 1)], forms=forms)
     said = str(refusal.value)
-    assert said.count("the data cannot tell it from 0") == 1
+    assert said.count("the data cannot distinguish it from 0") == 1
     assert said.count("one rate only") == 1
     assert "(2 laws)" in said
 
@@ -207,7 +207,7 @@ def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():
     forms = [LawForm(damper=1), LawForm(branches=1)]
     one = measured(law, cycles(400, 3, 0.01), 2, noise=4e5)
     with pytest.raises(
-        InputError, match=r"one rate only, 0.01 1/s, cannot tell viscosity.linear from branches.0.modulus"
+        InputError, match=r"one rate only, 0.01 1/s, cannot distinguish viscosity.linear from branches.0.modulus"
     ):
         fit_law([one], forms=forms)
     assert fit_law([one], forms=[LawForm(), *forms]).form == LawForm()
@@ -217,7 +217,7 @@ def test_one_rate_cannot_tell_a_damper_from_a_fast_branch():
 @pytest.mark.parametrize(
     ("law", "history", "form", "message"),
     [
-        (SPRING, cycles(400, 3, 0.01), LawForm(damper=1), "viscosity.linear: the data cannot tell it from 0"),
+        (SPRING, cycles(400, 3, 0.01), LawForm(damper=1), "viscosity.linear: the data cannot distinguish it from 0"),
         (
             SPRING,
             cycles(12, 1, 0.01),

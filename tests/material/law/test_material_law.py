@@ -134,15 +134,15 @@ def test_what_is_absent_is_an_error_that_says_so():
     law = MaterialLaw(name="mine", source="a data sheet", moduli=(1e6, 0, 0))
     with pytest.raises(InputError, match="mine: viscosity: is not given by its source, a data sheet"):
         require(law, "viscosity")
-    with pytest.raises(InputError, match="strength: is no part of a material law; need modulus, viscosity"):
+    with pytest.raises(InputError, match="strength: is not a section of a material law; need modulus, viscosity"):
         require(law, "strength")
 
 
 @pytest.mark.parametrize(
     ("size", "message"),
     [
-        ({"length": 0.0, "area": 5e-6}, r"length: a material needs a resting length > 0, .*, got 0 cm"),
-        ({"length": math.nan, "area": 5e-6}, "length: a material needs a resting length > 0"),
+        ({"length": 0.0, "area": 5e-6}, r"length: need a resting length > 0, .*, got 0 cm"),
+        ({"length": math.nan, "area": 5e-6}, "length: need a resting length > 0"),
         ({"length": 0.06, "area": 0.0}, r"area: need a cross-section > 0, got 0 mm\^2"),
     ],
 )

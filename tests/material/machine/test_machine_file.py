@@ -138,7 +138,7 @@ def test_an_error_in_a_later_specimen_names_its_line(tmp_path):
 def test_one_test_in_two_tables_is_refused(tmp_path):
     lines = plain_text(TEST).splitlines()
     halves = [lines[0], *lines[1:20], lines[0], *lines[20:]]
-    message = "line 21: the names stand here again, but time goes on: join the tables"
+    message = "line 21: the names are repeated, but time continues: join the tables"
     assert refusal(file(tmp_path, "\n".join(halves)), **SIZE) == message
 
 
@@ -180,8 +180,8 @@ def test_the_file_and_the_user_may_agree_within_the_digits_of_the_file(tmp_path)
 
 def test_the_file_and_the_user_in_conflict_are_both_quoted(tmp_path):
     path = file(tmp_path, "L0,60.0,mm\nProbendicke,2.5,mm\nProbenbreite,2.0,mm\n" + plain_text(TEST))
-    assert refusal(path, length=0.065) == "length: 65 mm was given, but the file says 60 mm (line 1: L0)"
-    area = "area: 6 mm^2 was given, but the file says 5 mm^2 (line 3: Probenbreite and line 2: Probendicke)"
+    assert refusal(path, length=0.065) == "length: 65 mm was given, but the file has 60 mm (line 1: L0)"
+    area = "area: 6 mm^2 was given, but the file has 5 mm^2 (line 3: Probenbreite and line 2: Probendicke)"
     assert refusal(path, area=6e-6) == area
 
 
@@ -204,7 +204,7 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
     [
         ("", "need a tensile test, got an empty file"),
         (" \n\n", "need a tensile test, got an empty file"),
-        (NAMES, "need a table of numbers, found none: it is cut off, or its format is not known; known are ZwickRoell"),
+        (NAMES, "need a table of numbers, found none: it is cut off, or its format is unknown; known are ZwickRoell"),
         ("a text\nof two lines\n", "need a table of numbers, found none"),
         (b"\x89PNG\r\n\x1a\n\xff\xfe binary", "need a table of numbers, found none"),
         (
@@ -236,7 +236,7 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
         (NAMES + "0,0,0\n1,1.5,2.5\n2,3,\n", 'line 4: need a finite number, got "": is the file cut off?'),
         (NAMES + "0,0,0\n1,1.5,2.5\n2,3", "line 4: need 3 cells, as in the other rows, got 2: is the file cut off?"),
         (NAMES + "0,0,0\n1,1.5\n2,3,4\n", "line 3: need 3 cells, as in the other rows, got 2"),
-        (NAMES + "0,0,0\n2,1.5,2.5\n1,3,4\n", "line 4: time: need times that never fall, got 1 after 2"),
+        (NAMES + "0,0,0\n2,1.5,2.5\n1,3,4\n", "line 4: time: need times that never decrease, got 1 after 2"),
         (NAMES + "0,0,0\n", "line 1: need at least two rows of numbers, got one: is it cut off?"),
         (
             "time [s],extension [mm],force [N]\n0,0,0,0,0,0\n1,5,1,5,2,5\n",
@@ -257,8 +257,8 @@ ROWS = "0,0,0\n1,1.5,2.5\n2,3,4\n"
             'line 2: force: "2,000" may be 2.000 or 2000; export without',
         ),
         ('"L0";"60\n' + NAMES.replace(",", ";") + ROWS.replace(",", ";"), "line 5: need cells in closed quotes, is it"),
-        ("L0,sixty,mm\n" + NAMES + ROWS, "length: the file does not say it; give the specimen's length, such as 60 mm"),
-        ("L0,60,mm\n" + NAMES + ROWS, "area: the file does not say it; give the specimen's area, such as 5 mm^2"),
+        ("L0,sixty,mm\n" + NAMES + ROWS, "length: is not in the file; give the specimen's length, such as 60 mm"),
+        ("L0,60,mm\n" + NAMES + ROWS, "area: is not in the file; give the specimen's area, such as 5 mm^2"),
         ("L0,60\n" + NAMES + ROWS, "line 1: L0: the unit is missing; need one of mm, m"),
         ("x,1\nL0,60,N\n" + NAMES + ROWS, 'line 2: L0: "N" is not its unit; need one of mm, m'),
         ("L0,0,mm\n" + NAMES + ROWS, "line 1: L0: need 0.001 mm to 1e+05 mm, got 0 mm; is its unit wrong?"),

@@ -60,5 +60,5 @@ def test_the_file_that_is_wrong_is_named(folder, patterns, message):
 
 @pytest.mark.usefixtures("folder")
 def test_a_length_in_conflict_with_a_file_names_the_file():
-    with pytest.raises(InputError, match=r"^whole\.txt: length: 50 mm was given, but the file says 60 mm"):
+    with pytest.raises(InputError, match=r"^whole\.txt: length: 50 mm was given, but the file has 60 mm"):
         read_specimens(["whole.txt"], length=0.05)

@@ -86,7 +86,7 @@ def test_a_pull_to_break_has_no_cycle():
     )
     with pytest.raises(InputError, match=r"^pull: need a cycle of loading and unloading, found none$"):
         find_cycles(pull)
-    with pytest.raises(InputError, match=r"^s: need a cycle .* found one, that drop_first leaves out$"):
+    with pytest.raises(InputError, match=r"^s: need a cycle .* found one, which drop_first leaves out$"):
         find_cycles(whole)
 
 

@@ -32,7 +32,7 @@ def test_strain_and_stress_are_those_of_the_specimen_before_the_test(length, are
         ({"time": np.array([0.0])}, "time: need at least two rows, got shape (1,)"),
         ({"force": np.array([0.0, 1.0])}, "force: need as many rows as there are times, (3,), got (2,)"),
         ({"extension": np.array([0.0, np.nan, 0.02])}, "extension: need finite numbers, got nan in row 1"),
-        ({"time": np.array([0.0, 2.0, 1.0])}, "time: need times that never fall, got 1 s after 2 s"),
+        ({"time": np.array([0.0, 2.0, 1.0])}, "time: need times that never decrease, got 1 s after 2 s"),
         ({"length": 0.0}, "length: need 0.001 mm to 1e+05 mm, got 0 mm; is its unit wrong?"),
         ({"area": -5e-6}, "area: need 1e-09 mm^2 to 1e+06 mm^2, got -5 mm^2; is its unit wrong?"),
         ({"length": np.nan}, "length: need 0.001 mm to 1e+05 mm, got nan mm; is its unit wrong?"),

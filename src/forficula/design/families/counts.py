@@ -1,4 +1,4 @@
-"""Numbers of cells of a sheet."""
+"""Fields for numbers of cells of a sheet."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import Any
 
 from pydantic import Field
 
-# along either side of a sheet: a hundred thousand facets take minutes to draw
+# in each direction: a sheet of a hundred thousand facets takes minutes to draw
 MOST_CELLS = 300
 
 
 def count(description: str, least: int = 1) -> Any:
-    """Return the field of a whole number that must be given."""
+    """Define a required field that holds a whole number."""
     return Field(strict=True, ge=least, le=MOST_CELLS, description=description)

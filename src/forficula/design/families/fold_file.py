@@ -14,46 +14,53 @@ from forficula.design.sheets.sheet import SheetDesign
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern
 
-# where an edge folds to by its letter, rad
+# target fold angle by the letter of the edge, rad
 FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
 Whole = Annotated[int, Field(strict=True)]
 
 
 class FoldFile(Section):
-    """The sheet: as a file has it, FOLD, SVG or DXF."""
+    """The sheet: a crease pattern from a FOLD, SVG or DXF file."""
 
-    about: ClassVar[str] = "The sheet: as a file has it, FOLD, SVG or DXF"
+    about: ClassVar[str] = "The sheet: a crease pattern from a FOLD, SVG or DXF file"
 
-    kind: Annotated[Literal["fold-file"], Field(description="where the pattern comes from")]
+    kind: Annotated[Literal["fold-file"], Field(description="source of the pattern: a file")]
     path: Annotated[
         str | None,
         Field(
-            description="of a .fold, .svg or .dxf file, from here on; what it holds is kept",
+            description="path of a .fold, .svg or .dxf file, relative to this file; its content is copied into the"
+            " design",
             examples=["sheet.fold"],
         ),
     ] = None
     unit: float | None = quantity(
-        LENGTH, "length of the file's unit where it names none", default=None, above=0, examples=["1 cm"]
+        LENGTH, "unit of length of a file that names none", default=None, above=0, examples=["1 cm"]
     )
     tolerance: float | None = quantity(
-        LENGTH, "of a drawing: how near lines must be to meet", default=None, above=0, examples=["0.1 mm"]
+        LENGTH,
+        "largest gap between lines of a drawing that are joined",
+        default=None,
+        above=0,
+        examples=["0.1 mm"],
     )
     frame: Annotated[
         Whole | str | None,
-        Field(description="number, title or class of its frame", examples=[0]),
+        Field(description="number, title or class of a frame of a FOLD file", examples=[0]),
     ] = None
-    title: Annotated[str, Field(description="what the sheet is")] = ""
+    title: Annotated[str, Field(description="title of the sheet")] = ""
     vertices_x: tuple[float, ...] = quantity(LENGTH, "x of every vertex as built", default=())
-    vertices_y: tuple[float, ...] = quantity(LENGTH, "y of every vertex", default=())
-    vertices_z: tuple[float, ...] = quantity(LENGTH, "z of every vertex; 0 if not given", default=())
+    vertices_y: tuple[float, ...] = quantity(LENGTH, "y of every vertex as built", default=())
+    vertices_z: tuple[float, ...] = quantity(LENGTH, "z of every vertex as built; 0 if not given", default=())
     edges: Annotated[tuple[tuple[Whole, Whole], ...], Field(description="the two vertices of every edge")] = ()
     assignment: Annotated[str, Field(description="letter of every edge: B, M, V, F or C")] = ""
-    roles: Annotated[tuple[str, ...], Field(description="what every edge is called with others of its kind")] = ()
+    roles: Annotated[
+        tuple[str, ...], Field(description="role of every edge, by which groups of creases are named")
+    ] = ()
     facets: Annotated[tuple[tuple[Whole, ...], ...], Field(description="the vertices of every facet")] = ()
     fold_angles: tuple[float | str, ...] = quantity(
         ANGLE,
-        'where every edge folds to, valley positive, or "none"; without it V to 180 deg, M to -180 deg',
+        'target fold angle of every edge, valley positive, or "none"; if not given, V 180 deg and M -180 deg',
         default=(),
         words=("none",),
         at_least=-math.pi,
@@ -64,14 +71,16 @@ class FoldFile(Section):
     def _is_a_sheet(self) -> FoldFile:
         if not self.vertices_x:
             raise InputError('pattern.path: is missing; name a FOLD file, as in path = "sheet.fold"')
-        for key, given, rule in (
+        for key, values, reference in (
             ("vertices_y", self.vertices_y, self.vertices_x),
             ("vertices_z", self.vertices_z, self.vertices_x),
             ("fold_angles", self.fold_angles, self.assignment),
         ):
-            if len(given) != len(rule) and (given or key == "vertices_y"):
+            if len(values) != len(reference) and (values or key == "vertices_y"):
                 other = "assignment" if key == "fold_angles" else "vertices_x"
-                raise InputError(f"pattern.{key}: need {len(rule)} entries, as pattern.{other} has, got {len(given)}")
+                raise InputError(
+                    f"pattern.{key}: need {len(reference)} entries, as pattern.{other} has, got {len(values)}"
+                )
         try:
             _ = self.sheet
         except InputError as error:
@@ -98,7 +107,7 @@ class FoldFile(Section):
 
 
 class FoldFileDesign(SheetDesign):
-    """A sheet that a file holds, and what is done to it."""
+    """A sheet whose pattern is read from a file, with its protocol."""
 
     example: ClassVar[Mapping[str, object]] = {"path": "sheet.fold"}
 

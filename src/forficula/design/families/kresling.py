@@ -15,20 +15,22 @@ from forficula.pattern import CreasePattern, kresling_pattern
 
 
 class Kresling(Section):
-    """The sheet: a twisted tower of triangles between polygons, as it stands."""
+    """The sheet: an upright twisted tower of triangles between polygons."""
 
-    about: ClassVar[str] = "The sheet: a twisted tower of triangles between polygons, as it stands"
+    about: ClassVar[str] = "The sheet: an upright twisted tower of triangles between polygons"
 
-    kind: Annotated[Literal["kresling"], Field(description="the family of crease patterns")]
-    sides: int = count("of every polygon", least=3)
-    layers: int = Field(default=1, strict=True, ge=1, le=MOST_CELLS, description="one above another")
-    radius: float = quantity(LENGTH, "of the circle through the corners of a polygon", above=0)
-    height: float = quantity(LENGTH, "of a layer", above=0)
-    twist: float = quantity(ANGLE, "by which a polygon is turned against the one below", above=-math.pi, below=math.pi)
+    kind: Annotated[Literal["kresling"], Field(description="family of crease patterns")]
+    sides: int = count("number of sides of every polygon", least=3)
+    layers: int = Field(default=1, strict=True, ge=1, le=MOST_CELLS, description="number of layers, one above another")
+    radius: float = quantity(LENGTH, "radius of the circle through the corners of a polygon", above=0)
+    height: float = quantity(LENGTH, "height of a layer", above=0)
+    twist: float = quantity(
+        ANGLE, "angle by which a polygon is turned relative to the one below", above=-math.pi, below=math.pi
+    )
     alternating: Annotated[
-        bool, Field(strict=True, description="whether every second layer is twisted the other way")
+        bool, Field(strict=True, description="whether every second layer is twisted in the opposite direction")
     ] = False
-    end_plates: Annotated[bool, Field(strict=True, description="whether polygons close it below and above")] = False
+    end_plates: Annotated[bool, Field(strict=True, description="whether polygons close the tower at both ends")] = False
 
     @property
     def sheet(self) -> CreasePattern:
@@ -39,7 +41,7 @@ class Kresling(Section):
 
 
 class KreslingDesign(SheetDesign):
-    """A Kresling tower, and what is done to it."""
+    """A Kresling tower with its protocol."""
 
     papers: ClassVar[Mapping[str, str]] = {"cai2015": "geometry of the tower and its two states"}
     reference: ClassVar[str | None] = "kresling-cell"

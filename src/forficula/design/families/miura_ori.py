@@ -15,16 +15,20 @@ from forficula.pattern import CreasePattern, miura_pattern
 
 
 class MiuraOri(Section):
-    """The sheet: parallelograms in rows, every second one mirrored, which fold all at once."""
+    """The sheet: parallelograms in rows, with every second row mirrored; all creases fold together."""
 
-    about: ClassVar[str] = "The sheet: parallelograms in rows, every second one mirrored, which fold all at once"
+    about: ClassVar[str] = (
+        "The sheet: parallelograms in rows, with every second row mirrored; all creases fold together"
+    )
 
-    kind: Annotated[Literal["miura-ori"], Field(description="the family of crease patterns")]
-    columns: int = count("of parallelograms, across the straight creases")
-    rows: int = count("of parallelograms, across the zigzag creases")
-    long_side: float = quantity(LENGTH, "of a parallelogram, along the straight creases", above=0)
-    short_side: float = quantity(LENGTH, "of a parallelogram, along the zigzag creases", above=0)
-    acute_angle: float = quantity(ANGLE, "of a parallelogram", above=0, below=math.pi / 2, examples=["60 deg"])
+    kind: Annotated[Literal["miura-ori"], Field(description="family of crease patterns")]
+    columns: int = count("number of parallelograms across the straight creases")
+    rows: int = count("number of parallelograms across the zigzag creases")
+    long_side: float = quantity(LENGTH, "side of a parallelogram along the straight creases", above=0)
+    short_side: float = quantity(LENGTH, "side of a parallelogram along the zigzag creases", above=0)
+    acute_angle: float = quantity(
+        ANGLE, "acute angle of a parallelogram", above=0, below=math.pi / 2, examples=["60 deg"]
+    )
     fold: float = quantity(
         ANGLE, "fold angle of the zigzag creases as built; 0 deg is flat", default=0.0, at_least=0, below=math.pi
     )
@@ -36,7 +40,7 @@ class MiuraOri(Section):
 
 
 class MiuraDesign(SheetDesign):
-    """A Miura sheet, and what is done to it."""
+    """A Miura sheet with its protocol."""
 
     papers: ClassVar[Mapping[str, str]] = {
         "schenk2013": "places of the vertices",

@@ -16,28 +16,28 @@ _MOST_PANELS = 1000
 
 
 class Pleats(Section):
-    """The sheet: a strip of panels one after another, with a crease between every two."""
+    """The sheet: a strip of panels with a crease between neighbouring panels."""
 
-    about: ClassVar[str] = "The sheet: a strip of panels one after another, with a crease between every two"
+    about: ClassVar[str] = "The sheet: a strip of panels with a crease between neighbouring panels"
 
-    kind: Annotated[Literal["pleats"], Field(description="the family of crease patterns")]
-    panels: Annotated[int, Field(strict=True, ge=2, le=_MOST_PANELS, description="how many panels the strip has")]
+    kind: Annotated[Literal["pleats"], Field(description="family of crease patterns")]
+    panels: Annotated[int, Field(strict=True, ge=2, le=_MOST_PANELS, description="number of panels of the strip")]
     panel_lengths: tuple[float, ...] = quantity(
-        LENGTH, "lengths of the panels along the strip, repeated where there are more panels", above=0
+        LENGTH, "lengths of the panels along the strip, repeated if there are more panels", above=0
     )
     width: float = quantity(LENGTH, "width of the strip, along the creases", above=0)
     assignment: Annotated[
-        str, Field(description="M (mountain) or V (valley) for every crease, repeated where there are more creases")
+        str, Field(description="M (mountain) or V (valley) for every crease, repeated if there are more creases")
     ]
 
     @model_validator(mode="after")
     def _can_be_drawn(self) -> Pleats:
-        for key, given, most, what in (
+        for key, count, most, entries in (
             ("panel_lengths", len(self.panel_lengths), self.panels, "lengths, one for each panel"),
             ("assignment", len(self.assignment), self.panels - 1, "letters, one for each crease"),
         ):
-            if not 1 <= given <= most:
-                raise InputError(f"pattern.{key}: need 1 to {most} {what}, got {given}")
+            if not 1 <= count <= most:
+                raise InputError(f"pattern.{key}: need 1 to {most} {entries}, got {count}")
         if set(self.assignment) - {"M", "V"}:
             raise InputError(
                 f"pattern.assignment: need letters M (mountain) and V (valley), got {as_written(self.assignment)}"
@@ -57,7 +57,7 @@ class Pleats(Section):
 
 
 class PleatsDesign(SheetDesign):
-    """A strip of pleats, and what is done to it."""
+    """A strip of pleats with its protocol."""
 
     reference: ClassVar[str | None] = "letter-fold"
 

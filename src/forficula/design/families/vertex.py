@@ -1,4 +1,4 @@
-"""Designs of one vertex."""
+"""Designs of a single vertex."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from forficula.pattern import CreasePattern, vertex_pattern
 
 
 class Vertex(Section):
-    """The sheet: one vertex with triangles around it, which may add up to 360 deg or not."""
+    """The sheet: one vertex surrounded by triangles, whose angles need not add up to 360 deg."""
 
-    about: ClassVar[str] = "The sheet: one vertex with triangles around it, which may add up to 360 deg or not"
+    about: ClassVar[str] = "The sheet: one vertex surrounded by triangles, whose angles need not add up to 360 deg"
 
-    kind: Annotated[Literal["vertex"], Field(description="the family of crease patterns")]
+    kind: Annotated[Literal["vertex"], Field(description="family of crease patterns")]
     sectors: tuple[float, ...] = quantity(
         ANGLE, "angles between neighbouring creases, counterclockwise", above=0, below=math.pi
     )
-    lengths: tuple[float, ...] = quantity(LENGTH, "of the creases, one for all or one for each", above=0)
+    lengths: tuple[float, ...] = quantity(LENGTH, "lengths of the creases: one for all or one for each", above=0)
     assignment: Annotated[
-        str, Field(description="M, V, F or U for every crease; without it as the vertex is built")
+        str, Field(description="M, V, F or U for every crease; if not given, as the vertex is built")
     ] = ""
     fold: float | None = quantity(
         ANGLE,
-        "of four creases: fold angle of the first one as built; without it flat, a cone or a saddle",
+        "fold angle of the first of four creases as built; if not given, the sheet is flat, a cone or a saddle",
         default=None,
         at_least=0,
         at_most=math.pi,
@@ -43,7 +43,7 @@ class Vertex(Section):
 
 
 class VertexDesign(SheetDesign):
-    """One vertex with the facets around it, and what is done to it."""
+    """One vertex with the facets around it, and its protocol."""
 
     papers: ClassVar[Mapping[str, str]] = {"faber2018": "vertices whose sector angles do not sum to 360 deg"}
     reference: ClassVar[str | None] = "bistable-clasp"

@@ -1,4 +1,4 @@
-"""Designs of waterbombs and of sheets of them."""
+"""Designs of waterbomb bases and of sheets of waterbombs."""
 
 from __future__ import annotations
 
@@ -16,25 +16,39 @@ from forficula.pattern import CreasePattern, waterbomb_base, waterbomb_pattern
 
 
 class Waterbomb(Section):
-    """The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs."""
+    """The sheet: a waterbomb base, which snaps, or, with columns and rows, a flat sheet of waterbombs."""
 
     about: ClassVar[str] = (
-        "The sheet: a waterbomb base, which snaps, or with columns and rows a flat sheet of waterbombs"
+        "The sheet: a waterbomb base, which snaps, or, with columns and rows, a flat sheet of waterbombs"
     )
 
-    kind: Annotated[Literal["waterbomb"], Field(description="the family of crease patterns")]
-    side: float = quantity(LENGTH, "of a square", above=0)
+    kind: Annotated[Literal["waterbomb"], Field(description="family of crease patterns")]
+    side: float = quantity(LENGTH, "side of a square", above=0)
     columns: Annotated[
-        int | None, Field(strict=True, ge=1, le=MOST_CELLS, description="of squares; with rows", examples=[4])
+        int | None,
+        Field(
+            strict=True,
+            ge=1,
+            le=MOST_CELLS,
+            description="number of columns of squares, for a sheet; needs rows",
+            examples=[4],
+        ),
     ] = None
     rows: Annotated[
-        int | None, Field(strict=True, ge=1, le=MOST_CELLS, description="of squares; with columns", examples=[4])
+        int | None,
+        Field(
+            strict=True,
+            ge=1,
+            le=MOST_CELLS,
+            description="number of rows of squares, for a sheet; needs columns",
+            examples=[4],
+        ),
     ] = None
     fold: float = quantity(
-        ANGLE, "of the base: fold angle of its diagonals as built", default=0.0, at_least=0, below=math.pi
+        ANGLE, "fold angle of the diagonals of a base as built", default=0.0, at_least=0, below=math.pi
     )
     apex: Annotated[
-        Literal["up", "down"], Field(description="of the base: whether its centre stands above its rim as built")
+        Literal["up", "down"], Field(description="whether the centre of a base is above or below its rim as built")
     ] = "up"
 
     @model_validator(mode="after")
@@ -54,7 +68,7 @@ class Waterbomb(Section):
 
 
 class WaterbombDesign(SheetDesign):
-    """A waterbomb, or a sheet of them, and what is done to it."""
+    """A waterbomb base or a sheet of waterbombs, with its protocol."""
 
     papers: ClassVar[Mapping[str, str]] = {"chen2016": "the tessellation and its rigid folding"}
     reference: ClassVar[str | None] = "waterbomb-base"

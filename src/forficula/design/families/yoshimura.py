@@ -16,24 +16,24 @@ from forficula.pattern import CreasePattern, yoshimura_pattern, yoshimura_tube
 
 
 class Yoshimura(Section):
-    """The sheet: diamonds, flat, rolled up, or as a closed tube."""
+    """The sheet: a diamond pattern that is flat, rolled up, or closed to a tube."""
 
-    about: ClassVar[str] = "The sheet: diamonds, flat, rolled up, or as a closed tube"
+    about: ClassVar[str] = "The sheet: a diamond pattern that is flat, rolled up, or closed to a tube"
 
-    kind: Annotated[Literal["yoshimura"], Field(description="the family of crease patterns")]
-    columns: int = count("of triangles on every line, around the roll")
-    rows: int = count("of triangles, along the roll")
-    base: float = quantity(LENGTH, "of a triangle", above=0)
-    height: float = quantity(LENGTH, "of a triangle over its base", above=0)
+    kind: Annotated[Literal["yoshimura"], Field(description="family of crease patterns")]
+    columns: int = count("number of triangles on every line, around the roll")
+    rows: int = count("number of rows of triangles, along the roll")
+    base: float = quantity(LENGTH, "base of a triangle", above=0)
+    height: float = quantity(LENGTH, "height of a triangle above its base", above=0)
     fold: float = quantity(
         ANGLE, "fold angle of the bases as built; 0 deg is flat", default=0.0, at_least=0, below=math.pi
     )
-    closed: Annotated[bool, Field(strict=True, description="whether it is a tube, which closes by itself")] = False
+    closed: Annotated[bool, Field(strict=True, description="whether the sheet is closed to a tube")] = False
 
     @model_validator(mode="after")
     def _rolled_once(self) -> Yoshimura:
         if self.closed and self.fold:
-            raise InputError("pattern.fold: is for an open sheet; how far a closed tube is folded follows from columns")
+            raise InputError("pattern.fold: is for an open sheet; the fold angle of a closed tube follows from columns")
         return self
 
     @property
@@ -45,7 +45,7 @@ class Yoshimura(Section):
 
 
 class YoshimuraDesign(SheetDesign):
-    """A sheet or a tube of diamonds, and what is done to it."""
+    """A Yoshimura sheet or tube with its protocol."""
 
     papers: ClassVar[Mapping[str, str]] = {"guest1994": "geometry of triangulated tubes"}
     example: ClassVar[Mapping[str, object]] = {

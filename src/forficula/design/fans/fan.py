@@ -1,4 +1,4 @@
-"""A fan: its sections, its protocol, and what must fit together."""
+"""Designs of fans: sections, protocol, and checks that the values fit together."""
 
 from __future__ import annotations
 
@@ -38,33 +38,38 @@ _MOST_VEINS = 1001
 
 
 class FanProtocol(Protocol):
-    """What is done to the wing, and what counts as done."""
+    """The stages in which the wing is driven, and the criteria by which a run is judged."""
 
-    about: ClassVar[str] = "What is done to the wing, and what counts as done"
+    about: ClassVar[str] = "The stages in which the wing is driven, and the criteria by which a run is judged"
 
     fold_torque: float = quantity(TORQUE, "torque on every driven proximal turn axis while folding", at_least=0)
     unfold_torque: float = quantity(
-        TORQUE, "torque on every distal and every driven proximal axis while unfolding", at_least=0
+        TORQUE, "torque on every distal hinge and every driven proximal turn axis while unfolding", at_least=0
     )
     driven_veins: Annotated[
         tuple[Annotated[int, Field(strict=True, ge=0)], ...] | None,
         Field(
             min_length=1,
-            description="numbers of the veins with a motor on their proximal turn axes; without it, all",
+            description="numbers of the veins with a motor on their proximal turn axes; all if not given",
             examples=[[0]],
         ),
     ] = None
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of a driven hinge at which nothing is left of its torque, as of a servo with these stall torques;"
-        " without it torques stay",
+        "speed of a driven hinge at which its torque has fallen to 0, as in a servo whose stall torques are these"
+        " torques; if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],
     )
-    initial_overbend: float = quantity(ANGLE, "where every distal hinge starts, past straight")
-    folded_angle: float = quantity(ANGLE, "folded means that every distal hinge is beyond it", above=0, at_most=math.pi)
-    opened_angle: float = quantity(ANGLE, "opened means that every distal hinge is at or past it, on the overbend side")
+    initial_overbend: float = quantity(ANGLE, "initial angle of every distal hinge, past straight")
+    folded_angle: float = quantity(
+        ANGLE, "angle beyond which every distal hinge must be for the wing to count as folded", above=0, at_most=math.pi
+    )
+    opened_angle: float = quantity(
+        ANGLE,
+        "angle at or past which every distal hinge must be, on the overbend side, for the wing to count as opened",
+    )
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> FanProtocol:
@@ -74,7 +79,7 @@ class FanProtocol(Protocol):
 
 
 class FanDesign(Design):
-    """A fan of bars with membranes between them, and what is done to it."""
+    """A fan of bars with membranes between them, and its protocol."""
 
     varied_key: ClassVar[str] = "tendon.stiffness"
     papers: ClassVar[Mapping[str, str]] = {
@@ -98,34 +103,34 @@ class FanDesign(Design):
     membrane: MembraneSection
     hinge: HingeSection
     coupling: Annotated[
-        CouplingSection | None, Field(description="between neighbouring veins at the base; without it, none")
+        CouplingSection | None, Field(description="coupling of neighbouring veins at the base; none if not given")
     ] = None
     tendon: Annotated[
         Annotated[TendonSection, Tag("<one for all>")] | Annotated[tuple[TendonSection | None, ...], Tag("<by vein>")],
         Discriminator(lambda given: "<by vein>" if isinstance(given, tuple) else "<one for all>"),
-        Field(description="one for every vein, or by the number of the vein, None for one without"),
+        Field(description="one tendon for all veins, or tendons by the number of the vein, None for a vein without"),
     ]
     guard: GuardSection
     contact: Annotated[
-        ContactSection | None, Field(description="of panels and bars, where protocol.contact is true")
+        ContactSection | None, Field(description="contact of panels and bars, if protocol.contact is true")
     ] = None
     protocol: FanProtocol
 
     @field_validator("tendon", mode="before")
     @classmethod
-    def _by_vein(cls, given: object) -> object:
-        """Tables by the numbers of their veins, in a tuple that has them in their places."""
-        if not is_by_vein(given):
-            return given
-        return tuple(given.get(str(vein)) for vein in range(max(map(int, given), default=-1) + 1))
+    def _by_vein(cls, tendons: object) -> object:
+        """Convert tables by the numbers of their veins to a tuple in the order of the veins."""
+        if not is_by_vein(tendons):
+            return tendons
+        return tuple(tendons.get(str(vein)) for vein in range(max(map(int, tendons), default=-1) + 1))
 
     @model_validator(mode="after")
     def _fits_together(self) -> FanDesign:
         self._layers_have_room()
-        apart, width = _room_at_ring(self.fan)
-        kept = None if self.contact is None else self.contact.thickness
+        gap, width = _gaps_at_ring(self.fan)
+        thickness = None if self.contact is None else self.contact.thickness
         for key, value, bound, unit, fault in (
-            ("vein.diameter", self.vein.diameter, apart, SMALL_LENGTH, "the veins overlap at the ring fold"),
+            ("vein.diameter", self.vein.diameter, gap, SMALL_LENGTH, "the veins overlap at the ring fold"),
             (
                 "membrane.margin",
                 self.membrane.margin,
@@ -133,7 +138,13 @@ class FanDesign(Design):
                 LENGTH,
                 "the margin is wider than the panel at the ring fold",
             ),
-            ("contact.thickness", kept, width, LENGTH, "panels would be thicker than they are wide at the ring fold"),
+            (
+                "contact.thickness",
+                thickness,
+                width,
+                LENGTH,
+                "panels would be thicker than they are wide at the ring fold",
+            ),
         ):
             if value is not None and not value < bound:
                 raise InputError(
@@ -142,18 +153,18 @@ class FanDesign(Design):
                 )
         check_medium(self.medium, self.protocol.gravity, self.vein.density, "vein.density")
         self._tendons_on_bars()
-        self._driven_veins_there()
+        self._driven_veins_exist()
         for key, rows in (("proximal_rows", self.membrane.proximal_rows), ("distal_rows", self.membrane.distal_rows)):
             if list(rows) != sorted({row for row in rows if 0 < row < 1}):
                 raise InputError(f"membrane.{key}: need rising shares between 0 and 1, got {list(rows)}")
         self._goals_within_stops()
         self._start_within_guards()
-        # wings of more are drawn, but not run
+        # larger wings can be drawn, but not run
         check_duration(self, min(self.fan.vein_count, _MOST_VEINS), "veins")
         return self
 
     def _layers_have_room(self) -> None:
-        """Refuse folded layers that lie closer to each other than their veins and membranes are thick."""
+        """Refuse folded layers whose distance is smaller than the thickness of their veins and membranes."""
         pitch, least = self.pattern.pitch, self._least_pitch
         if pitch is not None and pitch < least:
             raise InputError(
@@ -163,18 +174,18 @@ class FanDesign(Design):
 
     @property
     def _least_pitch(self) -> float:
-        """From one folded layer to the next, m: a vein beside a vein, or the two membranes at a vein."""
+        """Least distance between two folded layers, m: the larger of a vein's diameter and two membranes."""
         return max(self.vein.diameter, 2 * self._layer[1])
 
     @property
     def _layer(self) -> tuple[str, float]:
-        """What panels keep apart when they touch, m, and its key."""
+        """Key and value of the distance between the mid-planes of touching panels, m."""
         if self.contact is not None and self.contact.thickness is not None:
             return "contact.thickness", self.contact.thickness
         return "membrane.thickness", self.membrane.thickness
 
     def _tendons_on_bars(self) -> None:
-        """Refuse tendons on veins that are not there, and such as do not end on their bars."""
+        """Refuse tendons on veins that do not exist, and tendons that do not end on their bars."""
         last, lengths = self.fan.vein_count - 1, (self.pattern.proximal_length, self.pattern.distal_length)
         if isinstance(self.tendon, TendonSection):
             check_on_bars("tendon", self.tendon, *lengths)
@@ -182,14 +193,14 @@ class FanDesign(Design):
         for vein, tendon in enumerate(self.tendon):
             if tendon is not None and vein > last:
                 raise InputError(
-                    f"tendon.{vein}: there is no vein {vein}: need one of 0 to {last}, with pattern.units ="
+                    f"tendon.{vein}: there is no vein {vein}: need 0 to {last} with pattern.units ="
                     f" {self.pattern.units}"
                 )
             if tendon is not None:
                 check_on_bars(f"tendon.{vein}", tendon, *lengths)
 
-    def _driven_veins_there(self) -> None:
-        """Refuse motors on veins that are not there, and two on one."""
+    def _driven_veins_exist(self) -> None:
+        """Refuse motors on veins that do not exist, and two motors on one vein."""
         driven, last = self.protocol.driven_veins or (), self.fan.vein_count - 1
         if len(set(driven)) < len(driven) or max(driven, default=0) > last:
             raise InputError(
@@ -233,7 +244,7 @@ class FanDesign(Design):
         return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
-        """Refuse a start or a goal that the stops of the distal hinges keep a wing from."""
+        """Refuse a start or a goal that the stops of the distal hinges make unreachable."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
         check_angles(protocol, fold_limit=folds, overbend=bends)
         shared = self.pattern.ring_folds
@@ -242,7 +253,7 @@ class FanDesign(Design):
         check_bounds(protocol, stops)
 
     def _start_within_guards(self) -> None:
-        """Refuse a start that guard tendons are too short for: they would throw the wing, harder at a shorter step."""
+        """Refuse a start that stretches the guard tendons, which would throw the wing, harder at a shorter timestep."""
         start, allowed = self.protocol.initial_overbend, self.guard.stretch
         stretch = start_stretch(self.fan, start)
         if stretch > allowed:
@@ -254,37 +265,37 @@ class FanDesign(Design):
             )
 
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
-        """The design as tables; tendons that are not one for all by the numbers of their veins."""
+        """Return the design as tables; tendons that differ are tables by the numbers of their veins."""
         tables = super().as_tables(write)
         if isinstance(self.tendon, tuple):
             tables["tendon"] = {str(vein): entry for vein, entry in enumerate(tables["tendon"]) if entry is not None}
         return tables
 
     def hash_values(self) -> dict[str, Any]:
-        """The values that tell it from others; a list of tendons that are all alike counts as one table."""
+        """Return the values that enter the hash; a list of identical tendons counts as one table."""
         values = super().hash_values()
         if isinstance(self.tendon, tuple):
             by_vein = [None if tendon is None else tendon.hash_values() for tendon in self.tendons]
-            alike = by_vein[0] is not None and all(each == by_vein[0] for each in by_vein)
-            values["tendon"] = by_vein[0] if alike else by_vein
+            identical = by_vein[0] is not None and all(tendon == by_vein[0] for tendon in by_vein)
+            values["tendon"] = by_vein[0] if identical else by_vein
         return values
 
     @property
     def idle(self) -> tuple[str, ...]:
-        """What is given and does nothing, a sentence each."""
+        """Sentences about given values that have no effect."""
         if self.contact is None or self.protocol.contact:
             return ()
-        return ("contact.thickness and contact.friction do nothing, for nothing touches: need protocol.contact = true",)
+        return ("contact.thickness and contact.friction have no effect without contact: need protocol.contact = true",)
 
     @property
     def driven_veins(self) -> tuple[int, ...]:
-        """Numbers of the veins with a motor at the base, rising."""
+        """Numbers of the veins with a motor at the base, in ascending order."""
         driven = self.protocol.driven_veins
         return tuple(range(self.fan.vein_count) if driven is None else sorted(driven))
 
     @property
     def tendons(self) -> tuple[TendonSection | None, ...]:
-        """The tendon of every vein, (vein,); None where it has none."""
+        """The tendon of every vein, (vein,); None for a vein without a tendon."""
         count = self.fan.vein_count
         if isinstance(self.tendon, TendonSection):
             return (self.tendon,) * count
@@ -292,47 +303,47 @@ class FanDesign(Design):
 
     @property
     def fan(self) -> EarwigFan:
-        """The crease pattern's construction."""
+        """The construction of the crease pattern."""
         two = self.pattern.ring_folds == 2
         # a vein and a panel lie between the innermost layers
         gusset_height = self.vein.diameter + self._layer[1] if two else 0.0
         return _drawn_fan(self.pattern, (self.pattern.pitch or self._least_pitch) if two else 0.0, gusset_height)
 
 
-@lru_cache(maxsize=64)  # asked for again and again while a wing is checked and built, and while other values change
-def _drawn_fan(chosen: FanPatternSection, pitch: float, gusset_height: float) -> EarwigFan:
+@lru_cache(maxsize=64)  # called repeatedly while a wing is checked and built, and while other values change
+def _drawn_fan(section: FanPatternSection, pitch: float, gusset_height: float) -> EarwigFan:
     return EarwigFan(
-        proximal_length=chosen.proximal_length,
-        distal_length=chosen.distal_length,
-        hub_radius=chosen.hub_radius,
-        sector_angle=chosen.sector_angle,
-        units=chosen.units,
-        tangent=chosen.tangent,
-        ring_folds=chosen.ring_folds,
+        proximal_length=section.proximal_length,
+        distal_length=section.distal_length,
+        hub_radius=section.hub_radius,
+        sector_angle=section.sector_angle,
+        units=section.units,
+        tangent=section.tangent,
+        ring_folds=section.ring_folds,
         pitch=pitch,
         gusset_height=gusset_height,
     )
 
 
 @lru_cache(maxsize=64)
-def _room_at_ring(fan: EarwigFan) -> tuple[float, float]:
-    """From vein to vein at the ring fold, m: between their axes, and along the ring."""
+def _gaps_at_ring(fan: EarwigFan) -> tuple[float, float]:
+    """Return the distances from vein to vein at the ring fold, m: between their axes, and along the ring."""
     first, second = ring_vertices(fan)[:2]
     return float(vein_gaps(fan, np.ones(1))[0]), math.dist(first, second)
 
 
 @lru_cache(maxsize=64)  # most designs derived from one design have the same start
 def start_stretch(fan: EarwigFan, overbend: float) -> float:
-    """How far apart neighbouring tips are where every distal hinge is bent past straight, by their flat distance.
+    """Compute the distance between neighbouring tips, with all distal hinges bent past straight, over that when flat.
 
-    Neighbouring veins bend to opposite sides of the sheet, evenly at their ring folds.
+    Neighbouring veins bend to opposite sides of the sheet, equally at each of their ring folds.
 
     Args:
         fan: the crease pattern.
-        overbend: of every distal hinge, rad.
+        overbend: angle of every distal hinge past straight, rad.
 
     Returns:
-        The largest share of all pairs.
+        The largest ratio of all pairs.
     """
     flat = bent = tips(fan)
     # odd veins are valleys, as `earwig_pattern` has them
@@ -348,6 +359,12 @@ def start_stretch(fan: EarwigFan, overbend: float) -> float:
 
 
 def largest_start(fan: EarwigFan, stretch: float, bend: float) -> float:
-    """How far one may bend towards a bend, rad, at which tips are further apart than so many times as when flat."""
+    """Compute the largest initial bend, rad, at which no tips are further apart than `stretch` times as when flat.
+
+    Args:
+        fan: the crease pattern.
+        stretch: allowed distance between neighbouring tips, divided by the flat one.
+        bend: an angle of the distal hinges at which the distance is larger, rad.
+    """
     share = scipy.optimize.brentq(lambda share: start_stretch(fan, share * bend) - stretch, 0.0, 1.0, xtol=1e-6)
     return float(share * bend)

@@ -1,4 +1,4 @@
-"""Sections of a fan's design, but for its tendons and its protocol."""
+"""Sections of a fan's design, except for tendons and protocol."""
 
 from __future__ import annotations
 
@@ -25,27 +25,28 @@ from forficula.design.section import (
 from forficula.errors import InputError
 from forficula.quantities import show_quantity
 
-# beyond atoms and worlds, m: within, every power that a unit has of a length is a float
+# m, smaller than atoms and larger than planets: within this range every power of a length that a unit has is a float
 _SMALLEST, _LARGEST = 1e-12, 1e12
 MOST_UNITS = 10_000
-MOST_ROWS = 1000  # of the mesh: with 100 times as many the engine runs out of memory
+MOST_ROWS = 1000  # rows of the mesh: with 100 times as many the engine runs out of memory
 
 
 class FanPatternSection(Section):
-    """The sheet: where it folds."""
+    """The crease pattern of the sheet."""
 
-    about: ClassVar[str] = "The sheet: where it folds"
+    about: ClassVar[str] = "The crease pattern of the sheet"
 
     later: ClassVar[tuple[str, ...]] = ("ring_folds",)
 
-    kind: Annotated[Literal["earwig-fan"], Field(description="the family of crease patterns")]
+    kind: Annotated[Literal["earwig-fan"], Field(description="family of crease patterns")]
     proximal_length: float = quantity(LENGTH, "length of a vein from the hub to the ring fold", above=0)
     distal_length: float = quantity(LENGTH, "length of a vein beyond the ring fold", above=0)
     hub_radius: float = quantity(LENGTH, "radius of the circle that the veins are tangent to", at_least=0)
     sector_angle: float = quantity(ANGLE, "angle between neighbouring veins", above=0, below=math.pi)
-    units: Annotated[int, Field(strict=True, ge=1, le=MOST_UNITS, description="fan units, of two panels each")]
+    units: Annotated[int, Field(strict=True, ge=1, le=MOST_UNITS, description="number of fan units of two panels each")]
     tangent: Annotated[
-        Literal["left", "right"], Field(description="side of the hub on which the proximal veins pass, seen outwards")
+        Literal["left", "right"],
+        Field(description="side of the hub on which the proximal veins pass, looking outwards"),
     ]
     ring_folds: Annotated[
         int,
@@ -53,14 +54,14 @@ class FanPatternSection(Section):
             strict=True,
             ge=1,
             le=2,
-            description="across every vein; two, with a gusset between them, let thick layers fold round each other and"
-            " share the ring fold's angles evenly",
+            description="number of ring folds across every vein; two, with a gusset between them, let thick layers fold"
+            " around each other, and each takes half of the angle",
         ),
     ] = 1
     pitch: float | None = quantity(
         SMALL_LENGTH,
-        "from one folded layer to the next, with two ring folds; without it, the least that there is room in: a vein's"
-        " diameter, or twice what panels keep apart (contact.thickness)",
+        "distance between folded layers, with two ring folds; if not given, the least possible one: the larger of a"
+        " vein's diameter and twice the thickness of a panel (contact.thickness)",
         default=None,
         above=0,
     )
@@ -86,17 +87,20 @@ class FanPatternSection(Section):
 
 
 class VeinSection(Section):
-    """The bars."""
+    """The bars of the veins."""
 
-    about: ClassVar[str] = "The bars"
+    about: ClassVar[str] = "The bars of the veins"
 
     heading: ClassVar[str] = "Veins"
     later: ClassVar[tuple[str, ...]] = ("added_mass",)
 
     diameter: float = quantity(SMALL_LENGTH, "diameter of the bars", above=0)
-    density: float = quantity(DENSITY, "mass of the bars by volume", above=0)
+    density: float = quantity(DENSITY, "density of the bars", above=0)
     added_mass: float = quantity(
-        MASS, "of each hinge at the ring fold, half of it on either bar's end there", default=0.0, at_least=0
+        MASS,
+        "mass of each hinge at the ring fold, half of it at the end of each of its two bars",
+        default=0.0,
+        at_least=0,
     )
 
 
@@ -104,16 +108,16 @@ Share = Annotated[float, Field(strict=True)]
 
 
 class MembraneSection(Section):
-    """The sheet between the bars: stretch elasticity only."""
+    """The sheet between the bars, which resists stretching but not bending."""
 
-    about: ClassVar[str] = "The sheet between the bars: stretch elasticity only"
+    about: ClassVar[str] = "The sheet between the bars, which resists stretching but not bending"
 
     later: ClassVar[tuple[str, ...]] = ("density",)
     natural: ClassVar[tuple[str, ...]] = ("damping",)
 
     youngs_modulus: float = quantity(MODULUS, "Young's modulus", above=0)
     thickness: float = quantity(SMALL_LENGTH, "thickness", above=0)
-    density: float = quantity(DENSITY, "mass by volume, which the veins carry", default=0.0, at_least=0)
+    density: float = quantity(DENSITY, "density; the mass is lumped onto the veins", default=0.0, at_least=0)
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")]
     damping: float = quantity(SHORT_TIME, "relaxation time of its Kelvin-Voigt damping", at_least=0)
     margin: float = quantity(LENGTH, "width of the strip of each panel that is glued to its vein", above=0)
@@ -123,7 +127,7 @@ class MembraneSection(Section):
             strict=True,
             gt=0,
             lt=1,
-            description="largest share of the panel's width that the margin takes, near the hub",
+            description="largest width of the margin as a share of the panel's width; matters near the hub",
         ),
     ]
     proximal_rows: Annotated[
@@ -131,14 +135,14 @@ class MembraneSection(Section):
         Field(
             min_length=1,
             max_length=MOST_ROWS,
-            description="rows of its mesh, in shares of the proximal length; the first is its edge",
+            description="rows of the membrane's mesh as shares of the proximal length; the first one is its edge",
         ),
     ]
     distal_rows: Annotated[
         tuple[Share, ...],
         Field(
             max_length=MOST_ROWS,
-            description="rows of its mesh between ring fold and tip, in shares of the distal length",
+            description="rows of the membrane's mesh between ring fold and tip, as shares of the distal length",
         ),
     ]
 
@@ -151,51 +155,61 @@ class HingeSection(Section):
     heading: ClassVar[str] = "Hinges"
 
     overbend: float = quantity(
-        ANGLE, "how far a distal hinge bends past straight, away from folding", at_least=0, below=math.pi / 2
+        ANGLE,
+        "largest angle by which a distal hinge bends past straight, away from folding",
+        at_least=0,
+        below=math.pi / 2,
     )
-    fold_limit: float = quantity(ANGLE, "how far a distal hinge folds", above=0, at_most=math.pi)
-    turn_limit: float = quantity(ANGLE, "how far a vein turns about its axis while folding", above=0, at_most=math.pi)
-    turn_back: float = quantity(ANGLE, "how far a vein turns the other way", at_least=0, at_most=math.pi)
+    fold_limit: float = quantity(ANGLE, "largest fold angle of a distal hinge", above=0, at_most=math.pi)
+    turn_limit: float = quantity(
+        ANGLE, "largest turn of a vein about its own axis, in the sense of folding", above=0, at_most=math.pi
+    )
+    turn_back: float = quantity(ANGLE, "largest turn of a vein in the opposite sense", at_least=0, at_most=math.pi)
     damping: float = quantity(HINGE_DAMPING, "viscous damping of every hinge", at_least=0)
     friction: float = quantity(
-        TORQUE, "dry friction of every hinge: the torque that it takes to turn it slowly", default=0.0, at_least=0
+        TORQUE, "dry friction of every hinge: the torque needed to turn it slowly", default=0.0, at_least=0
     )
-    armature: float = quantity(INERTIA, "inertia of a motor on it, added to every hinge", default=0.0, at_least=0)
+    armature: float = quantity(INERTIA, "rotor inertia of a motor, added to every hinge", default=0.0, at_least=0)
 
 
 class CouplingSection(Section):
-    """What ties neighbouring veins to each other at the base, so that they turn together."""
+    """Coupling of the turns of neighbouring veins at the base."""
 
-    about: ClassVar[str] = "What ties neighbouring veins to each other at the base, so that they turn together"
+    about: ClassVar[str] = "Coupling of the turns of neighbouring veins at the base"
 
     heading: ClassVar[str] = "Basal vein coupling"
 
     stiffness: float | Literal["rigid"] = quantity(
         HINGE_STIFFNESS,
-        'of the spring between the turns of neighbouring veins; "rigid": they turn by the same',
+        'stiffness of the spring between the turns of neighbouring veins; "rigid": all veins turn by the same angle',
         at_least=0,
         words=("rigid",),
     )
 
 
 class ContactSection(Section):
-    """How panels and bars that touch keep apart, where protocol.contact is true."""
+    """Contact of panels and bars, if protocol.contact is true."""
 
-    about: ClassVar[str] = "How panels and bars that touch keep apart, where protocol.contact is true"
+    about: ClassVar[str] = "Contact of panels and bars, if protocol.contact is true"
 
     heading: ClassVar[str] = "Contact"
 
     thickness: float | None = quantity(
-        SMALL_LENGTH, "what panels keep apart, middle to middle; without it, membrane.thickness", default=None, above=0
+        SMALL_LENGTH,
+        "distance between the mid-planes of touching panels; if not given, membrane.thickness",
+        default=None,
+        above=0,
     )
     friction: Annotated[
         float,
-        Field(strict=True, ge=0, le=10, description="Coulomb's coefficient of panels and bars; 0: they slide freely"),
+        Field(
+            strict=True, ge=0, le=10, description="Coulomb's friction coefficient of panels and bars; 0: no friction"
+        ),
     ] = 0.0
     time_constant: float = quantity(
         SHORT_TIME,
-        "time constant of a contact, as stops.time_constant of a stop: panels that meet at a speed v cross by up to"
-        " 0.37 v T",
+        "time constant T of a contact, like stops.time_constant of a stop: panels that meet at a speed v overlap by up"
+        " to 0.37 v T",
         default=4e-4,
         above=0,
         examples=["0.4 ms"],
@@ -206,12 +220,13 @@ class ContactSection(Section):
 
 
 class GuardSection(Section):
-    """The unstressed length limits between neighbouring tips."""
+    """Unstressed length limits between neighbouring tips."""
 
-    about: ClassVar[str] = "The unstressed length limits between neighbouring tips"
+    about: ClassVar[str] = "Unstressed length limits between neighbouring tips"
 
     heading: ClassVar[str] = "Guard tendons"
 
     stretch: Annotated[
-        float, Field(strict=True, ge=1, description="largest distance between neighbouring tips, by the flat one")
+        float,
+        Field(strict=True, ge=1, description="largest distance between neighbouring tips, divided by the flat one"),
     ]

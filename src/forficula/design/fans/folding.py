@@ -1,4 +1,4 @@
-"""A protocol that folds and opens what bends at distal hinges: its names, and what its stages and angles must be."""
+"""The protocol that folds and opens distal hinges: names, transitions, and checks of stages and angles."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 DRIVES, GOALS, STATES = ("fold", "unfold"), ("folded", "opened"), ("flat", "folded", "opened")
 
-# keys of a protocol that matter to where a structure rests
+# keys of a protocol on which the rest states of a structure depend
 REST_KEYS = (
     "protocol.initial_overbend",
     "protocol.folded_angle",
     "protocol.opened_angle",
     "protocol.gravity",
 )
-# how far past straight, folding, a hinge has left the overbend for good
+# rad, fold angle beyond which a hinge has left the overbend for good
 _LEFT_STRAIGHT = math.radians(5.0)
 _FOLD = Wording(
     done="folded",
@@ -54,10 +54,10 @@ def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Dri
     """Return a protocol that folds and opens distal hinges as data.
 
     Args:
-        protocol: its stages have been checked by `check_course`.
+        protocol: protocol whose stages have been checked by `check_course`.
         drives: the drives "fold" and "unfold".
     """
-    # a slack tendon lets its hinge rest anywhere on the folded side; one beyond half way has opened again
+    # with a slack tendon a hinge may rest at any angle on the folded side; beyond half way it has opened again
     still_folded = _distal("<", -protocol.folded_angle / 2)
     return NamedProtocol(
         drives=tuple(drives),
@@ -97,9 +97,9 @@ def folding_protocol(protocol: FanProtocol | JointProtocol, drives: Sequence[Dri
     )
 
 
-@lru_cache(maxsize=256)  # designs that are run one after another have few different ones
+@lru_cache(maxsize=256)  # consecutive designs have few different bounds
 def _distal(relation: str, angle: float) -> str:
-    """Return a bound on the angles of the distal hinges, rad, as text that is read to the same bits."""
+    """Return a bound on the angles of the distal hinges, rad, as text that reads back exactly."""
     return f"distal_angle {relation} {format_quantity(angle, ANGLE)}"
 
 
@@ -109,7 +109,11 @@ def _first_driven(protocol: Protocol, drive: str) -> int | None:
 
 
 def _stage_states(protocol: Protocol) -> tuple[str, ...]:
-    """Return the states that stages name; without names the first ends flat, folding and opening at their releases."""
+    """Return the state at the end of each stage, as the stages name it.
+
+    Without names, the first stage ends in "flat", and the releases after folding and unfolding end in "folded" and
+    "opened".
+    """
     stages = protocol.stages
     if any(stage.state for stage in stages):
         return tuple(stage.state or "" for stage in stages)
@@ -123,24 +127,24 @@ def _stage_states(protocol: Protocol) -> tuple[str, ...]:
 
 
 def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -> None:
-    """Refuse stages that do not fold before they unfold, once each, after a first one that drives nothing.
+    """Refuse stages in the wrong order: first a stage without drives, then at most one that folds and one that unfolds.
 
     Args:
-        protocol: with the stages.
-        measures: what a stage may bound, and in which unit.
-        whole: what sentences call what is folded, such as "a wing".
+        protocol: protocol with the stages.
+        measures: names that a bound may have, with their units.
+        whole: name of the structure in sentences, such as "a wing".
 
     Raises:
-        InputError: which stage, and what is allowed.
+        InputError: a stage that is not allowed.
     """
     check_stages(protocol, DRIVES, GOALS, measures)
     check_states(protocol, STATES)
     drives = [stage_drives(stage) for stage in protocol.stages]
-    fold, unfold = ([number for number, each in enumerate(drives) if drive in each] for drive in DRIVES)
-    for number, each in enumerate(drives):
-        if len(each) > 1:
+    fold, unfold = ([number for number, names in enumerate(drives) if drive in names] for drive in DRIVES)
+    for number, names in enumerate(drives):
+        if len(names) > 1:
             raise InputError(
-                f"protocol.stages.{number}.drive: need one drive, for {whole} is not folded and unfolded in one"
+                f"protocol.stages.{number}.drive: need one drive, because {whole} is not folded and unfolded in one"
                 f" stage, got {as_written(protocol.stages[number].drive)}"
             )
     for drive, driven in zip(DRIVES, (fold, unfold), strict=True):
@@ -154,14 +158,20 @@ def check_course(protocol: Protocol, measures: dict[str, Unit], *, whole: str) -
         )
     if drives[0]:
         raise InputError(
-            'protocol.stages: need a first stage with drive = "none", whose end is the flat state,'
+            'protocol.stages: need a first stage with drive = "none", which ends in the flat state,'
             f" got {as_written(written[0])}"
         )
     _check_states_in_order(protocol, [*fold, len(drives)][0], [*unfold, len(drives)][0])
 
 
 def _check_states_in_order(protocol: Protocol, fold: int, unfold: int) -> None:
-    """Refuse a state where nothing is in it, by the numbers of the stages that fold and unfold."""
+    """Refuse names of states that do not follow the order of folding and unfolding.
+
+    Args:
+        protocol: protocol with the stages.
+        fold: number of the stage that folds.
+        unfold: number of the stage that unfolds.
+    """
     places = (
         'before the stage with drive = "fold"',
         'from the stage with drive = "fold" to the one with drive = "unfold"',
@@ -175,15 +185,15 @@ def _check_states_in_order(protocol: Protocol, fold: int, unfold: int) -> None:
 
 
 def other_start(protocol: _ProtocolOf, start: float) -> _ProtocolOf:
-    """Return a protocol whose distal hinges start 1 % nearer to straight than a start, rad, or 0.02 deg short of 0."""
+    """Return a protocol whose distal hinges start at 99 % of the angle `start`, rad, or at -0.02 deg if that is 0."""
     return protocol.model_copy(update={"initial_overbend": 0.99 * start if start else -math.radians(0.02)})
 
 
 def check_angles(protocol: Protocol, *, fold_limit: float, overbend: float) -> None:
-    """Refuse a start or a goal, of a protocol that has these keys, that the stops of distal hinges keep from it; rad.
+    """Refuse an initial angle or a goal that the stops of the distal hinges make unreachable; angles in rad.
 
     Raises:
-        InputError: which key of the protocol, and between what it may be.
+        InputError: a key of the protocol beyond its bounds.
     """
     for key, least, most, stop in (
         ("initial_overbend", -fold_limit, overbend, "overbend"),

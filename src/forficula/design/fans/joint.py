@@ -1,4 +1,4 @@
-"""A joint: two bars with one hinge and a tendon across it, the proximal bar held; its sections and its protocol."""
+"""Designs of single joints: two bars with a hinge and a tendon across it; the proximal bar is held."""
 
 from __future__ import annotations
 
@@ -22,23 +22,27 @@ from forficula.quantities import show_quantity
 
 
 class JointProtocol(Protocol):
-    """What is done to the joint, and what counts as done."""
+    """The stages in which the joint is driven, and the criteria by which a run is judged."""
 
-    about: ClassVar[str] = "What is done to the joint, and what counts as done"
+    about: ClassVar[str] = "The stages in which the joint is driven, and the criteria by which a run is judged"
 
     fold_torque: float = quantity(TORQUE, "torque on the hinge while folding", at_least=0)
     unfold_torque: float = quantity(TORQUE, "torque on the hinge while unfolding", at_least=0)
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "speed of the hinge at which nothing is left of its torque, as of a servo with these stall torques;"
-        " without it torques stay",
+        "speed of the hinge at which its torque has fallen to 0, as in a servo whose stall torques are these torques;"
+        " if not given, torques are constant",
         default=None,
         above=0,
         examples=["300 deg/s"],
     )
-    initial_overbend: float = quantity(ANGLE, "where the hinge starts, past straight")
-    folded_angle: float = quantity(ANGLE, "folded means that the hinge is beyond it", above=0, at_most=math.pi)
-    opened_angle: float = quantity(ANGLE, "opened means that the hinge is at or past it, on the overbend side")
+    initial_overbend: float = quantity(ANGLE, "initial angle of the hinge, past straight")
+    folded_angle: float = quantity(
+        ANGLE, "angle beyond which the hinge must be for the joint to count as folded", above=0, at_most=math.pi
+    )
+    opened_angle: float = quantity(
+        ANGLE, "angle at or past which the hinge must be, on the overbend side, for the joint to count as opened"
+    )
 
     @model_validator(mode="after")
     def _stages_in_order(self) -> JointProtocol:
@@ -47,7 +51,7 @@ class JointProtocol(Protocol):
 
 
 class JointDesign(Design):
-    """Two bars with a hinge and a tendon between them, and what is done to them."""
+    """Two bars with a hinge and a tendon between them, and their protocol."""
 
     varied_key: ClassVar[str] = "tendon.rest_length"
     papers: ClassVar[Mapping[str, str]] = {"binder2025": "the joint and its tendon"}
@@ -72,8 +76,7 @@ class JointDesign(Design):
         check_on_bars("tendon", self.tendon, self.pattern.proximal_length, self.pattern.distal_length)
         if self.protocol.contact:
             raise InputError(
-                "protocol.contact: need false, for the stops of its hinge are all that keeps a joint's bars apart,"
-                " got true"
+                "protocol.contact: need false, because only the stops of its hinge keep a joint's bars apart, got true"
             )
         self._goals_within_stops()
         check_duration(self, 1, "joint")
@@ -109,19 +112,19 @@ class JointDesign(Design):
         return folding_protocol(protocol, (fold, unfold))
 
     def _goals_within_stops(self) -> None:
-        """Refuse a start or a goal that the stops of the hinge keep it from."""
+        """Refuse a start or a goal that the stops of the hinge make unreachable."""
         folds, bends, protocol = self.hinge.fold_limit, self.hinge.overbend, self.protocol
         check_angles(protocol, fold_limit=folds, overbend=bends)
         check_bounds(protocol, dict.fromkeys(("ring", "distal_angle"), (-folds, bends)))
 
     @property
     def idle(self) -> tuple[str, ...]:
-        """What is given and does nothing, a sentence each."""
+        """Sentences about given values that have no effect."""
         if self.medium is None:
             return ()
-        return ("medium.density and medium.viscosity do nothing, for a joint has no panels for a medium to resist",)
+        return ("medium.density and medium.viscosity have no effect, because a joint has no panels",)
 
     @property
     def tendons(self) -> tuple[TendonSection, ...]:
-        """The tendon of every hinge, which is one."""
+        """The tendons of all hinges; a joint has one hinge."""
         return (self.tendon,)

@@ -1,4 +1,4 @@
-"""Sections of a joint's design, but for its bars and its protocol."""
+"""Sections of a joint's design, except for bars and protocol."""
 
 from __future__ import annotations
 
@@ -13,39 +13,42 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern, strip_pattern
 from forficula.quantities import show_quantity
 
-# beyond atoms and worlds, m: within, every power that a unit has of a length is a float
+# m, smaller than atoms and larger than planets: within this range every power of a length that a unit has is a float
 _SMALLEST, _LARGEST = 1e-12, 1e12
-# both bars and the crease are to be told apart
+# least angle between a bar and the crease
 _LEAST_SECTOR = math.radians(1)
 
 
 class JointPattern(Section):
-    """Two bars in the flat sheet, and the crease that their hinge lies on."""
+    """Two bars in the flat sheet, and the crease on which their hinge lies."""
 
-    about: ClassVar[str] = "Two bars in the flat sheet, and the crease that their hinge lies on"
+    about: ClassVar[str] = "Two bars in the flat sheet, and the crease on which their hinge lies"
 
-    kind: Annotated[Literal["joint"], Field(description="the family of crease patterns")]
+    kind: Annotated[Literal["joint"], Field(description="family of crease patterns")]
     proximal_length: float = quantity(LENGTH, "length of the bar that is held, up to the hinge", above=0)
     distal_length: float = quantity(LENGTH, "length of the bar beyond the hinge", above=0)
     proximal_sector: float = quantity(
         ANGLE,
-        "angle between the proximal bar and the half of the crease on its left, seen outwards",
+        "angle between the proximal bar and the half of the crease on its left, looking outwards",
         at_least=_LEAST_SECTOR,
         at_most=math.pi - _LEAST_SECTOR,
         examples=["87 deg"],
     )
     distal_sector: float = quantity(
         ANGLE,
-        "angle between the distal bar and the same half; 180 deg with the other where the bars are in line",
+        "angle between the distal bar and the same half of the crease; both angles add up to 180 deg if the bars are in"
+        " line",
         at_least=_LEAST_SECTOR,
         at_most=math.pi - _LEAST_SECTOR,
         examples=["107 deg"],
     )
     sense: Annotated[
         Literal["mountain", "valley"],
-        Field(description="how the crease folds, seen from above: the distal bar goes down, or up"),
+        Field(description="sense in which the crease folds, seen from above: mountain: the distal bar moves down"),
     ]
-    width: float = quantity(LENGTH, "width of the sheet along the crease, which is drawn and cut and bears nothing")
+    width: float = quantity(
+        LENGTH, "width of the sheet along the crease; the sheet is drawn and cut, but carries no load"
+    )
 
     @model_validator(mode="after")
     def _of_a_size(self) -> JointPattern:
@@ -88,14 +91,17 @@ class JointHinge(Section):
     heading: ClassVar[str] = "Hinge"
 
     overbend: float = quantity(
-        ANGLE, "how far it bends past straight, away from folding", at_least=0, below=math.pi / 2
+        ANGLE,
+        "largest angle by which the hinge bends past straight, away from folding",
+        at_least=0,
+        below=math.pi / 2,
     )
-    fold_limit: float = quantity(ANGLE, "how far it folds", above=0, at_most=math.pi)
-    damping: float = quantity(HINGE_DAMPING, "its viscous damping", at_least=0)
+    fold_limit: float = quantity(ANGLE, "largest fold angle of the hinge", above=0, at_most=math.pi)
+    damping: float = quantity(HINGE_DAMPING, "viscous damping of the hinge", at_least=0)
     friction: float = quantity(
-        TORQUE, "its dry friction: the torque that it takes to turn it slowly", default=0.0, at_least=0
+        TORQUE, "dry friction of the hinge: the torque needed to turn it slowly", default=0.0, at_least=0
     )
-    armature: float = quantity(INERTIA, "inertia of a motor on it, added to it", default=0.0, at_least=0)
+    armature: float = quantity(INERTIA, "rotor inertia of a motor, added to the hinge", default=0.0, at_least=0)
 
 
 class JointTendon(TendonSection):
@@ -105,8 +111,11 @@ class JointTendon(TendonSection):
 
     heading: ClassVar[str] = "Tendon"
 
-    proximal_attachment: float = quantity(LENGTH, "distance of its end on the proximal bar from the hinge", above=0)
-    distal_attachment: float = quantity(LENGTH, "distance of its end on the distal bar from the hinge", above=0)
+    proximal_attachment: float = quantity(LENGTH, "distance from the hinge to the end on the proximal bar", above=0)
+    distal_attachment: float = quantity(LENGTH, "distance from the hinge to the end on the distal bar", above=0)
     proximal_aside: float = quantity(
-        LENGTH, "how far its end on the proximal bar lies beside the bar's axis, on the left seen outwards", default=0.0
+        LENGTH,
+        "distance of the end on the proximal bar from the bar's axis, in the sheet, positive to the left looking"
+        " outwards",
+        default=0.0,
     )

@@ -1,4 +1,4 @@
-"""Design files: TOML in and out, with errors that name the key."""
+"""Reading and writing of design files in TOML, with errors that name the key."""
 
 from __future__ import annotations
 
@@ -36,38 +36,38 @@ from forficula.pattern import PATTERN_FILES
 from forficula.quantities import as_written
 from forficula.toml_text import check_levels, with_remarks
 
-_MOST_FILES = 50  # that are based on one another
+_MOST_FILES = 50  # in a chain of files that are based on each other
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
-# what stands for a design where one is wanted
+# a design, its name, or the path of its file
 AnyDesign = Design | str | os.PathLike[str]
 
 
 def load_design(
     name_or_path: str | Path, settings: Mapping[str, object] | None = None, *, unit: float | None = None
 ) -> Design:
-    """Read a named design or a design file, or make one of a FOLD file or a drawing, with some values replaced.
+    """Read a named design, a design file, a FOLD file or a drawing, with some values replaced.
 
     Args:
-        name_or_path: one of `named_designs`, or the path of a TOML file, or of one that `read_pattern` reads: what that
-            does not say is chosen.
+        name_or_path: one of `named_designs`, the path of a TOML file, or the path of a file that `read_pattern` reads;
+            for the latter, rules choose the values that the file does not contain.
         settings: values by dotted key or in nested tables, as in {"tendon.stiffness": "20 N/cm"} or
             {"tendon": {"stiffness": "20 N/cm"}}; text with units, as in a file.
-        unit: length of the unit of a FOLD file or a drawing that names none, m.
+        unit: unit of length, m, of a FOLD file or a drawing that names none.
 
     Returns:
-        The design, checked.
+        The checked design.
 
     Raises:
-        InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for what
-            has units of its own.
+        InputError: no such design or file, not TOML, an unknown key, a value that is not allowed, or a unit for a file
+            that names its units.
     """
     if isinstance(name_or_path, str) and not settings and unit is None and name_or_path in _named():
         return _named_design(name_or_path)
     return _load(name_or_path, settings, unit)
 
 
-@cache  # what comes with the package stays as it is, and a design is frozen
+@cache  # the files of the package do not change, and a design is frozen
 def _named_design(name: str) -> Design:
     return _load(name, None, None)
 
@@ -82,9 +82,9 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
         files = _read_files(str(name_or_path))
     tables: dict[str, Any] = {}
     try:
-        for _, given in files:
-            before, tables = tables, _over(tables, given, merged, si=False)
-            tables = _with_source(before, tables, given)
+        for _, file_values in files:
+            before, tables = tables, _over(tables, file_values, merged, si=False)
+            tables = _with_source(before, tables, file_values)
         before, tables = tables, _with_settings(tables, settings or {}, si=False)
         design = _validate(tables, si=False)
         if not settings or "source" in settings:
@@ -93,19 +93,19 @@ def _load(name_or_path: str | Path, settings: Mapping[str, object] | None, unit:
         base = _named_design(str(name_or_path)) if named else _validate_or_none(before)
         return design if base is None else design.model_copy(update={"source": derived_source(base, design)})
     except RejectedError as error:
-        # as it was set: an entry by its name
-        by_hand, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
-        for number, name in by_hand.items():
+        # name entries as the settings do, not by number
+        keys_set, message = {numbered(key, tables): key for key in dotted_keys(settings or {})}, str(error)
+        for number, name in keys_set.items():
             message = message.replace(f"{number.rpartition('.')[0]}.", f"{name.rpartition('.')[0]}.")
-        where = origin(error.place, files, by_hand)
-        raise InputError(f"{where}: {message}" if where else message) from None
+        file = origin(error.place, files, keys_set)
+        raise InputError(f"{file}: {message}" if file else message) from None
 
 
 def as_design(design: AnyDesign) -> Design:
-    """Take a design, or read that of a name or path.
+    """Return a design as it is, or read it by its name or path.
 
     Raises:
-        InputError: it is neither, or cannot be read.
+        InputError: an argument of another type, or a design that cannot be read.
     """
     if isinstance(design, Design):
         return design
@@ -130,32 +130,32 @@ def with_values(design: Design, values: Mapping[str, object]) -> Design:
 
 
 def named_designs() -> dict[str, str]:
-    """The names of the designs that come with the package, each with its source."""
+    """Return the names of the designs that come with the package, with their sources."""
     return {name: load_design(name).source for name in _named()}
 
 
 def save_design(design: Design, path: str | os.PathLike[str]) -> None:
-    """Write every value of a design; reading the file gives the same bits."""
+    """Write all values of a design to a file, from which exactly the same values are read."""
     write_text(Path(path), design_text(design))
 
 
 def design_text(design: Design) -> str:
-    """Every value of a design as TOML; those that a rule chooses are marked, with the reason."""
+    """Return all values of a design as TOML; values that a rule chooses are marked, with the reason."""
     tables = design.settled().as_tables()
     if isinstance(design, FanDesign) and is_by_vein(tables["tendon"]):
         tables["tendon"] = [{"vein": int(vein)} | entry for vein, entry in tables["tendon"].items()]
-    # what is built, then what is done to it
+    # the protocol comes last
     text = tomli_w.dumps({name: tables[name] for name in sorted(tables, key=lambda name: name == "protocol")})
     reasons = {f"{choice.section}.{choice.key}": f"[chosen] {choice.reason}" for choice in design.chosen}
     return with_remarks(text, reasons) if reasons else text
 
 
 def design_from_text(text: str) -> Design:
-    """Read what `design_text` wrote.
+    """Read a design from the text that `design_text` returns.
 
     Raises:
         InputError: a key or value that is not allowed.
-        TOMLDecodeError: it is not TOML.
+        TOMLDecodeError: the text is not TOML.
     """
     return _validate(_over({}, tomllib.loads(text), merged, si=False), si=False)
 
@@ -168,12 +168,12 @@ def _named() -> tuple[str, ...]:
 
 @cache
 def _named_tables(name: str) -> dict[str, Any]:
-    """What the file of a named design says; not to be changed."""
+    """Return the tables of the file of a named design; they must not be changed."""
     return tomllib.loads((resources.files("forficula.design") / "references" / f"{name}.toml").read_text("utf-8"))
 
 
 def _read_files(name_or_path: str) -> list[File]:
-    """Read a design and what it is based on, the last one first."""
+    """Read the files of a design and of those that it is based on, the base first."""
     files: list[File] = []
     above: list[Path] = []
     base: str | None = name_or_path
@@ -188,7 +188,7 @@ def _read_files(name_or_path: str) -> list[File]:
                 base = _base_of(tables, Path(name))
                 above.append(Path(name))
         except InputError as error:
-            # of a long chain the first file and the last
+            # of a long chain, name the first and the last file
             chain = above if len(above) < 4 else [above[0], "...", above[-1]]
             raise InputError("".join([*(f"{path}: based_on: " for path in chain), str(error)])) from None
         files.insert(0, (name, tables))
@@ -196,17 +196,17 @@ def _read_files(name_or_path: str) -> list[File]:
 
 
 def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
-    """Read what a file says, which other files are based on."""
+    """Read the tables of a file; `above` are the files that are based on it."""
     path = Path(name)
     if path.suffix.lower() != ".toml":
         known = [*_named(), *sorted(str(file) for file in Path().glob("*.toml") if may_read(file))]
         hint = _nearest(name, known) or f"the named designs are {', '.join(_named())}"
         raise InputError(f"{as_written(name)} is neither a named design nor a .toml file; {hint}")
     if len(above) == _MOST_FILES:
-        raise InputError(f"need at most {_MOST_FILES} files that are based on one another, got more")
+        raise InputError(f"need at most {_MOST_FILES} files that are based on each other, got more")
     tables = read_toml(path, "a design")
     if path.resolve() in [other.resolve() for other in above]:
-        raise InputError(f"{path}: goes round in a circle")
+        raise InputError(f"{path}: is based on itself, directly or through other files")
     try:
         if "name" not in tables:
             tables["name"] = _name_of(path)
@@ -217,14 +217,14 @@ def _file_tables(name: str, above: Sequence[Path]) -> dict[str, Any]:
 
 
 def _name_of(path: Path) -> str:
-    """Return the name that a design has without a key `name`: that of its file."""
+    """Return the name of a design without a key `name`: the name of its file."""
     if _SURROGATE.search(path.stem):
         raise InputError(f"name: is missing, and the file's name is no text in UTF-8, got {as_written(path.stem)}")
     return path.stem
 
 
 def _base_of(tables: dict[str, Any], path: Path) -> str | None:
-    """Take out of the tables of a file what it is based on: a name, or a path that starts from the file's folder."""
+    """Remove `based_on` from the tables of a file and return it: a name, or a path relative to the file's folder."""
     base = tables.pop("based_on", None)
     if base is None:
         return None
@@ -234,7 +234,7 @@ def _base_of(tables: dict[str, Any], path: Path) -> str | None:
 
 
 def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si: bool) -> dict[str, Any]:
-    """Put values into tables by their dotted keys; those of a section count together, whatever their order."""
+    """Put values into tables by their dotted keys; the order of the values does not matter."""
     if not (isinstance(settings, Mapping) and all(isinstance(key, str) for key in settings)):
         raise InputError(f'need values by key, such as {{"tendon.stiffness": "20 N/cm"}}, got {as_written(settings)}')
     _check_texts(settings)
@@ -245,7 +245,7 @@ def _with_settings(tables: dict[str, Any], settings: Mapping[str, object], *, si
 
 
 def _check_texts(settings: Mapping[str, object]) -> None:
-    """Refuse values nested too deeply, and texts that no file can hold."""
+    """Refuse values that are nested too deeply, and texts that cannot be written to a file."""
     check_levels(settings)
     within: list[tuple[str, object]] = [("", settings)]
     while within:
@@ -262,53 +262,53 @@ def _check_texts(settings: Mapping[str, object]) -> None:
                 within += [(f"{key}.{number}", entry) for number, entry in enumerate(value)]
 
 
-def _with_source(base: dict[str, Any], tables: dict[str, Any], given: Mapping[str, object]) -> dict[str, Any]:
-    """Tables that are laid over others say so in their source, where they name none of their own."""
-    if not base or not given or "source" in given:
+def _with_source(base: dict[str, Any], tables: dict[str, Any], values: Mapping[str, object]) -> dict[str, Any]:
+    """Add a source that names the changed values to tables of a file that is based on another and gives no source."""
+    if not base or not values or "source" in values:
         return tables
     try:
         source = derived_source(_validate(base, si=False), _validate(tables, si=False))
     except RejectedError:
-        # of what cannot be built the error is told with its place
+        # the caller validates again and reports the error with its place
         return tables
     return tables | {"source": source}
 
 
 def _over(
-    tables: dict[str, Any], own: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
+    tables: dict[str, Any], upper: dict[str, Any], lay: Callable[[object, object], Any], *, si: bool
 ) -> dict[str, Any]:
-    """Lay tables over others; tendons in their own way, those of a fan by its pattern, which tells how many."""
-    tables = _without_other_pattern(tables, kind_of(own))
-    both: dict[str, Any] = lay(tables, {key: value for key, value in own.items() if key != "tendon"})
-    if "tendon" not in own:
+    """Lay tables over others; tendons have rules of their own, and the pattern of a fan gives their number."""
+    tables = _without_other_pattern(tables, kind_of(upper))
+    both: dict[str, Any] = lay(tables, {key: value for key, value in upper.items() if key != "tendon"})
+    if "tendon" not in upper:
         return both
     model = design_class(both)
     if issubclass(model, JointDesign):
-        given = own["tendon"]
-        if isinstance(given, dict):
-            given = tendon_over(tables.get("tendon"), given, "", si=si, model=JointTendon)
-        return {**both, "tendon": given}
+        tendon = upper["tendon"]
+        if isinstance(tendon, dict):
+            tendon = tendon_over(tables.get("tendon"), tendon, "", si=si, model=JointTendon)
+        return {**both, "tendon": tendon}
     if not issubclass(model, FanDesign):
-        return {**both, "tendon": entries_over(tables.get("tendon"), own["tendon"], si=si)}
+        return {**both, "tendon": entries_over(tables.get("tendon"), upper["tendon"], si=si)}
     pattern = both.get("pattern")
     units = pattern.get("units") if isinstance(pattern, dict) else None
     veins = 2 * units + 1 if isinstance(units, int) and 0 < units <= MOST_UNITS else 0
-    return {**both, "tendon": tendons_over(tables.get("tendon"), own["tendon"], veins=veins, si=si)}
+    return {**both, "tendon": tendons_over(tables.get("tendon"), upper["tendon"], veins=veins, si=si)}
 
 
 def _without_other_pattern(tables: dict[str, Any], kind: str | None) -> dict[str, Any]:
-    """Tables to lay a pattern of a kind over: without one of another kind.
+    """Remove the pattern from tables if a pattern of another kind is to be laid over them.
 
     Raises:
-        RejectedError: designs of that kind have other sections.
+        RejectedError: designs of the new kind have other sections.
     """
     below = kind_of(tables)
     if kind == below or kind is None or below is None or not {kind, below} <= KINDS.keys():
         return tables
     model = KINDS[kind]
     if model.model_fields.keys() != KINDS[below].model_fields.keys():
-        own = model.reference
-        instead = f'; begin with based_on = "{own}"' if own else ""
+        reference = model.reference
+        instead = f'; begin with based_on = "{reference}"' if reference else ""
         raise RejectedError(
             ["pattern", "kind"],
             f"pattern.kind: designs of kind {kind} have other sections than those of kind {below}{instead}",
@@ -325,12 +325,12 @@ def _validate(tables: dict[str, Any], *, si: bool) -> Design:
 
 
 def _validate_changed(design: Design, tables: dict[str, Any]) -> Design:
-    """A design of the tables of another one, in SI, of which some values are others: only those are read again."""
+    """Validate the changed tables of a design, SI; sections that did not change are not read again."""
     if design_class(tables) is type(design):
         try:
             return type(design).model_validate(with_kept_parts(design, tables), context={"si": True})
         except ValidationError:
-            # what is wrong is told of the tables alone
+            # validate the tables alone for the error message
             pass
     return _validate(tables, si=True)
 

@@ -1,4 +1,4 @@
-"""The design of a FOLD file or of a drawing alone: its sheet, folded to where its creases are to go."""
+"""The design of a FOLD file or a drawing alone: its sheet, folded to the target angles of its creases."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
 from forficula.quantities import format_quantity
 
-# in periods of the sheet: the creases' springs go on so slowly that it hardly swings, and it is given up after so long
+# in periods of the sheet: rise time of the rest angles, slow enough that the sheet hardly swings, and time limit
 _RISE, _LIMIT = 5.0, 50.0
-_ROWS = 20  # of the record, in a period
+_ROWS = 20  # rows of the record per period
 
 
 def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
-    """The tables of a design that folds the sheet of a file, all else chosen.
+    """Return the tables of a design that folds the sheet of a file; rules choose all other values.
 
-    The rest angles of its creases go evenly from how they are built to their targets: the fold angles that the file
-    gives, else 180 deg for a valley and -180 deg for a mountain.
+    The rest angles of the creases change linearly from the angles as built to the targets: the fold angles in the file,
+    or else 180 deg for a valley and -180 deg for a mountain.
 
     Args:
-        path: of a file that `read_pattern` reads.
-        unit: length of its unit, m, where it names none.
+        path: path of a file that `read_pattern` reads.
+        unit: unit of length, m, of a file that names none.
 
     Raises:
-        InputError: the file cannot be read, or holds no pattern.
+        InputError: the file cannot be read, or contains no pattern.
     """
     sheet, _ = read_pattern(path, unit)
     try:
@@ -47,7 +47,7 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
         stage = {"name": "settle", "drive": "none", "until": "rest", "state": "at rest"}
     return {
         "name": path.stem,
-        "source": f"{path.name}; what it does not say is chosen by rules",
+        "source": f"{path.name}; rules chose the values that it does not contain",
         "pattern": sheet_values(sheet) | {"title": sheet.title or path.stem},
         "drive": [drive | {"rise": _seconds(_RISE * period)}] if targets else [],
         "protocol": {
@@ -63,7 +63,7 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
 
 
 def _period(sheet: CreasePattern) -> float:
-    """About the slowest period of a sheet, s: of its whole mass, as a bar as long as it, on all creases at once."""
+    """Estimate the slowest period of a sheet, s: a bar with the sheet's mass and length on all creases together."""
     made = {choice.key: choice.value for choice in choices(sheet, FacetSection(), Crease()) if choice.key != "damping"}
     mass = made["density"] * made["thickness"] * sum(facet_areas(sheet))
     ends = sheet.vertices_coords[sheet.edges_vertices[list(fold_edges(sheet))]]
@@ -77,5 +77,5 @@ def _seconds(time: float) -> str:
 
 
 def _rounded(time: float) -> float:
-    """A time to two digits, s."""
+    """Round a time to two digits, s."""
     return float(f"{time:.1e}")

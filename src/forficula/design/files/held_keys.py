@@ -1,4 +1,4 @@
-"""The keys of one design as it stands, each with what it means, what it may be, and its value as text."""
+"""The keys of a given design with their meanings, allowed values, and current values as text."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from forficula.names import listed
 from forficula.quantities import Unit, show_quantity
 
 _LAST = ("medium", "make", "protocol")
-_DIGITS = 9  # of a quantity, significant
+_DIGITS = 9  # significant digits of a quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,11 +26,11 @@ class HeldKey:
     """A key that a design has, or could have.
 
     Attributes:
-        fact: the key, dotted, with the numbers of entries that there are; its meaning, what it may be, its default.
-        value: as text that `load_design` takes for it; "" where the design has none.
-        words: that it may be.
-        only_words: whether it may be nothing else.
-        chosen: why a rule chooses its value; "" where none does.
+        fact: dotted key, with the numbers of existing entries of lists; its meaning, allowed values and default.
+        value: value as text that `load_design` accepts; "" if the design has none.
+        words: words that are allowed values.
+        only_words: whether only these words are allowed.
+        chosen: reason why a rule chose the value; "" if the design gives it.
     """
 
     fact: KeyFact
@@ -41,34 +41,34 @@ class HeldKey:
 
 
 def held_keys(design: Design) -> list[HeldKey]:
-    """All keys of a design, section by section: of its kind of pattern, and of the entries that its lists have.
+    """List all keys of a design, section by section, for its kind of pattern and the entries of its lists.
 
-    A list of tables that is empty is one key; of a section that the design lacks there are the keys that it could have.
+    An empty list of tables is one key. A section that the design lacks is listed with all keys of its class.
     """
     reasons = {f"{choice.section}.{choice.key}": choice for choice in design.chosen}
-    found = []
+    keys = []
     for key in _held(type(design), design, ""):
         choice = reasons.get(key.fact.key)
         reader = _reader(design, key.fact.key)
         if choice is None or key.value or reader is None:
-            found.append(key)
+            keys.append(key)
             continue
         value = show_quantity(choice.value, reader.unit, _DIGITS)
-        found.append(HeldKey(fact=key.fact, value=value, words=key.words, chosen=choice.reason))
-    # what is built, what may be left out of it, then what is done to it; first what all of that is called
-    return sorted(found, key=lambda key: _place(key.fact.key.partition(".")[0]) if "." in key.fact.key else -1)
+        keys.append(HeldKey(fact=key.fact, value=value, words=key.words, chosen=choice.reason))
+    # keys outside sections first, then the structure, then optional sections and the protocol
+    return sorted(keys, key=lambda key: _rank(key.fact.key.partition(".")[0]) if "." in key.fact.key else -1)
 
 
-def _place(section: str) -> int:
+def _rank(section: str) -> int:
     return _LAST.index(section) + 1 if section in _LAST else 0
 
 
-def _held(annotation: Any, part: Section | None, prefix: str) -> Iterator[HeldKey]:
-    """The keys of a part that an annotation allows; of one that is absent those of its kind."""
+def _held(annotation: Any, section: Section | None, prefix: str) -> Iterator[HeldKey]:
+    """Yield the keys of a section that an annotation allows; for an absent section, those of its class."""
     for name, field in section_fields(annotation).items():
-        if part is not None and name not in type(part).model_fields:
+        if section is not None and name not in type(section).model_fields:
             continue
-        key, value = f"{prefix}{name}", getattr(part, name) if part is not None else None
+        key, value = f"{prefix}{name}", getattr(section, name) if section is not None else None
         entry = entry_of(field.annotation)
         if not holds_parts(field):
             yield _leaf(key, field, value)
@@ -80,9 +80,9 @@ def _held(annotation: Any, part: Section | None, prefix: str) -> Iterator[HeldKe
         elif isinstance(value, tuple) and not value:
             yield _empty(key, field, section_fields(entry))
         elif isinstance(value, tuple):
-            for number, each in enumerate(value):
-                if isinstance(each, Section):
-                    yield from _held(entry, each, f"{key}.{number}.")
+            for number, item in enumerate(value):
+                if isinstance(item, Section):
+                    yield from _held(entry, item, f"{key}.{number}.")
         elif not names_law(key) and entry is None:
             yield from _held(field.annotation, None, f"{key}.")
 
@@ -95,13 +95,13 @@ def _leaf(key: str, field: FieldInfo, value: Any) -> HeldKey:
 
 
 def _law(key: str, field: FieldInfo, value: Any) -> HeldKey:
-    """The law of a material as one value, its name."""
+    """Return the key of a material law as a single value, its name."""
     fact = KeyFact(key=key, meaning=field.description or "", allowed="name of a material, or of a law file", default="")
     return HeldKey(fact=fact, value=value.name if value is not None else "", words=tuple(named_laws()))
 
 
 def _empty(key: str, field: FieldInfo, entry: Iterable[str]) -> HeldKey:
-    """A list of tables that has none, as one value; its entries have these keys."""
+    """Return the key of an empty list of tables as a single value; `entry` has the keys of the tables."""
     allowed = f"list of tables, {{...}}, with {listed(entry)}"
     return HeldKey(fact=KeyFact(key=key, meaning=field.description or "", allowed=allowed, default=""), value="")
 
@@ -115,11 +115,11 @@ def _words(forms: list[Any]) -> Iterator[str]:
 
 
 def _text(value: Any, reader: Quantity | None) -> str:
-    """A value as text that is read as it again, but for digits where rounding shows."""
+    """Return a value as text from which it can be read again, except for rounding of the last digits."""
     if value is None:
         return ""
     if isinstance(value, tuple):
-        # a list of JSON is one of TOML
+        # a JSON list is also a TOML list
         return json.dumps(_plain(value, reader.unit if reader else None), ensure_ascii=False)
     if isinstance(value, bool):
         return str(value).lower()
@@ -128,13 +128,13 @@ def _text(value: Any, reader: Quantity | None) -> str:
 
 def _plain(value: Any, unit: Unit | None) -> Any:
     if isinstance(value, tuple):
-        return [_plain(each, unit) for each in value]
+        return [_plain(entry, unit) for entry in value]
     return show_quantity(value, unit, _DIGITS) if unit is not None and isinstance(value, float) else value
 
 
 def _reader(design: Design, key: str) -> Quantity | None:
-    """How a value that a rule chooses is read, which is of a section of the design."""
-    section, _, name = key.partition(".")
-    part = getattr(design, section, None)
-    field = type(part).model_fields.get(name) if isinstance(part, Section) else None
+    """Return the reader of a value in a section of the design, for values that a rule chooses."""
+    header, _, name = key.partition(".")
+    section = getattr(design, header, None)
+    field = type(section).model_fields.get(name) if isinstance(section, Section) else None
     return None if field is None else field_quantity(field)

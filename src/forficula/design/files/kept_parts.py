@@ -1,4 +1,4 @@
-"""Parts of a design that stay as they are while other values change, so that they are not read and checked again."""
+"""Sections of a design that do not change while other values do, and are not read and checked again."""
 
 from __future__ import annotations
 
@@ -7,21 +7,22 @@ from typing import Any
 from forficula.design.section import Section
 
 
-def with_kept_parts(part: Section, tables: dict[str, Any]) -> dict[str, Any]:
-    """Tables of a part with its own parts in place of the tables that are still theirs.
+def with_kept_parts(section: Section, tables: dict[str, Any]) -> dict[str, Any]:
+    """Replace tables that did not change by the sections that were read from them.
 
     Args:
-        part: checked.
+        section: a checked section.
         tables: its `si_tables` with some values replaced.
     """
-    before = part.si_tables()
+    before = section.si_tables()
     return {
-        key: _kept(getattr(part, key), before[key], after) if key in before else after for key, after in tables.items()
+        key: _kept(getattr(section, key), before[key], after) if key in before else after
+        for key, after in tables.items()
     }
 
 
 def _kept(value: object, before: object, after: Any) -> Any:
-    """What a part has at a key, if its tables are as before and it holds parts; else the tables, parts kept in them."""
+    """Return a section if its tables did not change; otherwise the tables, with unchanged sections inside them."""
     if isinstance(value, Section) and isinstance(after, dict):
         return value if _same(before, after) else with_kept_parts(value, after)
     if not (isinstance(value, tuple) and value and isinstance(before, list) and isinstance(after, list)):
@@ -32,7 +33,7 @@ def _kept(value: object, before: object, after: Any) -> Any:
 
 
 def _same(before: object, after: object) -> bool:
-    """Whether tables hold the very same values: equal ones may be of another kind, as 1.0 and true are."""
+    """Whether tables hold the same objects; equal values may differ in type, as 1.0 and true do."""
     if before is after:
         return True
     if isinstance(before, dict) and isinstance(after, dict):

@@ -24,11 +24,11 @@ class KeyFact:
     """A key of a design or of another file.
 
     Attributes:
-        key: dotted; entries of a list of tables stand as number 0, and KEY for keys of a design.
-        meaning: of its value, in words.
-        allowed: kind, unit and bounds of its value.
-        default: what counts if it is left out, "needed" where a design that is based on no other must give it, "" where
-            it is then absent.
+        key: dotted key; 0 is the number of an entry of a list of tables, and KEY represents the keys of a design.
+        meaning: meaning of the value.
+        allowed: type, unit and bounds of the value.
+        default: value if the key is left out; "needed" if a design that is not based on another must give it; "" if the
+            value is absent then.
     """
 
     key: str
@@ -38,30 +38,30 @@ class KeyFact:
 
 
 def key_facts(within: str = "", model: type[Section] = FanDesign) -> list[KeyFact]:
-    """List all keys of a kind of design or of another file, in the order of the file, or those in a section of it.
+    """List the keys of a class of designs or of another file, or those of one section, in the order of the file.
 
     Args:
-        within: a section or a key, as in "tendon", "protocol.stages.2" or "tendon.stiffness"; all if empty.
-        model: class of the design, or of the file.
+        within: a section or a key, as in "tendon", "protocol.stages.2" or "tendon.stiffness"; all keys if empty.
+        model: class of the design or of the file.
 
     Raises:
-        InputError: there is no such section or key, and which is near.
+        InputError: there is no such section or key; the message names the nearest one.
     """
     wanted = _unnumbered(within) if within else []
     facts = [field_fact(key, field) for key, field in fields_of(model) if not holds_parts(field)]
-    found = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
-    if not found:
+    matches = [fact for fact in facts if _unnumbered(fact.key)[: len(wanted)] == wanted]
+    if not matches:
         raise InputError(unknown_key(within, None, hint(within.split("."), model)))
-    return found
+    return matches
 
 
 def _unnumbered(key: str) -> list[str]:
-    """A key without the numbers of entries of lists, which all have the same keys."""
+    """Split a key into its parts, without the numbers of entries of lists, which all have the same keys."""
     return [part for part in key.split(".") if not part.isdecimal()]
 
 
 def field_fact(key: str, field: FieldInfo) -> KeyFact:
-    """What a field is under its key: its meaning, what it may hold, what counts without it."""
+    """Return the meaning, allowed values and default of a field."""
     default = "needed" if field.is_required() else _written(field.get_default(), field_quantity(field))
     return KeyFact(
         key=key,
@@ -72,7 +72,7 @@ def field_fact(key: str, field: FieldInfo) -> KeyFact:
 
 
 def _allowed(field: FieldInfo) -> str:
-    """What a field may hold, by its annotation and its bounds."""
+    """Describe the allowed values of a field by its annotation and its bounds."""
     if (table := by_key(field)) is not None:
         return table.allowed
     if words := [rule for rule in field.metadata if isinstance(rule, str)]:
@@ -89,7 +89,7 @@ def _written(value: Any, reader: Quantity | None) -> str:
         case bool():
             return str(value).lower()
         case tuple():
-            return f"[{', '.join(_written(each, reader) for each in value)}]"
+            return f"[{', '.join(_written(entry, reader) for entry in value)}]"
         case float() if reader is not None:
             return show_quantity(value, reader.unit)
         case _:
@@ -105,7 +105,7 @@ def _quantity(reader: Quantity) -> str:
 
 
 def _plain(field: FieldInfo) -> str:
-    """What a value without a unit may be: its kind, and its bounds."""
+    """Describe the allowed values of a field without a unit: type and bounds."""
     forms = [form for form in field_forms(field) if form is not type(None)]
     words = [f'"{word}"' for form in forms if get_origin(form) is Literal for word in get_args(form)]
     kinds = {bool: "true or false", int: "whole number", float: "number", str: "text"}
@@ -121,16 +121,16 @@ def _plain(field: FieldInfo) -> str:
 
 
 def field_forms(field: FieldInfo) -> Iterator[Any]:
-    """What a field may hold, entries of lists in place of these."""
+    """Yield the types that a field allows; for lists, the types of their entries."""
     yield from _forms(field.annotation)
 
 
 def _forms(annotation: Any) -> Iterator[Any]:
-    """What an annotation allows, entries of lists instead of these."""
+    """Yield the types that an annotation allows; for lists, the types of their entries."""
     origin = get_origin(annotation)
     if origin is None or origin is Literal:
         yield annotation
         return
-    for each in get_args(annotation):
-        if each is not Ellipsis:
-            yield from _forms(each)
+    for argument in get_args(annotation):
+        if argument is not Ellipsis:
+            yield from _forms(argument)

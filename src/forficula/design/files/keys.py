@@ -1,4 +1,4 @@
-"""Keys of a design, dotted as in "tendon.stiffness": which there are, and what they hold."""
+"""Dotted keys of a design, such as "tendon.stiffness": the list of keys, and the values at them."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from forficula.errors import InputError
 from forficula.names import unknown_key
 from forficula.quantities import as_written
 
-_PartOf = TypeVar("_PartOf", bound=Section)
+_SectionOf = TypeVar("_SectionOf", bound=Section)
 
-# what people write for another word
+# words that users write by mistake, with the key that they mean
 _MEANT = {"file": "path"}
-# sections of a law file that a design has as single keys
+# sections of a law file that are single keys in a design
 _OF_LAW_FILES = {
     "modulus": ("linear_modulus", "quadratic_modulus", "cubic_modulus"),
     "viscosity": ("linear_viscosity", "quadratic_viscosity", "cubic_viscosity"),
@@ -34,13 +34,13 @@ _OF_LAW_FILES = {
 
 
 def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None) -> Quantity | None:
-    """How a value of a design is read, or None where it has no unit; a law counts as one value, its name.
+    """Return the reader of a value of a design, or None if it has no unit; a law counts as one value, its name.
 
     Args:
-        key: dotted; a number picks an entry of a list, as in "protocol.stages.1.hold", or the name of an entry, whether
-            or not a design has it. "tendon.stiffness" is of all tendons, "tendon.1.stiffness" of that on vein 1.
+        key: dotted key. A number or a name selects an entry of a list, as in "protocol.stages.1.hold"; the entry need
+            not exist. "tendon.stiffness" means all tendons, "tendon.1.stiffness" the one on vein 1.
         model: class of the design.
-        given: the value that it was given, for errors, where there is one.
+        given: value from the user, if any, for error messages.
 
     Raises:
         InputError: there is no such key, or it holds several values.
@@ -48,17 +48,17 @@ def key_quantity(key: str, model: type[Design] = FanDesign, given: object = None
     try:
         return _quantity_of(key, model)
     except InputError:
-        return _found_quantity(key, model, given)
+        return _find_quantity(key, model, given)
 
 
-@lru_cache(maxsize=1024)  # what is off, optimised or identified asks for the same keys for each of its designs
+@lru_cache(maxsize=1024)  # studies, optimisation and identification use the same keys for each of their designs
 def _quantity_of(key: str, model: type[Design]) -> Quantity | None:
-    return _found_quantity(key, model, None)
+    return _find_quantity(key, model, None)
 
 
-def _found_quantity(key: str, model: type[Design], given: object) -> Quantity | None:
+def _find_quantity(key: str, model: type[Design], given: object) -> Quantity | None:
     if key == "based_on":
-        raise InputError("based_on: is no value of a design; name the design to start from instead")
+        raise InputError("based_on: is not a value of a design; name the design to start from instead")
     parts = key.split(".")
     place: Any = model
     quantity = None
@@ -86,7 +86,7 @@ def _found_quantity(key: str, model: type[Design], given: object) -> Quantity | 
 
 
 def names_law(key: str) -> bool:
-    """Whether a key is that of a tendon's law."""
+    """Whether a key is the law of a tendon."""
     match key.split("."):
         case ["tendon", "law"]:
             return True
@@ -97,12 +97,12 @@ def names_law(key: str) -> bool:
 
 
 def key_value(design: Design, key: str) -> Any:
-    """What a design has at a key that `key_quantity` knows, in SI; None where that is absent.
+    """Return the value of a design at a key that `key_quantity` accepts, in SI; None if it is absent.
 
-    A key of all tendons has what they have in common, and None where they differ.
+    For a key of all tendons, return their common value, or None if they differ.
 
     Raises:
-        InputError: a list of the design has no such entry, or the design lacks a section that needs values.
+        InputError: a list of the design has no such entry, or the design lacks a section with required values.
     """
     section, _, rest = key.partition(".")
     if section == "tendon" and rest and isinstance(design, FanDesign):
@@ -110,29 +110,29 @@ def key_value(design: Design, key: str) -> Any:
         if vein.isdecimal():
             tendon = design.tendons[entry_index([section], vein, design.tendons, inside.split(".") if inside else [])]
             return tendon if tendon is not None and not inside else _value(design, tendon, key, f"tendon.{vein}")
-        found = [_value(design, tendon, key, "tendon") for tendon in design.tendons if tendon is not None]
-        if not found:
+        values = [_value(design, tendon, key, "tendon") for tendon in design.tendons if tendon is not None]
+        if not values:
             raise InputError(f"{key}: {design.name} has no tendon")
-        return found[0] if all(each == found[0] for each in found) else None
+        return values[0] if all(value == values[0] for value in values) else None
     return _value(design, design, key, "")
 
 
 def numbered_key(design: Design, key: str) -> str:
-    """A key with the numbers of entries in place of their names: the same for all that lead to one value."""
+    """Return a key with the numbers of entries in place of their names, so that equal keys mean the same value."""
     return numbered(key, design.as_tables())
 
 
 def check_keys_once(keys: Iterable[str], design: Design) -> None:
-    """Refuse two keys that lead to the same value of a design, as of an entry by its number and by its name.
+    """Refuse two keys for the same value of a design, such as an entry by its number and by its name.
 
     Raises:
-        InputError: which two.
+        InputError: a value with two keys.
     """
     check_once(keys, design.as_tables())
 
 
 def _value(design: Design, value: Any, key: str, within: str) -> Any:
-    """What a part of a design has at a key, of which `within` leads to the part."""
+    """Return the value of a section at a key; `within` is the beginning of the key, which leads to the section."""
     parts = key.removeprefix(f"{within}.").split(".")
     left_out = None
     for depth, part in enumerate(parts, start=1):
@@ -143,53 +143,53 @@ def _value(design: Design, value: Any, key: str, within: str) -> Any:
         if isinstance(value, tuple):
             value = value[entry_index(within.split("."), part, value, parts[depth:])]
         else:
-            # a key that another kind of a section has, such as the angle of a drive by torque, is absent
+            # a key that only another kind of section has, such as the angle of a torque drive, is absent
             value = getattr(value, part, None)
         within = f"{within}.{part}" if within else part
     return value
 
 
-def _left_out(part: object, name: str) -> Section | None:
-    """What counts where a part lacks the section of this name; None where the section has values that are needed."""
-    field = type(part).model_fields.get(name) if isinstance(part, Section) else None
-    forms = [] if field is None else [form for form in _forms(field.annotation) if _is_part(form)]
-    free = [form for form in forms if not any(each.is_required() for each in form.model_fields.values())]
-    return free[0]() if free else None
+def _left_out(section: object, name: str) -> Section | None:
+    """Return the default of a section that is absent; None if that section has required values."""
+    field = type(section).model_fields.get(name) if isinstance(section, Section) else None
+    forms = [] if field is None else [form for form in _forms(field.annotation) if _is_section(form)]
+    optional = [form for form in forms if not any(entry.is_required() for entry in form.model_fields.values())]
+    return optional[0]() if optional else None
 
 
-def put(part: _PartOf, key: str, value: object) -> _PartOf:
-    """Put a value, SI, at a key that the part has, without another look at what was checked when it was read."""
+def put(section: _SectionOf, key: str, value: object) -> _SectionOf:
+    """Return a section with a value, SI, at an existing key, without checking the other values again."""
     name, _, rest = key.partition(".")
-    inner = getattr(part, name)
+    inner = getattr(section, name)
     if not rest:
-        return part.model_copy(update={name: value})
+        return section.model_copy(update={name: value})
     number, _, last = rest.partition(".")
-    if isinstance(part, FanDesign) and name == "tendon" and number.isdecimal():
-        # one for all becomes one for each
-        inner = part.tendons
+    if isinstance(section, FanDesign) and name == "tendon" and number.isdecimal():
+        # one tendon for all veins becomes one for each
+        inner = section.tendons
     if isinstance(inner, tuple):
-        every = isinstance(part, FanDesign) and name == "tendon" and not number.isdecimal()
+        every = isinstance(section, FanDesign) and name == "tendon" and not number.isdecimal()
         picked = range(len(inner)) if every else [entry_index([name], number, inner, last.split(".") if last else [])]
         inside = rest if every else last
         entries = [
             entry if place not in picked or entry is None else put(entry, inside, value) if inside else value
             for place, entry in enumerate(inner)
         ]
-        return part.model_copy(update={name: tuple(entries)})
-    return part.model_copy(update={name: put(inner, rest, value)})
+        return section.model_copy(update={name: tuple(entries)})
+    return section.model_copy(update={name: put(inner, rest, value)})
 
 
 def is_key(text: str, model: type[Section] = FanDesign) -> bool:
-    """Whether a text is a key of a design, of one value or of several."""
+    """Whether a text is a key of a design, of a value or of a section."""
     *section, last = text.split(".")
     return last in siblings([*section, last], model) or (last.isdecimal() and is_key(".".join(section), model))
 
 
 def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[str, FieldInfo]]:
-    """All keys of a design or of another file, or of what else an annotation allows.
+    """Yield all keys, with their fields, of a design, of another file, or of sections that an annotation allows.
 
-    Entries of a list of tables stand as number 0, tendons as the one for all, and KEY for the keys of a design in a
-    table by these.
+    An entry of a list of tables has the number 0, tendons appear as one for all veins, and KEY represents the keys of a
+    design in a table by design keys.
     """
     for name, field in section_fields(annotation).items():
         if (table := by_key(field)) is not None:
@@ -205,63 +205,63 @@ def fields_of(annotation: Any = FanDesign, prefix: str = "") -> Iterator[tuple[s
 
 
 def holds_parts(field: FieldInfo) -> bool:
-    """Whether a field holds a section, or a list of them, whose keys are fields of their own."""
+    """Whether a field holds a section or a list of sections, which have keys of their own."""
     return bool(section_fields(field.annotation) or section_fields(entry_of(field.annotation)))
 
 
 def known_keys(model: type[Section] = FanDesign) -> Iterator[str]:
-    """The names of `fields_of`."""
+    """Yield the keys of `fields_of`."""
     return (key for key, _ in fields_of(model))
 
 
 def siblings(place: Sequence[str], model: type[Section] = FanDesign) -> list[str]:
-    """The keys that are allowed in the section of a place, the protocol last."""
+    """Return the keys that are allowed beside a key, given by its parts; the protocol comes last."""
     names = sorted(_fields_at(place[:-1], model), key=lambda name: name == "protocol")
     return [*(["based_on"] if len(place) < 2 and issubclass(model, Design) else []), *names]
 
 
 def needed_keys(place: Sequence[str], model: type[Section] = FanDesign, kind: str = "") -> list[str]:
-    """The keys that the section of a place cannot do without; of one that may be of several kinds, those of a kind."""
+    """Return the required keys of the section that contains a key; of a section with several kinds, those of `kind`."""
     fields = section_kinds(place[:-1], model).get(kind) or _fields_at(place[:-1], model)
     return [name for name, field in fields.items() if field.is_required()]
 
 
 def section_kinds(place: Sequence[str], model: type[Section]) -> dict[str, dict[str, FieldInfo]]:
-    """The fields of a section that may be of several kinds, by what its key `kind` says; none of another section."""
-    kinds = [form.model_fields for form in _forms(_annotation_at(place, model)) if _is_part(form)]
-    return {get_args(each["kind"].annotation)[0]: each for each in kinds} if len(kinds) > 1 else {}
+    """Return the fields of a section with several kinds, by the value of its key `kind`; none for other sections."""
+    kinds = [form.model_fields for form in _forms(_annotation_at(place, model)) if _is_section(form)]
+    return {get_args(fields["kind"].annotation)[0]: fields for fields in kinds} if len(kinds) > 1 else {}
 
 
 def hint(place: Sequence[str], model: type[Section] = FanDesign) -> str:
-    """The nearest valid key of the same section, or of another, or all of the section."""
+    """Return a hint for an unknown key: the nearest key of its section or of another, or all keys of its section."""
     *section, wrong = place
     for depth, part in enumerate(section):
         if part == "law" and (names := _OF_LAW_FILES.get("".join(place[depth + 1 : depth + 2]))):
             meant = [name for name in names if name.startswith("".join(place[depth + 2 : depth + 3]))] or names
             law = ".".join(section[: depth + 1])
             return f"did you mean {' or '.join(f'{law}.{name}' for name in meant)}?"
-    here = siblings(place, model)
+    allowed = siblings(place, model)
     other = _MEANT.get(wrong.lower(), "")
     # names of sections are short: "design" is not near "vein"
     cutoff = 0.6 if section else 0.65
-    if near := [other] if other in here else difflib.get_close_matches(wrong.lower(), here, n=1, cutoff=cutoff):
+    if near := [other] if other in allowed else difflib.get_close_matches(wrong.lower(), allowed, n=1, cutoff=cutoff):
         return f"did you mean {'.'.join([*section, *near])}?"
     elsewhere: dict[str, list[str]] = {}
     for key in known_keys(model):
         elsewhere.setdefault(key.rpartition(".")[2], []).append(key)
     if near := difflib.get_close_matches(wrong.lower(), elsewhere, n=1, cutoff=0.75):
         return f"did you mean {' or '.join(elsewhere[near[0]])}?"
-    # where the section itself is unknown, it is what is wrong
-    return f"allowed here: {', '.join(here)}" if here or not section else hint(section, model)
+    # where the section itself is unknown, give a hint for the section
+    return f"allowed here: {', '.join(allowed)}" if allowed or not section else hint(section, model)
 
 
 def _fields_at(place: Sequence[str], model: type[Section]) -> dict[str, FieldInfo]:
-    """The fields of the section at a place; none where there is no section."""
+    """Return the fields of a section, given by the parts of its key; none if there is no such section."""
     return section_fields(_annotation_at(place, model))
 
 
 def _annotation_at(place: Sequence[str], model: type[Section]) -> Any:
-    """What a file may hold at a place; None where there is no such place."""
+    """Return the annotation of a key, given by its parts; None if there is no such key."""
     at: Any = model
     for part in place:
         fields, entry = section_fields(at), entry_of(at)
@@ -275,16 +275,16 @@ def _annotation_at(place: Sequence[str], model: type[Section]) -> Any:
 
 
 def section_fields(annotation: Any) -> dict[str, FieldInfo]:
-    """The fields of the section that an annotation allows, or of all kinds of it together; none of what is no section.
+    """Return the fields of the section that an annotation allows, merged over its kinds; none if it is no section.
 
-    A field that only some kinds have may be left out, and one that differs may hold what it may hold in any of them.
+    A field that only some kinds have is optional, and a field that differs between kinds allows the types of all.
     """
-    kinds = [form.model_fields for form in _forms(annotation) if _is_part(form)]
+    kinds = [form.model_fields for form in _forms(annotation) if _is_section(form)]
     if len(kinds) < 2:
         return kinds[0] if kinds else {}
     fields: dict[str, FieldInfo] = {}
     names = dict.fromkeys(name for kind in kinds for name in kind)
-    # each where it comes last
+    # in the order of the last position in any kind
     for name in sorted(names, key=lambda name: max(list(kind).index(name) for kind in kinds if name in kind)):
         having = [kind[name] for kind in kinds if name in kind]
         fields[name] = copy(having[0])
@@ -296,26 +296,26 @@ def section_fields(annotation: Any) -> dict[str, FieldInfo]:
 
 
 def _forms(annotation: Any) -> Iterator[Any]:
-    """What a field may hold where it is not absent."""
+    """Yield the types that an annotation allows, except None."""
     if get_origin(annotation) is Annotated:
         yield from _forms(get_args(annotation)[0])
     elif get_origin(annotation) in (Union, UnionType):
-        for each in get_args(annotation):
-            yield from _forms(each)
+        for argument in get_args(annotation):
+            yield from _forms(argument)
     elif annotation is not type(None):
         yield annotation
 
 
 def entry_of(annotation: Any) -> Any:
-    """What the entries of a list are; None of what is no list."""
+    """Return the annotation of the entries of a list; None if the annotation is not a list."""
     return next((get_args(form)[0] for form in _forms(annotation) if get_origin(form) is tuple), None)
 
 
 def _may_be_called(text: str, entry: Any, one_for_all: Mapping[str, FieldInfo]) -> bool:
-    """Whether text may be the name of an entry of a list, and is no key of it whose entry was left out."""
+    """Whether text may be the name of an entry of a list, instead of a key whose entry was left out."""
     fields = section_fields(entry)
     return not one_for_all and "name" in fields and text not in fields
 
 
-def _is_part(annotation: Any) -> bool:
+def _is_section(annotation: Any) -> bool:
     return isinstance(annotation, type) and issubclass(annotation, Section)

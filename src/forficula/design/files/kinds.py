@@ -1,4 +1,4 @@
-"""Which design a file holds, by the kind of its pattern."""
+"""The class of a design by the kind of its pattern."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ _DESIGNS: tuple[type[Design], ...] = (
 
 
 def _kind(design: type[Design]) -> str:
-    """Return the kind of pattern of a class of designs, which its section of the pattern names."""
+    """Return the kind of pattern of a class of designs."""
     section = design.model_fields["pattern"].annotation
     assert section is not None
     return str(get_args(section.model_fields["kind"].annotation)[0])
 
 
 KINDS: Mapping[str, type[Design]] = {_kind(design): design for design in _DESIGNS}
-# a design whose kind has no named design begins with this one, and with a pattern of its own
+# base of a new design whose kind has no named design; the new file has a pattern of its own
 OTHER_REFERENCE = "miura-sheet"
 
 
 def design_class(tables: Mapping[str, object]) -> type[Design]:
-    """The class of a design's tables, not checked yet; of a fan where they do not say.
+    """Return the class of a design from its unchecked tables; the class of fans if they give no kind.
 
     Raises:
-        RejectedError: a kind that there is not.
+        RejectedError: an unknown kind.
     """
     pattern = tables.get("pattern")
     kind = pattern.get("kind", "earwig-fan") if isinstance(pattern, Mapping) else "earwig-fan"
@@ -57,7 +57,7 @@ def design_class(tables: Mapping[str, object]) -> type[Design]:
 
 
 def kind_of(tables: Mapping[str, object]) -> str | None:
-    """The kind of pattern that a design's tables, not checked yet, give; None where they give none."""
+    """Return the kind of pattern in the unchecked tables of a design; None if they give none."""
     pattern = tables.get("pattern")
     kind = pattern.get("kind") if isinstance(pattern, Mapping) else None
     return kind if isinstance(kind, str) else None

@@ -25,11 +25,11 @@ from forficula.quantities import as_written
 
 
 def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> None:
-    """Write a commented design file to start from: the reference, every key with what it means.
+    """Write a commented design file to start from, with the values of the reference and the meaning of every key.
 
     Args:
-        path: of the file.
-        kind: of its pattern, one of `KINDS`; "fold-file" is that of a file sheet.fold.
+        path: path of the file.
+        kind: kind of pattern, one of `KINDS`; "fold-file" takes the pattern of a file sheet.fold.
 
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
@@ -40,7 +40,7 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
     reference = KINDS[kind].reference or OTHER_REFERENCE
     check_new(path, ".toml")
     lines = [
-        "# A forficula design. Every key is optional but based_on; what is left out comes from there.",
+        "# A forficula design. Only based_on is required; keys that are left out have the values of that design.",
         f'based_on = "{reference}"',
     ]
     own_pattern = KINDS[kind].reference is None
@@ -51,9 +51,9 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan") -> 
 
 
 def _own_pattern(kind: str, reference: str) -> Iterator[str]:
-    """What a design has of its own that begins with another pattern: its sheet, and nothing that lies on the other."""
+    """Yield lines for a design with another pattern than its base: the pattern, and empty lists for entries on it."""
     for key in ("tendon", "support", "measure"):
-        yield f"{f'{key} = []':<40}  # none of {reference}'s; take this line away to give some under [[{key}]]"
+        yield f"{f'{key} = []':<40}  # without those of {reference}; remove this line to give some under [[{key}]]"
     section = _section_of(kind)
     yield f"\n[pattern]  # {section.about}"
     for key, value in {"kind": kind, **KINDS[kind].example}.items():
@@ -61,14 +61,14 @@ def _own_pattern(kind: str, reference: str) -> Iterator[str]:
 
 
 def _section_of(kind: str) -> type[Section]:
-    """The section of a kind of pattern."""
-    section: Any = KINDS[kind].model_fields["pattern"].annotation
-    found: type[Section] = section
-    return found
+    """Return the class of the pattern's section for a kind of pattern."""
+    annotation: Any = KINDS[kind].model_fields["pattern"].annotation
+    section: type[Section] = annotation
+    return section
 
 
 def _commented(design: Design, without: str) -> Iterator[str]:
-    """The sections of a design but for one, every key with its meaning; what is done to it comes last."""
+    """Yield the sections of a design except one, with the meaning of every key; the protocol comes last."""
     for section in sorted(type(design).model_fields, key=lambda name: name == "protocol"):
         if section == without:
             continue
@@ -81,7 +81,7 @@ def _commented(design: Design, without: str) -> Iterator[str]:
         yield f"\n[{section}]  # {part.about}"
         for key, entry in type(part).model_fields.items():
             if section_fields(entry_of(entry.annotation)):
-                # a table under a header of its own ends what stands under the section's
+                # a table with its own header must follow all keys of the section
                 continue
             if key not in values:
                 yield f"{'# ' + _example(key, entry):<40}  # {entry.description}"
@@ -90,7 +90,8 @@ def _commented(design: Design, without: str) -> Iterator[str]:
             value = law.name if isinstance(law, LawSection) else values[key]
             yield f"{_line(key, value):<40}  # {entry.description}"
         if section == "tendon" and isinstance(design, FanDesign):
-            yield "# [[tendon]] with vein = 0 and what differs is the tendon of one vein; then a vein without has none."
+            yield "# [[tendon]] with vein = 0 and the values that differ is the tendon of one vein; other veins without"
+            yield "# such a table then have no tendon."
         for key, entry in type(part).model_fields.items():
             if key == "stages":
                 yield from _commented_stages(values["stages"], entry.description)
@@ -99,19 +100,19 @@ def _commented(design: Design, without: str) -> Iterator[str]:
 
 
 def _example(key: str, entry: FieldInfo) -> str:
-    """A line for a value that is absent."""
+    """Return an example line for a value that is absent."""
     reader = field_quantity(entry)
     return _line(key, (entry.examples or [reader.unit.example if reader else ""])[0])
 
 
 def _line(key: str, value: object) -> str:
-    """A value on one line."""
+    """Return a key and its value on one line."""
     text = re.sub(r"\[\n\s+", "[", tomli_w.dumps({key: value}).strip())
     return re.sub(r",\n\s+", ", ", re.sub(r",\n\s*\]", "]", text))
 
 
 def _commented_tables(header: str, entries: Sequence[Section], field: FieldInfo) -> Iterator[str]:
-    """The entries of a list of tables, commented out, every key with its meaning; an example where there are none."""
+    """Yield the entries of a list of tables, commented out, with the meanings of keys; an example if it is empty."""
     yield f"\n# {field.description}; giving any replaces all of them."
     for values in [part.as_tables() for part in entries] or [{}]:
         yield f"# [[{header}]]"
@@ -123,7 +124,7 @@ def _commented_tables(header: str, entries: Sequence[Section], field: FieldInfo)
 
 
 def _commented_stages(stages: list[dict[str, Any]], description: str | None) -> Iterator[str]:
-    """The stages, commented out: a list of tables replaces the whole list."""
+    """Yield the stages, commented out, because a list of tables replaces the whole list."""
     yield f"\n# {description}; giving any stage replaces all of them."
     for stage in stages:
         yield "# [[protocol.stages]]"

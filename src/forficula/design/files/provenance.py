@@ -1,4 +1,4 @@
-"""Where the values of a design come from, once some of them are other ones."""
+"""Sources of the values of a design that was derived from another one."""
 
 from __future__ import annotations
 
@@ -13,68 +13,68 @@ from forficula.quantities import as_written
 if TYPE_CHECKING:
     from forficula.design.design import Design
 
-# what a design says of itself, which is no value of it
+# keys that describe a design and are not values of it
 WORDS = ("name", "source", "shows", "reproduces")
-PAPERS = ("binder2025",)  # that a design or a study may be set beside
-_MOST_TOLD = 6
+PAPERS = ("binder2025",)  # papers with which a design or a study may be compared
+_MOST_LISTED = 6
 
 
 def derived_source(base: Design, design: Design) -> str:
-    """The source of a design that came from another: where values differ, which, and then the source of the other."""
-    given = differing_keys(base, design)
-    if not given:
+    """Return the source of a design derived from another: the keys that differ, then the source of the other."""
+    differing = differing_keys(base, design)
+    if not differing:
         return base.source
     beginning, end = f"{base.name} with other values of ", f"; {base.name}: "
-    told, _, original = base.source.removeprefix(beginning).partition(end)
-    before = told.replace(" and ", ", ").split(", ") if base.source.startswith(beginning) and original else []
-    changed = sorted({*before, *given} - {"more"})
-    if len(changed) > _MOST_TOLD:
-        changed = [*changed[:_MOST_TOLD], "more"]
+    listing, _, original = base.source.removeprefix(beginning).partition(end)
+    before = listing.replace(" and ", ", ").split(", ") if base.source.startswith(beginning) and original else []
+    changed = sorted({*before, *differing} - {"more"})
+    if len(changed) > _MOST_LISTED:
+        changed = [*changed[:_MOST_LISTED], "more"]
     source = original if before else base.source
     return f"{beginning}{listed(changed)}{end}{source}" if source else f"{beginning}{listed(changed)}"
 
 
 def differing_keys(base: Design, design: Design) -> list[str]:
-    """The dotted keys at which two designs differ, but for what they are called and where they come from."""
+    """Return the dotted keys at which two designs differ, except for `WORDS`."""
     return _differing(base.si_tables(), design.si_tables())
 
 
-def _differing(base: object, given: object, key: str = "") -> list[str]:
-    """The dotted keys at which tables differ, but for words; entries of lists by their names, if they have them."""
-    if base is given:
+def _differing(base: object, other: object, key: str = "") -> list[str]:
+    """Return the dotted keys at which tables differ, except for `WORDS`; entries of lists by their names, if any."""
+    if base is other:
         return []
-    if isinstance(base, list | tuple) and isinstance(given, list | tuple):
-        base, given = _by_name(base) or base, _by_name(given) or given
-        if isinstance(base, dict) and isinstance(given, dict) and list(base) != list(given):
+    if isinstance(base, list | tuple) and isinstance(other, list | tuple):
+        base, other = _by_name(base) or base, _by_name(other) or other
+        if isinstance(base, dict) and isinstance(other, dict) and list(base) != list(other):
             return [key]
     # tendons that differ from vein to vein count as one value
-    whole = key == "tendon" and (is_by_vein(base) or is_by_vein(given))
-    if whole or not (isinstance(base, dict) and isinstance(given, dict)):
-        return [] if base == given else [key]
-    names = [name for name in {**base, **given} if key or name not in WORDS]
-    parts = (_differing(base.get(name), given.get(name), f"{key}.{name}" if key else name) for name in names)
-    return [found for part in parts for found in part]
+    whole = key == "tendon" and (is_by_vein(base) or is_by_vein(other))
+    if whole or not (isinstance(base, dict) and isinstance(other, dict)):
+        return [] if base == other else [key]
+    names = [name for name in {**base, **other} if key or name not in WORDS]
+    keys = (_differing(base.get(name), other.get(name), f"{key}.{name}" if key else name) for name in names)
+    return [differing for inner in keys for differing in inner]
 
 
 def _by_name(entries: Sequence[object]) -> dict[str, object]:
-    """Entries of a list by their names; none where they have none of their own."""
-    found: dict[str, object] = {
+    """Return the entries of a list by their names; empty if not all of them have different names."""
+    named: dict[str, object] = {
         str(entry["name"]): entry for entry in entries if isinstance(entry, dict) and entry.get("name")
     }
-    return found if len(found) == len(entries) else {}
+    return named if len(named) == len(entries) else {}
 
 
 def scaled_source(name: str, source: str, factor: float) -> str:
-    """The source of a design that was scaled in size."""
+    """Return the source of a design that was scaled in size."""
     scaled = f"{name} at {factor:g} times its size"
     return f"{scaled}; {name}: {source}" if source else scaled
 
 
 def check_paper(name: str) -> str:
-    """Take the name of a paper that is reproduced.
+    """Return the name of a paper that is reproduced, if it is known.
 
     Raises:
-        InputError: there is none of that name; the caller knows the key.
+        InputError: there is no paper of that name; the caller adds the key.
     """
     if name not in PAPERS:
         raise InputError(f"need one of {', '.join(PAPERS)}, got {as_written(name)}")

@@ -1,4 +1,4 @@
-"""Designs and other files that are not allowed: one line with the key, the rule and the value, and where it stands."""
+"""Error messages for designs and other files: one line with the key, the rule, the value and the file."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from forficula.design.section import Section
 from forficula.names import listed, near_name, unknown_key
 from forficula.quantities import as_written
 
-_PartOf = TypeVar("_PartOf", bound=Section)
-# a file's name and the tables that stand in it
+_SectionOf = TypeVar("_SectionOf", bound=Section)
+# name of a file and its tables
 File = tuple[str, dict[str, Any]]
 
 
-def read_part(model: type[_PartOf], tables: Mapping[str, object]) -> _PartOf:
-    """Read the tables of a file, or one of them.
+def read_part(model: type[_SectionOf], tables: Mapping[str, object]) -> _SectionOf:
+    """Read the tables of a file, or one of its sections.
 
     Args:
-        model: class of the file or the table.
-        tables: its values by key.
+        model: class of the file or the section.
+        tables: values by key.
 
     Raises:
         RejectedError: an unknown key, or a value that is not allowed.
@@ -39,16 +39,16 @@ def read_part(model: type[_PartOf], tables: Mapping[str, object]) -> _PartOf:
 
 
 def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
-    """What pydantic finds wrong with a design or another file of a class, as one line: key, rule, value."""
-    # A wrong value hides what depends on it, so one error is enough; a misspelt key may be the missing one.
+    """Convert an error of pydantic for a design or another file to one line: key, rule, value."""
+    # Other errors may be consequences of the first, so one is reported; a misspelt key comes before a missing one.
     errors: list[Any] = list(error.errors(include_url=False))
-    worst = next((each for each in errors if each["type"] == "extra_forbidden"), errors[0])
+    worst = next((entry for entry in errors if entry["type"] == "extra_forbidden"), errors[0])
     kind, value, bounds = worst["type"], worst["input"], worst.get("ctx", {})
-    # what pydantic puts in for a form or a kind of section
+    # tags that pydantic inserts for the kind of a section
     tags = [part for part in map(str, worst["loc"]) if re.fullmatch(r"<[a-z -]+>", part)]
     place, which = [str(part) for part in worst["loc"] if part not in tags], "".join(tags).strip("<>")
     if kind.startswith("union_tag_"):
-        # of a section of several kinds, that its key `kind` does not say which
+        # the key `kind` of a section with several kinds is missing or wrong
         kinds, place = section_kinds(place, model), [*place, "kind"]
         if not isinstance(value, dict):
             kind, place = "model_type", place[:-1]
@@ -72,31 +72,31 @@ def rejected(error: ValidationError, model: type[Section]) -> RejectedError:
 
 
 def origin(place: Sequence[str], files: Sequence[File], settings: Iterable[str]) -> str:
-    """The file where a value stands, or the design as a whole; nothing where it was set by hand.
+    """Return the name of the file that contains a value; "" if a setting gave the value.
 
     Args:
-        place: of the value, part by part; empty for the design as a whole.
-        files: that a design is read from, the last one over all others.
-        settings: dotted keys of what was set by hand.
+        place: parts of the key of the value; empty for the design as a whole, whose file is the last one.
+        files: files from which a design is read; later ones override earlier ones.
+        settings: dotted keys of the settings.
     """
     if not place:
         return files[-1][0]
     keys = [".".join(place)]
     if place[0] == "tendon" and len(place) > 1 and place[1].isdecimal():
-        # what stands for all tendons
+        # the key of all tendons
         keys.append(".".join(["tendon", *place[2:]]))
     for setting in settings:
         if any(f"{key}.".startswith(f"{setting}.") or f"{setting}.".startswith(f"{key}.") for key in keys):
             return ""
-    return next((where for where, tables in reversed(files) if _stands_in(tables, place)), files[-1][0])
+    return next((name for name, tables in reversed(files) if _contains(tables, place)), files[-1][0])
 
 
-def _stands_in(tables: object, place: Sequence[str]) -> bool:
+def _contains(tables: object, place: Sequence[str]) -> bool:
     for part in place:
         if isinstance(tables, list) and part.isdecimal():
-            # by the vein that they name, or one after another
-            entries = [(each.get("vein", at), each) for at, each in enumerate(tables) if isinstance(each, dict)]
-            tables = next((each for vein, each in entries if vein == int(part)), None)
+            # by their number of a vein, or by their position
+            entries = [(entry.get("vein", at), entry) for at, entry in enumerate(tables) if isinstance(entry, dict)]
+            tables = next((entry for vein, entry in entries if vein == int(part)), None)
         elif isinstance(tables, dict) and part in tables:
             tables = tables[part]
         elif not (isinstance(tables, dict) and part.isdecimal()):
@@ -105,13 +105,13 @@ def _stands_in(tables: object, place: Sequence[str]) -> bool:
 
 
 def _of_a_check(place: list[str], message: str, model: type[Section], which: str) -> RejectedError:
-    """What a check of a value, of a section or of the whole design has found."""
+    """Convert the message of a check of a value, of a section or of the whole design."""
     name = message.partition(":")[0]
     if name in siblings([*place, ""], model) and place:
         place, missing = [*place, name], message.endswith(": is missing")
         remedy = f"; {_remedy(place, model, which)}" if missing else ""
         return RejectedError(place[:-1] if missing else place, f"{written_key(place[:-1])}.{message}{remedy}")
-    if is_key(name, model):  # a check of several values, no one of them to blame
+    if is_key(name, model):  # a check of several values has no single place
         return RejectedError([], message)
     if place and not message.startswith((f"{written_key(place)}.", f"{written_key(place)} ")):
         message = f"{written_key(place)}: {message}"
@@ -119,7 +119,7 @@ def _of_a_check(place: list[str], message: str, model: type[Section], which: str
 
 
 def _remedy(place: list[str], model: type[Section], which: str) -> str:
-    """What to do about a key that is missing, of a section of a kind."""
+    """Return the advice for a missing key; `which` is the kind of its section."""
     if not issubclass(model, Design):
         (fact,) = key_facts(".".join(place), model)
         return f"give it ({fact.allowed})"
@@ -131,7 +131,7 @@ def _remedy(place: list[str], model: type[Section], which: str) -> str:
         return to_inherit
     section = model.model_fields.get(place[0])
     if len(place) > 1 and section is not None and not section.is_required() and section.default is None:
-        # the design to begin from has no such section
+        # the reference design has no such section
         return f"give it, or leave out [{place[0]}]"
     if any(part.isdecimal() for part in place):
         return f"needed here: {', '.join(needed_keys(place, model, which))}"
@@ -139,7 +139,7 @@ def _remedy(place: list[str], model: type[Section], which: str) -> str:
 
 
 def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any], model: type[Section]) -> str:
-    """What is allowed, by pydantic's name of the error."""
+    """Describe the allowed values, by pydantic's name of the error."""
     header = ".".join(part for part in place if not part.isdecimal())
     is_tables = any(key.startswith(f"{header}.0.") for key in known_keys(model))
     bare = " without quotes" if isinstance(value, str) else ""
@@ -162,7 +162,7 @@ def _rule(place: list[str], kind: str, value: object, bounds: Mapping[str, Any],
         "model": _table_rule(header, is_list=is_tables),
     }
     if not issubclass(model, Design) and kind.startswith(("greater", "less", "int", "string_type")):
-        # files have few keys, so that all that is allowed fits in the message
+        # for files other than designs, the table of keys describes all allowed values
         for fact in key_facts(".".join("0" if part.isdecimal() else part for part in place), model):
             if fact.allowed.startswith("whole number"):
                 return f"a {fact.allowed.replace(', >=', ' >=').replace(', <=', ' and <=')}{bare}"

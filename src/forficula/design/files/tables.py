@@ -1,4 +1,4 @@
-"""Tables of design files, laid over each other, and the error that names a place in them."""
+"""Tables of design files: laying tables over each other, and the error that names a place in them."""
 
 from __future__ import annotations
 
@@ -13,40 +13,40 @@ from forficula.quantities import as_written, plain_value
 
 
 class RejectedError(InputError):
-    """A design that is not allowed, and the place that is to blame."""
+    """A design that is not allowed, with the place of the wrong value."""
 
     def __init__(self, place: Sequence[str], message: str) -> None:
         super().__init__(message)
         self.place = tuple(place)
 
 
-def merged(below: object, own: object) -> Any:
-    """Lay what a file gives over what it is based on: tables change what they name, all else replaces."""
-    if not (isinstance(below, dict) and isinstance(own, dict)):
-        return own
-    return {**below, **{key: merged(below.get(key), value) for key, value in own.items()}}
+def merged(below: object, upper: object) -> Any:
+    """Lay the values of a file over those of its base: tables are merged, all other values are replaced."""
+    if not (isinstance(below, dict) and isinstance(upper, dict)):
+        return upper
+    return {**below, **{key: merged(below.get(key), value) for key, value in upper.items()}}
 
 
 def nested(settings: Mapping[str, object]) -> dict[str, Any]:
-    """Values by dotted key as tables in tables; a number stays a key.
+    """Convert values by dotted key to nested tables; a number remains a key.
 
     Raises:
-        RejectedError: a key goes on where another one has a value.
+        RejectedError: a key continues where another one has a value.
     """
     tables: dict[str, Any] = {}
-    # a value before what is in it
+    # short keys first: a table before values inside it
     for key, value in sorted(settings.items(), key=lambda item: item[0].count(".")):
         *sections, last = key.split(".")
         table = tables
         for depth, section in enumerate(sections, start=1):
             inside = table.setdefault(section, {})
             if isinstance(inside, list):
-                # a list that is given, too, with a value in an entry of it
+                # the settings give a list and also a value in one of its entries
                 within = nested({".".join([*sections[depth:], last]): value})
                 table[section] = laid_over(inside, within, tuple(sections[:depth]))
                 break
             if not isinstance(inside, dict):
-                # a law that is named takes values, too
+                # a law that is given by name may also have values
                 if section != "law":
                     raise _nothing_inside(key.split("."), depth, value)
                 inside = table[section] = {"based_on": inside}
@@ -56,22 +56,22 @@ def nested(settings: Mapping[str, object]) -> dict[str, Any]:
     return tables
 
 
-def laid_over(below: object, own: object, place: tuple[str, ...] = ()) -> Any:
-    """Lay settings over tables: as `merged`, but a number picks an entry of a list, and nothing goes into a value.
+def laid_over(below: object, upper: object, place: tuple[str, ...] = ()) -> Any:
+    """Lay settings over tables: like `merged`, but a number or name selects an entry of a list.
 
     Raises:
-        RejectedError: a list has no such entry, or a key goes on where there is a value.
+        RejectedError: a list has no such entry, or a key continues where there is a value.
     """
-    if not isinstance(own, dict) or below is None:
-        return own
+    if not isinstance(upper, dict) or below is None:
+        return upper
     if isinstance(below, dict):
-        return {**below, **{key: laid_over(below.get(key), value, (*place, key)) for key, value in own.items()}}
+        return {**below, **{key: laid_over(below.get(key), value, (*place, key)) for key, value in upper.items()}}
     if not isinstance(below, list):
-        if not own:
-            return own
-        raise _nothing_inside([*place, *_first_leaf(own)], len(place), _first_value(own))
+        if not upper:
+            return upper
+        raise _nothing_inside([*place, *_first_leaf(upper)], len(place), _first_value(upper))
     entries = list(below)
-    for text, value in own.items():
+    for text, value in upper.items():
         try:
             number = entry_index(place, text, below, _first_leaf(value))
         except InputError as error:
@@ -81,21 +81,21 @@ def laid_over(below: object, own: object, place: tuple[str, ...] = ()) -> Any:
 
 
 def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside: Sequence[str] = ()) -> int:
-    """Find an entry of a list by its number or its name.
+    """Return the index of an entry of a list by its number or its name.
 
     Args:
-        place: of the list, part by part.
-        text: the number, or the name where the entries have names.
-        entries: of the list: of a design, or of the tables of a file.
-        inside: what the key goes on with, for errors.
+        place: parts of the key of the list.
+        text: the number, or the name if the entries have names.
+        entries: entries of a list of a design, or of the tables of a file.
+        inside: continuation of the key, for error messages.
 
     Raises:
-        InputError: there is none, and which there are.
+        InputError: there is no such entry; the message lists the entries.
     """
     if text in (allowed := [str(index) for index in range(len(entries))]):
         return int(text)
-    called = (entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries)
-    names = [name if isinstance(name, str) else "" for name in called]
+    values = (entry.get("name") if isinstance(entry, dict) else getattr(entry, "name", None) for entry in entries)
+    names = [name if isinstance(name, str) else "" for name in values]
     if names.count(text) == 1:
         return names.index(text)
     key = written_key([*place, text, *inside])
@@ -105,7 +105,7 @@ def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside:
     need = f"need {'one of ' * (len(known) > 1)}{listed(known, 'or')} after {written_key(place)}"
     if near := difflib.get_close_matches(text, [name for name in names if name], n=1):
         raise InputError(f"{key}: {need}; did you mean {written_key([*place, *near, *inside])}?")
-    # a key of the entries stands where one of them is to be named
+    # a key of an entry where the number or name of the entry is missing
     left_out = any(text in entry if isinstance(entry, dict) else hasattr(entry, text) for entry in entries)
     if inside or left_out:
         first = names[0] if names[0] and names.count(names[0]) == 1 else "0"
@@ -114,7 +114,7 @@ def entry_index(place: Sequence[str], text: str, entries: Sequence[Any], inside:
 
 
 def numbered(key: str, tables: Mapping[str, Any]) -> str:
-    """A dotted key of tables with the numbers of entries in place of their names."""
+    """Return a dotted key of tables with the numbers of entries in place of their names."""
     parts: list[str] = []
     at: Any = tables
     for part in key.split("."):
@@ -128,30 +128,30 @@ def numbered(key: str, tables: Mapping[str, Any]) -> str:
 
 
 def check_once(keys: Iterable[str], tables: Mapping[str, Any]) -> None:
-    """Refuse two keys that lead to the same value: by the number and the name of an entry, or with dots and in a table.
+    """Refuse two keys for the same value: by number and by name of an entry, or with dots and in a table.
 
     Args:
-        keys: dotted, those of values in nested tables among them.
-        tables: that they lead into.
+        keys: dotted keys, including those of values in nested tables.
+        tables: tables in which the keys are looked up.
 
     Raises:
-        InputError: which two.
+        InputError: a value with two keys.
     """
-    found: dict[str, str] = {}
+    seen: dict[str, str] = {}
     for key in keys:
-        if (other := found.get(number := numbered(key, tables))) is not None:
-            how = "once with dots in its name and once in a table" if other == key else f"the other time as {other}"
+        if (other := seen.get(number := numbered(key, tables))) is not None:
+            how = "once with dots in its name and once in a table" if other == key else f"also as {other}"
             raise InputError(f"{key}: is given twice, {how}")
-        found[number] = key
+        seen[number] = key
 
 
 def written_key(place: Sequence[str]) -> str:
-    """A key as a TOML file has it."""
+    """Join the parts of a key as in a TOML file."""
     return ".".join(part if re.fullmatch(r"[A-Za-z0-9_-]{1,60}", part) else as_written(part) for part in place)
 
 
 def dotted_keys(tables: Mapping[str, object], prefix: str = "") -> list[str]:
-    """The dotted keys of all values in nested tables."""
+    """Return the dotted keys of all values in nested tables."""
     keys: list[str] = []
     for key, value in tables.items():
         keys += dotted_keys(value, f"{prefix}{key}.") if isinstance(value, Mapping) else [f"{prefix}{key}"]
@@ -159,8 +159,8 @@ def dotted_keys(tables: Mapping[str, object], prefix: str = "") -> list[str]:
 
 
 def _copied(value: object) -> object:
-    """A value of settings, numbers and arrays of numpy as those of a file."""
-    return {key: _copied(each) for key, each in value.items()} if isinstance(value, Mapping) else plain_value(value)
+    """Copy a value of settings; convert numbers and arrays of numpy to plain ones."""
+    return {key: _copied(inner) for key, inner in value.items()} if isinstance(value, Mapping) else plain_value(value)
 
 
 def _first_leaf(tables: object) -> list[str]:
@@ -171,7 +171,7 @@ def _first_leaf(tables: object) -> list[str]:
 
 
 def _first_value(tables: object) -> object:
-    """The value at `_first_leaf`."""
+    """Return the value at `_first_leaf`."""
     return _first_value(next(iter(tables.values()))) if isinstance(tables, dict) and tables else tables
 
 

@@ -1,4 +1,4 @@
-"""The crease pattern of a design, whatever is built on it, and folded states of it."""
+"""The crease pattern of a design of any kind, and its folded states."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ _SHARES = (0.25, 0.5, 0.75, 1.0)
 
 
 def design_pattern(design: Design) -> CreasePattern:
-    """The sheet of a design, in the units that its numbers are in.
+    """Return the crease pattern of a design, in the units of the design's numbers.
 
     Raises:
-        InputError: it has none.
+        InputError: the design has no crease pattern.
     """
     if isinstance(design, FanDesign):
         return earwig_pattern(design.fan)
@@ -31,9 +31,10 @@ def design_pattern(design: Design) -> CreasePattern:
 
 
 def design_frames(design: Design) -> list[tuple[str, Array, Array]]:
-    """Folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them.
+    """Compute folded states of a design's sheet, from nearly open to flat-folded, as `write_fold` takes them.
 
-    Each crease by the same share of its angle; none of a sheet that is not built flat, or cannot fold so.
+    In each state all creases have the same share of their target angles. A sheet that is not built flat, or cannot fold
+    in this manner, has none.
     """
     if isinstance(design, FanDesign):
         return folded_frames(design.fan) if design.fan.ring_folds == 1 else []

@@ -1,4 +1,4 @@
-"""What every crease of a design has: the values of its section, or of its groups."""
+"""The values of every crease of a design: those of its section or of its groups."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ if TYPE_CHECKING:
 
 
 def creases_by_edge(design: SheetDesign) -> dict[int, Crease]:
-    """The properties of every crease, those of its last group where that gives them, by the number of its edge."""
+    """Return the values of every crease by the number of its edge; values of the last group with the crease prevail."""
     sheet, groups = design.sheet, design.crease.group
     creases = dict.fromkeys(fold_edges(sheet), design.crease)
     for number, group in enumerate(groups):
-        given = {key: value for key, value in group if key not in ("name", "of") and value is not None}
+        values = {key: value for key, value in group if key not in ("name", "of") and value is not None}
         for edge in creases_of(sheet, group.of, groups[:number]):
-            creases[edge] = creases[edge].model_copy(update=given)
+            creases[edge] = creases[edge].model_copy(update=values)
     return creases
 
 
 def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]:
-    """The least and the largest angle of a crease in its own sense, rad; infinite where nothing stops it.
+    """Return the least and the largest angle of a crease in its own sense, rad; infinite without a stop.
 
-    A rigid facet that no limit is given for folds onto its neighbour and, but at a crease that is not assigned, not the
-    other way. A crease that opens folds both ways.
+    Without limits, a rigid facet folds until it touches its neighbour, and only in the assigned sense. A crease that is
+    unassigned or that opens folds in both senses.
     """
     back, fold = math.inf, math.inf
     if design.facet.kind == "rigid":
@@ -38,18 +38,18 @@ def stops(design: SheetDesign, edge: int, crease: Crease) -> tuple[float, float]
 
 
 def crease_key(design: SheetDesign, edge: int, key: str) -> str:
-    """Where a crease has a value from: the last group that gives it, or the section."""
+    """Return the key that sets a value of a crease: that of the last group which has it, or of the section."""
     groups = design.crease.group
-    given = (
+    group_keys = (
         f"crease.group.{number}.{key}"
         for number, group in reversed(list(enumerate(groups)))
         if getattr(group, key) is not None and edge in creases_of(design.sheet, group.of, groups[:number])
     )
-    return next(given, f"crease.{key}")
+    return next(group_keys, f"crease.{key}")
 
 
 def rest_angle(crease: Crease, built: float) -> float:
-    """Where a crease's spring rests, rad, in its own sense: an angle, flat, or as built."""
+    """Return the rest angle of a crease's spring, rad, in the crease's own sense."""
     match crease.rest_angle:
         case "flat":
             return 0.0

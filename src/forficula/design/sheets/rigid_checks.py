@@ -1,4 +1,4 @@
-"""What must fit together in the design of a sheet of rigid facets, hinged at its creases or opening there."""
+"""Checks of the design of a sheet of rigid facets, whose creases are hinges or open."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ from forficula.quantities import as_written, show_quantity
 if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
 
-_INSTEAD = 'or take facet.kind = "bars", of which facets bend'
-# share of a facet's size by which its corners may be off its plane: rounding of files with seven digits
+_INSTEAD = 'or take facet.kind = "bars", whose facets bend'
+# largest distance of a facet's corners from its plane, as a share of its size: rounding of files with seven digits
 _OFF_PLANE = 1e-6
 
 
 def check_rigid(design: SheetDesign) -> None:
-    """Refuse a sheet whose facets cannot be rigid, wherever it is held.
+    """Refuse a sheet whose facets cannot be rigid, regardless of its supports.
 
     Raises:
-        InputError: facets that are not flat, or that do not move, and some creases that open beside others that do not.
+        InputError: facets are not flat or cannot move, or some loops have a crease that opens and others have none.
     """
     sheet = design.sheet
     facet = _uneven_facet(sheet)
@@ -58,7 +58,7 @@ def check_rigid(design: SheetDesign) -> None:
         )
     if not closing:
         return
-    # what may bend either way has no sense to be folded in
+    # a crease that may bend in both senses counts as unassigned
     letters = tuple(
         "U" if edge in creases and stops(design, edge, creases[edge])[0] < 0 else letter
         for edge, letter in enumerate(sheet.edges_assignment)
@@ -70,20 +70,20 @@ def check_rigid(design: SheetDesign) -> None:
 
 @lru_cache(maxsize=64)
 def _uneven_facet(sheet: CreasePattern) -> int | None:
-    """The first facet whose corners lie in no plane; None where all do."""
+    """Return the first facet whose corners do not lie in a plane; None if all facets are flat."""
     for facet, corners in enumerate(sheet.faces_vertices):
-        places = sheet.vertices_coords[list(corners)]
-        off = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
-        if off[2] > _OFF_PLANE * off[0]:
+        positions = sheet.vertices_coords[list(corners)]
+        extents = np.linalg.svd(positions - positions.mean(axis=0), compute_uv=False)
+        if extents[2] > _OFF_PLANE * extents[0]:
             return facet
     return None
 
 
 def check_rigid_supports(design: SheetDesign) -> None:
-    """Refuse supports on which some of the facets do not hang.
+    """Refuse supports to which some of the facets are not connected.
 
     Raises:
-        InputError: which facets.
+        InputError: facets that are not connected.
     """
     try:
         facet_tree(design.sheet, design.held_facets, _opening(design))
@@ -92,15 +92,16 @@ def check_rigid_supports(design: SheetDesign) -> None:
 
 
 def _opening(design: SheetDesign) -> list[int]:
-    """The edges of creases that open."""
+    """Return the numbers of the edges whose creases open."""
     return [edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None]
 
 
 @lru_cache(maxsize=64)
 def _stuck(coords: bytes, edges: bytes, letters: tuple[str, ...], faces: tuple[tuple[int, ...], ...]) -> str:
-    """Why a sheet of rigid facets does not fold; empty where nothing says so. Remembered, for it takes up to a second.
+    """Return the reason why a sheet of rigid facets does not fold; empty if none is known. Takes up to a second.
 
-    A flat sheet is let go only where it provably has no fold as assigned; one that is folded, where rank says so.
+    A flat sheet is refused only if it provably has no fold as assigned, a folded sheet if its rank shows that it cannot
+    move.
     """
     sheet = CreasePattern(
         vertices_coords=np.frombuffer(coords).reshape(-1, 3),
@@ -114,7 +115,7 @@ def _stuck(coords: bytes, edges: bytes, letters: tuple[str, ...], faces: tuple[t
         if freedoms.mechanisms > 0:
             return ""
         return f"as built it has 0 degrees of freedom and {freedoms.self_stress} states of self-stress"
-    fixed = [each.vertex for each in vertex_creases(sheet) if vertex_folds(sheet, each) is False]
+    fixed = [creases.vertex for creases in vertex_creases(sheet) if vertex_folds(sheet, creases) is False]
     if fixed:
         return f"around vertex {fixed[0]} it has 0 degrees of freedom in which every crease folds as assigned"
     if not begins_as_assigned(sheet):
@@ -124,10 +125,10 @@ def _stuck(coords: bytes, edges: bytes, letters: tuple[str, ...], faces: tuple[t
 
 
 def check_rigid_creases(design: SheetDesign) -> None:
-    """Refuse creases that start beyond their stops, or where the facets do not meet.
+    """Refuse creases that start beyond their stops, and starts at which the facets do not meet.
 
     Raises:
-        InputError: which key, and its bounds.
+        InputError: a key beyond its bounds.
     """
     sheet, creases = design.sheet, creases_by_edge(design)
     unfolded = is_unfolded(sheet)
@@ -138,7 +139,7 @@ def check_rigid_creases(design: SheetDesign) -> None:
         folded = crease_sense(sheet, edge) * float(built[edge])
         start, back, fold = (crease_key(design, edge, key) for key in ("start", "back_limit", "fold_limit"))
         if crease.start and (design.opens or not unfolded):
-            raise InputError(f"{start}: need 0 deg where a sheet starts as it is built, got {_shown(crease.start)}")
+            raise InputError(f"{start}: need 0 deg for a sheet that starts as built, got {_shown(crease.start)}")
         starts[edge] = crease_sense(sheet, edge) * crease.start
         if not low <= (crease.start or folded) <= high:
             key = start if unfolded else "pattern"
@@ -154,7 +155,7 @@ def check_rigid_creases(design: SheetDesign) -> None:
 
 @lru_cache(maxsize=64)
 def _torn(sheet: CreasePattern, angles: bytes) -> str:
-    """Why facets do not meet at fold angles; empty where they do."""
+    """Return the reason why facets do not meet at given fold angles; empty if they meet."""
     try:
         folded_coordinates(sheet, np.frombuffer(angles))
     except InputError as error:
@@ -163,27 +164,27 @@ def _torn(sheet: CreasePattern, angles: bytes) -> str:
 
 
 def _shown(value: float) -> str:
-    """An angle as messages show it."""
+    """Return an angle as text for messages."""
     return show_quantity(value, ANGLE)
 
 
 def check_rigid_tendon(design: SheetDesign, number: int, ends: Sequence[str]) -> None:
-    """Refuse a tendon whose length no crease changes.
+    """Refuse a tendon whose length does not depend on any fold angle.
 
     Raises:
-        InputError: why.
+        InputError: the length never changes.
     """
     sheet = design.sheet
     one, other = (place_on(sheet, end) for end in ends)
     if one.facet == other.facet:
         raise InputError(
-            f"tendon.{number}.to: need a place on another facet than tendon.{number}.from, or its length never"
+            f"tendon.{number}.to: need a place on another facet than tendon.{number}.from, or the length never"
             f" changes, got facet {one.facet} for both"
         )
     if not design.opens and keeps_distance(sheet, one, other):
         between = creases_between(sheet, one.facet, other.facet)
         why = "it lies on the axis of every crease between them" if between else "no crease lies between them"
         raise InputError(
-            f"tendon.{number}.to: need a place that creases move against tendon.{number}.from, or its length"
-            f" never changes, got {as_written(ends[1])}: {why}"
+            f"tendon.{number}.to: need a place that moves relative to tendon.{number}.from, or the length never"
+            f" changes, got {as_written(ends[1])}: {why}"
         )

@@ -1,4 +1,4 @@
-"""A sheet that folds at its creases, of panels that are rigid or bend, and what is done to it."""
+"""Designs of sheets that fold at their creases; the facets are rigid or bend."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from forficula.design.sheets.sheet_parts import Crease, FacetSection, Imperfecti
 from forficula.design.sheets.sheet_places import facet_of
 from forficula.pattern import CreasePattern, central_facet, facet_tree
 
-# of the imperfection of a sheet, where another start is tried
+# factor of the imperfection of a sheet for a slightly different start
 _OTHER_START = 1.01
 
 
 class SheetDesign(Design):
-    """A sheet that folds at its creases, and what is done to it."""
+    """A sheet that folds at its creases, with its protocol."""
 
     varied_key: ClassVar[str] = "crease.stiffness"
     weight_section: ClassVar[str] = "facet"
@@ -35,18 +35,23 @@ class SheetDesign(Design):
         "protocol.gravity",
     )
 
-    source: Annotated[str, Field(description="where its values come from")] = ""
+    source: Annotated[str, Field(description="where the values of the design come from")] = ""
     pattern: Any
     facet: FacetSection = FacetSection()
     crease: Crease = Crease()
     imperfection: Imperfection = Imperfection()
-    tendon: Annotated[tuple[SheetTendon, ...], Field(description="springs between two places, which only pull")] = ()
+    tendon: Annotated[tuple[SheetTendon, ...], Field(description="pull-only springs between two places")] = ()
     support: Annotated[
         tuple[Support, ...],
-        Field(description="what is held; hinged rigid facets need one: facet 0, or in loops the middle one"),
+        Field(
+            description="facets or vertices that are held; if none is given, hinged rigid facets are held at facet 0,"
+            " or at the central facet if they form loops"
+        ),
     ] = ()
-    drive: Annotated[tuple[SheetDrive, ...], Field(description="what stages of the protocol switch on")] = ()
-    measure: Annotated[tuple[SheetMeasure, ...], Field(description="what is watched, for goals and tables")] = ()
+    drive: Annotated[tuple[SheetDrive, ...], Field(description="drives that stages of the protocol switch on")] = ()
+    measure: Annotated[
+        tuple[SheetMeasure, ...], Field(description="angles and distances that are recorded, for goals and tables")
+    ] = ()
     protocol: SheetProtocol
 
     @property
@@ -56,7 +61,7 @@ class SheetDesign(Design):
 
     @property
     def held_facets(self) -> tuple[int, ...]:
-        """Numbers of the facets that are held, of rigid ones."""
+        """Numbers of the facets that are held, of a sheet of rigid facets."""
         if self.support or self.opens:
             return tuple(facet_of(self.sheet, support.of) for support in self.support)
         closes = any(link.closes for link in facet_tree(self.sheet))
@@ -69,16 +74,16 @@ class SheetDesign(Design):
 
     @property
     def chosen(self) -> tuple[Choice, ...]:
-        """The values that a rule chooses, for they are not given."""
+        """The values that are not given and that a rule chooses."""
         return _choices(self.pattern, self.facet, self.crease)
 
     @property
     def has_stops_of_bodies(self) -> bool:
-        """Whether its hinges are of rigid facets; where facets bend, stops of creases are springs."""
+        """Whether the facets are rigid; if facets bend, the stops of creases are springs."""
         return self.facet.kind == "rigid"
 
     def with_other_start(self) -> Self | None:
-        """Return the design with an imperfection that is 1 % larger; None of a sheet that is as it is drawn."""
+        """Return the design with an imperfection that is 1 % larger; None for a sheet without an imperfection."""
         if not self.imperfection.size:
             return None
         larger = {"size": _OTHER_START * self.imperfection.size}
@@ -86,15 +91,15 @@ class SheetDesign(Design):
 
     @property
     def named_protocol(self) -> NamedProtocol:
-        """What the drives of the sheet act on, and the states and transitions that its stages lead to."""
+        """The drives of the sheet with what they act on, and the states and transitions of its stages."""
         return sheet_protocol(self)
 
     def settled(self) -> Self:
-        """The design with the values that a rule chooses."""
+        """Return the design with the values that a rule chooses filled in."""
         return with_choices(self, self.chosen)
 
     def hash_values(self) -> dict[str, Any]:
-        """The values but for what they are called, with those that a rule chooses."""
+        """Return the values that affect a run, including those that a rule chooses."""
         settled = self.settled()
         return super(SheetDesign, settled).hash_values()
 
@@ -106,12 +111,12 @@ class SheetDesign(Design):
 
 @lru_cache(maxsize=64)
 def _drawn(pattern: Any) -> CreasePattern:
-    """The sheet of a pattern, which is asked for again and again while it is built."""
+    """Return the sheet of a pattern; cached, because it is needed repeatedly while a sheet is built."""
     sheet: CreasePattern = pattern.sheet
     return sheet
 
 
 @lru_cache(maxsize=64)
 def _choices(pattern: Any, facet: FacetSection, crease: Crease) -> tuple[Choice, ...]:
-    """What is chosen for a sheet, which everything that names or builds its design asks for."""
+    """Return the choices for a sheet; cached, because the hash and the structure of a design need them."""
     return choices(_drawn(pattern), facet, crease)

@@ -1,4 +1,4 @@
-"""What must fit together in the design of a sheet, whatever is built of it."""
+"""Checks that the values of a sheet's design fit together, for facets of every kind."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ if TYPE_CHECKING:
     from forficula.design.sheets.sheet import SheetDesign
     from forficula.design.sheets.sheet_course import SheetMeasure, SheetTendon
 
-Found = TypeVar("Found")
+_Result = TypeVar("_Result")
 
-# rad; by which a crease may be beyond a stop as built: rounding
-_BESIDE = 1e-6
-# share of the largest torque that a sum of torques may be off by
+# rad, largest angle of a crease beyond a stop as built: rounding
+_BEYOND_STOP = 1e-6
+# largest sum of torques that counts as 0, as a share of the largest torque: rounding
 _ROUNDING = 1e-12
-# what tables of states have beside measures
+# columns of tables of states beside the measures
 _COLUMNS = ("energy", "time", "sum")
-# what summaries and tables have beside the names of stages and states
+# keys of summaries and columns of tables beside the names of stages and states
 _TAKEN = (
     *("design", "design_hash", "status", "verdict", "outcome", "residual", "advice", "goal", "key"),
     *("states", "stages", "branch", "energy_balance", "diverged_at_s", "timestep_s", "warnings", "versions"),
@@ -48,10 +48,10 @@ _TAKEN = (
 
 
 def check_sheet(design: SheetDesign) -> None:
-    """Refuse a design whose parts do not fit together.
+    """Refuse a design whose values do not fit together.
 
     Raises:
-        InputError: which key, the rule and what was given.
+        InputError: the key, the rule and the value.
     """
     sheet, groups = design.sheet, design.crease.group
     _check_edges(sheet)
@@ -64,7 +64,7 @@ def check_sheet(design: SheetDesign) -> None:
     if design.facet.kind == "rigid":
         if design.imperfection.size:
             raise InputError("imperfection.size: is for facets that bend; rigid ones meet as drawn, or not at all")
-        # before its supports: a sheet that cannot be rigid is seldom held as one that is
+        # before the supports, whose rules differ for a sheet that cannot be rigid
         check_rigid(design)
     _check_supports(design, sheet)
     if design.facet.kind == "rigid":
@@ -77,7 +77,7 @@ def check_sheet(design: SheetDesign) -> None:
     for number, extension in enumerate((design.crease.extension, *(group.extension for group in groups))):
         if design.facet.kind != "rigid" and extension is not None:
             key = f"crease.group.{number - 1}" if number else "crease"
-            raise InputError(f'{key}.extension: is for facet.kind = "rigid", between whose facets creases open')
+            raise InputError(f'{key}.extension: is for facet.kind = "rigid", with which creases can open')
     _check_names(design, sheet)
     for number, _ in enumerate(design.tendon):
         _check_tendon(design, sheet, number)
@@ -89,7 +89,7 @@ def check_sheet(design: SheetDesign) -> None:
             continue
         _check_apart(sheet, f"measure.{number}", measure, _ends(design, sheet, f"measure.{number}", measure))
     if design.protocol.contact:
-        raise InputError("protocol.contact: need false, for facets do not touch each other, got true")
+        raise InputError("protocol.contact: need false, because contact of facets is not modelled, got true")
     if design.medium is not None:
         lightest = design.settled().facet.density or 0.0
         check_medium(design.medium, design.protocol.gravity, lightest, "facet.density")
@@ -98,26 +98,26 @@ def check_sheet(design: SheetDesign) -> None:
 
 
 def _check_no_stops(design: SheetDesign) -> None:
-    """Refuse values of stops, which creases between facets that bend do not have."""
+    """Refuse values of the section `stops`, which does not apply to creases between facets that bend."""
     for key in StopSection.model_fields:
-        given = getattr(design.stops, key)
-        if given != getattr(StopSection(), key):
-            shown = show_quantity(given, SHORT_TIME) if key == "time_constant" else f"{given:g}"
+        value = getattr(design.stops, key)
+        if value != getattr(StopSection(), key):
+            shown = show_quantity(value, SHORT_TIME) if key == "time_constant" else f"{value:g}"
             raise InputError(
-                f"stops.{key}: is for stops of rigid bodies; where facets bend, stops of creases are springs, whose"
-                f" stiffness is crease.stop_stiffness; got {shown}"
+                f"stops.{key}: is for stops of rigid bodies; where facets bend, stops of creases are springs with the"
+                f" stiffness crease.stop_stiffness; got {shown}"
             )
 
 
 def _check_built(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse stops that creases are beyond as built."""
+    """Refuse stops that creases exceed as built."""
     limited = {edge: stops(design, edge, crease) for edge, crease in creases_by_edge(design).items()}
     if all(math.isinf(stop) for pair in limited.values() for stop in pair):
         return
     angles = built_fold_angles(sheet)
     for edge, (low, high) in limited.items():
         built = crease_sense(sheet, edge) * float(angles[edge])
-        if not low - _BESIDE <= built <= high + _BESIDE:
+        if not low - _BEYOND_STOP <= built <= high + _BEYOND_STOP:
             key, size, stop = ("fold_limit", built, high) if built > high else ("back_limit", -built, -low)
             raise InputError(
                 f"{crease_key(design, edge, key)}: need >= {show_quantity(size, ANGLE)}, at which crease {edge} is"
@@ -126,7 +126,7 @@ def _check_built(design: SheetDesign, sheet: CreasePattern) -> None:
 
 
 def _check_edges(sheet: CreasePattern) -> None:
-    """Refuse an edge between two facets that says nothing of how they hang together."""
+    """Refuse a boundary edge between two facets, whose connection it does not define."""
     for edge, _, _, left, right in shared_edges(sheet):
         if sheet.edges_assignment[edge] == "B":
             raise InputError(
@@ -136,10 +136,10 @@ def _check_edges(sheet: CreasePattern) -> None:
 
 
 def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse what is no part of the sheet, and more than one facet of rigid ones."""
+    """Refuse supports that are not on the sheet, and more than one support of hinged rigid facets."""
     rigid = design.facet.kind == "rigid"
     if rigid and len(design.support) > 1 and not design.opens:
-        raise InputError(f"support: need at most 1 entry, got {len(design.support)}, for rigid facets hang on one")
+        raise InputError(f"support: need at most 1 entry for hinged rigid facets, got {len(design.support)}")
     for number, support in enumerate(design.support):
         if rigid or support.of.strip().startswith("facet"):
             _keyed(f"support.{number}.of", facet_of, sheet, support.of)
@@ -155,7 +155,7 @@ def _check_supports(design: SheetDesign, sheet: CreasePattern) -> None:
 
 
 def _held_whole(design: SheetDesign, sheet: CreasePattern) -> set[int]:
-    """The vertices that supports hold along all axes."""
+    """Return the vertices that supports hold along all axes."""
     held: set[int] = set()
     for support in design.support:
         if set(support.axes or "xyz") < set("xyz"):
@@ -168,7 +168,7 @@ def _held_whole(design: SheetDesign, sheet: CreasePattern) -> set[int]:
 
 
 def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse two things of one name, and a measure or a group that is called like a group of creases."""
+    """Refuse two entries with the same name, and measures and groups with the name of a group of creases."""
     groups = crease_groups(sheet)
     for section in ("crease.group", "tendon", "drive", "measure"):
         names: list[str] = []
@@ -181,14 +181,13 @@ def _check_names(design: SheetDesign, sheet: CreasePattern) -> None:
                 raise InputError(f"{section}.{number}.name: need a name of its own, got {as_written(entry.name)} again")
             if section == "measure" and entry.name in _COLUMNS:
                 raise InputError(
-                    f"{section}.{number}.name: need a name that tables have for nothing else, got"
-                    f" {as_written(entry.name)}"
+                    f"{section}.{number}.name: need a name that is not a column of tables, got {as_written(entry.name)}"
                 )
             names.append(entry.name)
 
 
 def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
-    """Refuse a tendon between places that are none, or that keep their distance."""
+    """Refuse a tendon between places that do not exist or whose distance never changes."""
     ends = [_end(design.tendon[number], end) for end in ("from", "to")]
     places = _ends(design, sheet, f"tendon.{number}", design.tendon[number])
     if design.facet.kind == "rigid":
@@ -198,19 +197,19 @@ def _check_tendon(design: SheetDesign, sheet: CreasePattern, number: int) -> Non
 
 
 def _check_apart(sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure, places: Sequence[object]) -> None:
-    """Refuse two ends at one place of a sheet that bends, however they are written."""
+    """Refuse two ends at the same place of a sheet that bends."""
     one, other = (_in_sheet(sheet, place) for place in places)
     if one == other:
         raise InputError(f"{key}.to: need another place than {key}.from, got {as_written(_end(joined, 'to'))}")
 
 
 def _end(joined: SheetTendon | SheetMeasure, end: str) -> str:
-    """The text of an end, "from" or "to"."""
+    """Return the text of an end, "from" or "to"."""
     return str(getattr(joined, end))
 
 
 def _in_sheet(sheet: CreasePattern, place: object) -> object:
-    """A place by the vertex that it is, or else by its facet and position."""
+    """Identify a place by its vertex, or else by its facet and position."""
     if not isinstance(place, SheetPlace):
         return place[0] if isinstance(place, tuple) and place[1] is None else place
     corners = sheet.faces_vertices[place.facet]
@@ -219,18 +218,18 @@ def _in_sheet(sheet: CreasePattern, place: object) -> object:
 
 
 def _ends(design: SheetDesign, sheet: CreasePattern, key: str, joined: SheetTendon | SheetMeasure) -> list[object]:
-    """The places of both ends, of which one may be on the ground."""
+    """Return the places of both ends, one of which may be on the ground."""
     places = [_keyed(f"{key}.{end}", _place, design, sheet, getattr(joined, end)) for end in ("from", "to")]
     if (GROUND_PLACE in places) != bool(joined.ground) or len(joined.ground) not in (0, 3):
         raise InputError(
-            f'{key}.ground: need x, y and z where one end is "ground", as in ["0 cm", "0 cm", "-5 cm"], else nothing,'
-            f" got {len(joined.ground)} numbers"
+            f'{key}.ground: need x, y and z if one end is "ground", as in ["0 cm", "0 cm", "-5 cm"], otherwise'
+            f" nothing, got {len(joined.ground)} numbers"
         )
     return places
 
 
 def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
-    """Where a text says, as what may be told from others."""
+    """Return the place that a text names, in a form that can be compared with others."""
     if design.facet.kind != "rigid" and text.strip() == GROUND_PLACE:
         return GROUND_PLACE
     if design.facet.kind != "rigid" and is_vertex(text):
@@ -239,7 +238,7 @@ def _place(design: SheetDesign, sheet: CreasePattern, text: str) -> object:
 
 
 def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None:
-    """Refuse a drive on what is not there."""
+    """Refuse a drive on creases or places that do not exist, or of a kind that the facets do not allow."""
     drive, key, rigid = design.drive[number], f"drive.{number}.of", design.facet.kind == "rigid"
     if isinstance(drive, DisplacementDrive) and rigid:
         raise InputError(f'drive.{number}.kind: need "torque" or "force" where facets are rigid, got "displacement"')
@@ -253,7 +252,7 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
         return
     if not any(creases_by_edge(design)[edge].stiffness != 0 for edge in edges):
         raise InputError(
-            f"{key}: need creases with springs, whose rest angle moves, got {as_written(drive.of)} with"
+            f"{key}: need creases with springs, whose rest angles the drive changes, got {as_written(drive.of)} with"
             f" {crease_key(design, edges[0], 'stiffness')} = 0"
         )
     if drive.to is not None and not any(sheet.edges_fold_angle[edge] for edge in _targeted(sheet, edges)):
@@ -261,12 +260,12 @@ def _check_drive(design: SheetDesign, sheet: CreasePattern, number: int) -> None
 
 
 def _targeted(sheet: CreasePattern, edges: Sequence[int]) -> list[int]:
-    """Those of some creases that have a fold angle to go to."""
+    """Return those creases that have a target fold angle."""
     return [edge for edge in edges if not math.isnan(sheet.edges_fold_angle[edge])]
 
 
 def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse stages that name nothing there is, states twice, and goals that stops keep the creases from."""
+    """Refuse stages with unknown names, repeated states, and goals that stops of creases make unreachable."""
     edges = fold_edges(sheet)
     measured: dict[str, Unit] = dict.fromkeys(("creases", *(crease_role(sheet, edge) for edge in edges)), ANGLE)
     for measure in design.measure:
@@ -274,7 +273,7 @@ def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
     goals = ["target"] if _targeted(sheet, edges) else []
     check_stages(design.protocol, [drive.name for drive in design.drive], goals, measured)
     _check_torques(design, sheet)
-    # what becomes of stages and of states stands side by side in a summary, and in the rows of a table
+    # stages and states are keys of the same summary and columns of the same table
     names: list[str] = []
     for number, stage in enumerate(design.protocol.stages):
         for key, name in (("name", stage.name), ("state", stage.state)):
@@ -289,16 +288,16 @@ def _check_protocol(design: SheetDesign, sheet: CreasePattern) -> None:
 
 
 def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, written: GoalText) -> None:
-    """Refuse a bound on fold angles that a stop keeps a crease from."""
-    measure = next((each for each in design.measure if each.name == written.name), None)
+    """Refuse a bound on fold angles that the stop of a crease makes unreachable."""
+    measure = next((measure for measure in design.measure if measure.name == written.name), None)
     creases = creases_by_edge(design)
     name = written.name if measure is None else str(measure.of)
-    # creases that stop alike are as one
+    # of creases with the same stops, one is checked
     first: dict[tuple[float, float], int] = {}
     for edge in creases_of(sheet, name, design.crease.group):
         low, high = stops(design, edge, creases[edge])
         if measure is not None and crease_sense(sheet, edge) < 0:
-            # measures are valley positive
+            # measures count valleys as positive
             low, high = -high, -low
         first.setdefault((low, high), edge)
     for (low, high), edge in first.items():
@@ -306,7 +305,7 @@ def _check_angle_goal(design: SheetDesign, sheet: CreasePattern, key: str, writt
 
 
 def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
-    """Refuse a stage whose drives, at any time, cancel on every crease."""
+    """Refuse a stage whose torques cancel on every crease at all times."""
     for number, stage in enumerate(design.protocol.stages):
         named = [drive for drive in design.drive if drive.name in stage_drives(stage)]
         drives = [drive for drive in named if isinstance(drive, TorqueDrive)]
@@ -317,8 +316,8 @@ def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
             for edge in creases_of(sheet, drive.of, design.crease.group):
                 torques[edge] += drive.value
         largest = max(abs(drive.value) for drive in drives)
-        alike = len({drive.rise for drive in drives}) == 1
-        if largest and alike and max(map(abs, torques.values())) <= _ROUNDING * largest:
+        same_rise = len({drive.rise for drive in drives}) == 1
+        if largest and same_rise and max(map(abs, torques.values())) <= _ROUNDING * largest:
             values = " and ".join(show_quantity(drive.value, TORQUE) for drive in drives)
             raise InputError(
                 f"protocol.stages.{number}.drive: need drives that do not cancel on every crease, got"
@@ -327,18 +326,18 @@ def _check_torques(design: SheetDesign, sheet: CreasePattern) -> None:
 
 
 def _check_name(key: str, name: str, names: Sequence[str]) -> None:
-    """Refuse a name of a stage or of a state that is empty, or that something else has."""
+    """Refuse an empty name of a stage or of a state, and a name that is already in use."""
     if not name.strip():
         raise InputError(f"{key}: need a name, got {as_written(name)}")
     if name in _TAKEN:
-        raise InputError(f"{key}: need a name that tables have for nothing else, got {as_written(name)}")
+        raise InputError(f"{key}: need a name that is not a column of tables, got {as_written(name)}")
     if name in names:
         raise InputError(f"{key}: need a name that no stage and no other state has, got {as_written(name)} again")
 
 
-def _keyed(key: str, find: Callable[..., Found], *given: object) -> Found:
-    """What a function finds of what it is given; an error begins with a key."""
+def _keyed(key: str, find: Callable[..., _Result], *arguments: object) -> _Result:
+    """Call a function; the message of an `InputError` begins with a key."""
     try:
-        return find(*given)
+        return find(*arguments)
     except InputError as error:
         raise InputError(f"{key}: {error}") from None

@@ -1,4 +1,4 @@
-"""Sections of a sheet's design that say what acts on it: its tendons, drives, measures and protocol."""
+"""Sections of a sheet's design for tendons, drives, measures and protocol."""
 
 from __future__ import annotations
 
@@ -30,10 +30,13 @@ _CREASES = "creases, mountains, valleys, a group by name, or crease 2"
 
 
 def _between(description: str, **default: Any) -> Any:
-    """A named part with the keys "from" and "to", which are no names in Python."""
+    """Create a section with a name and the keys "from" and "to", which are not names in Python."""
     end: Any = Annotated[str | None if default else str, Field(description=description, **default)]
     ground = quantity(
-        LENGTH, 'x, y and z of the ground, where an end is "ground"', default=(), examples=[["0 cm", "0 cm", "-5 cm"]]
+        LENGTH,
+        'x, y and z of the point on the ground, if an end is "ground"',
+        default=(),
+        examples=[["0 cm", "0 cm", "-5 cm"]],
     )
     fields: dict[str, Any] = {"name": str, "from": end, "to": end, "ground": (tuple[float, ...], ground)}
     return create_model("_Between", __base__=Section, **fields)
@@ -42,81 +45,86 @@ def _between(description: str, **default: Any) -> Any:
 if TYPE_CHECKING:
 
     class Joined(Section):
-        """What `_between` makes."""
+        """The class that `_between` creates, for the type checker."""
 
         name: str
         ground: tuple[float, ...]
 
     class _MaybeJoined(Section):
-        """What `_between` makes."""
+        """The class that `_between` creates, for the type checker."""
 
         name: str
         ground: tuple[float, ...]
 
 else:
     Joined = _between(
-        "where it ends: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, ground where facets bend"
+        "end of the tendon: vertex 4, edge 12 at 0.5, facet 3 at centre, facet 3 at 0.5, 1, or, where facets bend,"
+        " ground"
     )
-    _MaybeJoined = _between("of a distance: where it begins and ends", default=None)
+    _MaybeJoined = _between("end of a distance, for kind distance: a place such as vertex 4", default=None)
 
 
 class SheetTendon(ElasticTendon, Joined):
-    """What pulls two places together and never pushes: a spring, or a law of a material."""
+    """A pull-only tendon between two places: a spring, or the law of a material."""
 
-    about: ClassVar[str] = "What pulls two places together and never pushes: a spring, or a law of a material"
+    about: ClassVar[str] = "A pull-only tendon between two places: a spring, or the law of a material"
 
     needed: ClassVar[tuple[str, ...]] = ("stiffness",)
 
-    name: Annotated[str, Field(description="what tables and figures call it")]
+    name: Annotated[str, Field(description="name of the tendon in tables and figures")]
 
     _checked = field_validator("name")(checked_name)
 
 
 _KIND = Field(
-    description="torque on creases, force at places, displacement of these, or"
-    " rest-angle: springs of creases rest further on"
+    description="torque on creases, force at places, displacement of places, or rest-angle: change of the rest angles"
+    " of creases"
 )
-_OF = Field(description=f"where it acts: {_CREASES}; of a force or a displacement places: vertex 4, edge 12 at 0.5")
-_RISE = quantity(TIME, "time over which it rises evenly from 0; without it protocol.rise", default=None, at_least=0)
+_OF = Field(
+    description=f"where the drive acts: {_CREASES}; for a force or a displacement, places: vertex 4, edge 12 at 0.5"
+)
+_RISE = quantity(
+    TIME, "time over which the drive rises linearly from 0; if not given, protocol.rise", default=None, at_least=0
+)
 
 
 def _some_direction(direction: tuple[float, float, float]) -> tuple[float, float, float]:
     if not any(direction):
-        raise InputError("need the way it points, such as [0, 0, -1], got [0, 0, 0]")
+        raise InputError("need a direction that is not zero, such as [0, 0, -1], got [0, 0, 0]")
     return direction
 
 
 _Direction = Annotated[
     tuple[float, float, float],
     AfterValidator(_some_direction),
-    Field(description="of a force or a displacement: the way it points, of any length", examples=[[0, 0, -1]]),
+    Field(description="direction of a force or a displacement, as a vector of any length", examples=[[0, 0, -1]]),
 ]
 
 
 class _AnyDrive(Section):
-    """What a stage of the protocol switches on."""
+    """A drive, which stages of the protocol switch on."""
 
-    about: ClassVar[str] = "What a stage of the protocol switches on"
+    about: ClassVar[str] = "A drive, which stages of the protocol switch on"
 
-    # key of the value that says how strong a drive is
+    # key of the strength of a drive
     strength_key: ClassVar[str]
 
-    name: Annotated[str, Field(description="as stages call it")]
+    name: Annotated[str, Field(description="name of the drive, for stages")]
 
     _checked = field_validator("name")(checked_name)
 
     @model_validator(mode="before")
     @classmethod
-    def _value_is_strength(cls, given: object) -> object:
-        """Read the key `value` as the strength, which every kind has under a key of its own."""
-        if not isinstance(given, dict) or given.get("value") is None or cls.strength_key == "value":
-            return given
-        others = {key: value for key, value in given.items() if key != "value"}
-        return others | {cls.strength_key: given["value"]}
+    def _value_is_strength(cls, table: object) -> object:
+        """Accept the key `value` for the strength, for which every kind also has a key of its own."""
+        if not isinstance(table, dict) or table.get("value") is None or cls.strength_key == "value":
+            return table
+        others = {key: value for key, value in table.items() if key != "value"}
+        return others | {cls.strength_key: table["value"]}
 
 
 class TorqueDrive(_AnyDrive):
-    """What a stage of the protocol switches on.
+    """A drive, which stages of the protocol switch on.
 
     A torque on creases.
     """
@@ -125,10 +133,11 @@ class TorqueDrive(_AnyDrive):
 
     kind: Annotated[Literal["torque"], _KIND]
     of: Annotated[str, _OF]
-    value: float = quantity(TORQUE, "of kind torque: on each of these creases, folding where > 0", examples=["3 N cm"])
+    value: float = quantity(TORQUE, "for kind torque: torque on each of these creases; > 0 folds", examples=["3 N cm"])
     no_load_speed: float | None = quantity(
         ANGULAR_SPEED,
-        "of kind torque: speed of a crease at which nothing is left of it, as of a motor; without it the torque stays",
+        "for kind torque: speed of a crease at which the torque has fallen to 0, as in a motor; if not given, the"
+        " torque is constant",
         default=None,
         above=0,
         examples=["360 deg/s"],
@@ -137,9 +146,9 @@ class TorqueDrive(_AnyDrive):
 
 
 class RestAngleDrive(_AnyDrive):
-    """What a stage of the protocol switches on.
+    """A drive, which stages of the protocol switch on.
 
-    A change of the angles at which the springs of creases rest.
+    A change of the rest angles of the springs of creases.
     """
 
     strength_key: ClassVar[str] = "angle"
@@ -148,7 +157,7 @@ class RestAngleDrive(_AnyDrive):
     of: Annotated[str, _OF]
     angle: float | None = quantity(
         ANGLE,
-        "of kind rest-angle: by how much further on, folding where > 0",
+        "for kind rest-angle: change of the rest angle of each of these creases; > 0 folds",
         default=None,
         at_least=-2 * math.pi,
         at_most=2 * math.pi,
@@ -156,7 +165,7 @@ class RestAngleDrive(_AnyDrive):
     )
     to: Annotated[
         Literal["target"] | None,
-        Field(description="of kind rest-angle, instead of an angle: on to each crease's own target"),
+        Field(description="for kind rest-angle, instead of an angle: rest angles change to the target of each crease"),
     ] = None
     rise: float | None = _RISE
 
@@ -170,7 +179,7 @@ class RestAngleDrive(_AnyDrive):
 
 
 class ForceDrive(_AnyDrive):
-    """What a stage of the protocol switches on.
+    """A drive, which stages of the protocol switch on.
 
     A force at places, in one direction.
     """
@@ -179,13 +188,13 @@ class ForceDrive(_AnyDrive):
 
     kind: Annotated[Literal["force"], _KIND]
     of: Annotated[str | tuple[str, ...], _OF]
-    force: float = quantity(FORCE, "of kind force: at each of these places")
+    force: float = quantity(FORCE, "for kind force: force at each of these places")
     direction: _Direction
     rise: float | None = _RISE
 
 
 class DisplacementDrive(_AnyDrive):
-    """What a stage of the protocol switches on.
+    """A drive, which stages of the protocol switch on.
 
     A displacement of places, in one direction.
     """
@@ -194,18 +203,20 @@ class DisplacementDrive(_AnyDrive):
 
     kind: Annotated[Literal["displacement"], _KIND]
     of: Annotated[str | tuple[str, ...], _OF]
-    distance: float = quantity(LENGTH, "of kind displacement: by which each of these places goes on from where it is")
+    distance: float = quantity(
+        LENGTH, "for kind displacement: distance by which each of these places moves on from its current position"
+    )
     direction: _Direction
     rise: float | None = _RISE
 
 
-def _tag(given: object) -> str | None:
-    """The tag of a drive, or of the table of one, by its kind; None where it has no text there."""
-    kind = given.get("kind") if isinstance(given, dict) else getattr(given, "kind", None)
+def _tag(drive: object) -> str | None:
+    """Return the tag of a drive or of its table by its kind; None if the kind is not text."""
+    kind = drive.get("kind") if isinstance(drive, dict) else getattr(drive, "kind", None)
     return f"<{kind}>" if isinstance(kind, str) else None
 
 
-# pydantic finds a kind by a key only where nothing reads it before; no tag may be taken for a key in errors
+# a discriminator by key would not allow validators that run before; "<" and ">" distinguish tags from keys in errors
 SheetDrive = Annotated[
     Annotated[TorqueDrive, Tag("<torque>")]
     | Annotated[ForceDrive, Tag("<force>")]
@@ -216,23 +227,23 @@ SheetDrive = Annotated[
 
 
 def places_of(drive: SheetDrive) -> tuple[str, ...]:
-    """Places where a drive acts, as text; none for a drive that acts on creases."""
+    """Return the places where a drive acts, as text; none for a drive that acts on creases."""
     if isinstance(drive, TorqueDrive | RestAngleDrive):
         return ()
     return (drive.of,) if isinstance(drive.of, str) else drive.of
 
 
 class SheetMeasure(_MaybeJoined):
-    """What is watched by name, for goals and tables."""
+    """A measure: an angle or a distance that is recorded, for goals and tables."""
 
-    about: ClassVar[str] = "What is watched by name, for goals and tables"
+    about: ClassVar[str] = "A measure: an angle or a distance that is recorded, for goals and tables"
 
-    name: Annotated[str, Field(description="as goals and tables call it")]
+    name: Annotated[str, Field(description="name of the measure, for goals and tables")]
     kind: Annotated[
         Literal["fold-angle", "distance"],
-        Field(description="fold-angle: of creases, valley positive; distance: of two places"),
+        Field(description="fold-angle of creases, valley positive, or distance between two places"),
     ]
-    of: Annotated[str | None, Field(description=f"of a fold angle: {_CREASES}")] = None
+    of: Annotated[str | None, Field(description=f"creases of a fold angle: {_CREASES}")] = None
 
     _checked = field_validator("name")(checked_name)
 
@@ -240,41 +251,46 @@ class SheetMeasure(_MaybeJoined):
     def _has_what_its_kind_needs(self) -> SheetMeasure:
         if self.kind == "fold-angle" and self.ground:
             raise InputError('ground: is for kind = "distance"')
-        given = [key for key in ("of", "from", "to") if getattr(self, key) is not None]
+        present = [key for key in ("of", "from", "to") if getattr(self, key) is not None]
         needed = ["of"] if self.kind == "fold-angle" else ["from", "to"]
-        if given != needed:
-            got = " and ".join(given) or "neither of them"
+        if present != needed:
+            got = " and ".join(present) or "none of these"
             raise InputError(f'kind = "{self.kind}" needs {" and ".join(needed)}, and nothing else; got {got}')
         return self
 
 
 class SheetProtocol(Protocol):
-    """What is done to a sheet, and what counts as done."""
+    """The stages in which the sheet is driven, and the criteria by which a run is judged."""
 
-    about: ClassVar[str] = "What is done to a sheet, and what counts as done"
+    about: ClassVar[str] = "The stages in which the sheet is driven, and the criteria by which a run is judged"
 
     timestep: float | Literal["auto"] = quantity(
         SHORT_TIME,
-        'step of the integrator, or "auto": halved until verdict and times stay, and the energy balance closes',
+        'step of the integrator, or "auto": halved until verdict and times converge and the energy balance closes',
         default="auto",
         above=0,
         words=("auto",),
     )
     sample_interval: float = quantity(SHORT_TIME, "time between two rows of the record", default=2e-3, above=0)
     rest_speed: float = quantity(
-        ANGULAR_SPEED, "at rest means that every hinge is slower", default=math.radians(2.0), above=0
+        ANGULAR_SPEED, "speed below which a hinge counts as at rest", default=math.radians(2.0), above=0
     )
     window: float = quantity(
         TIME,
-        "over which a state is averaged; what rests so long short of its goal, and three times as long as its"
-        " tendons' Maxwell branches take to relax, is stuck",
+        "averaging window of a state; a run is stuck once it has rested short of its goal for this long plus three"
+        " relaxation times of its tendons' Maxwell branches",
         default=0.1,
         above=0,
     )
     gravity: float = quantity(
-        ACCELERATION, "gravity across the sheet, downwards where it lies flat; 0 switches it off", default=0.0
+        ACCELERATION, "gravity, normal to the flat sheet and downwards; 0 switches gravity off", default=0.0
     )
-    contact: Annotated[bool, Field(strict=True, description="whether facets touch each other")] = False
+    contact: Annotated[
+        bool, Field(strict=True, description="must be false: contact between facets is not modelled")
+    ] = False
     arrival: float = quantity(
-        ANGLE, 'goal "target": within which every crease must be of its target', default=math.radians(5.0), above=0
+        ANGLE,
+        'largest distance of every crease from its target, for the goal "target"',
+        default=math.radians(5.0),
+        above=0,
     )

@@ -1,4 +1,4 @@
-"""Creases of a sheet, and groups of them, as a design file writes them."""
+"""Creases of a sheet and groups of creases, by their names in a design file."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ _FOLDS = {"mountains": "M", "valleys": "V", "unassigned": "U"}
 
 
 def creases_of(pattern: CreasePattern, text: str, groups: Sequence[CreaseGroup] = ()) -> tuple[int, ...]:
-    """Numbers of the edges of a group of creases, rising.
+    """Return the numbers of the edges of a group of creases, in ascending order.
 
-    "creases" are all, "mountains", "valleys" and "unassigned" those of that sense, "crease 2" is edge number 2, and a
-    role or the name of a group stands for all creases of it. "role:ring" and "assignment:M" say what the word is, and
-    of several joined by "and" those creases count that all of them name.
+    "creases" are all creases; "mountains", "valleys" and "unassigned" those of that sense; "crease 2" is edge number 2.
+    A role, or the name of a group, means all creases with it. "role:ring" and "assignment:M" select by role or by
+    letter. Several terms joined by "and" select the creases that match all of them.
 
     Args:
-        pattern: of the sheet.
-        text: as a design file has it.
-        groups: those with a name may be named.
+        pattern: crease pattern of the sheet.
+        text: text of a design file.
+        groups: groups of creases, which the text may name.
 
     Raises:
         InputError: there are no such creases.
@@ -35,20 +35,20 @@ def creases_of(pattern: CreasePattern, text: str, groups: Sequence[CreaseGroup] 
     return _named_creases(pattern, text, tuple(groups))
 
 
-@lru_cache(maxsize=1024)  # checks, structures and tables of designs on one sheet ask for the same
+@lru_cache(maxsize=1024)  # checks, structures and tables of designs with the same sheet need the same creases
 def _named_creases(pattern: CreasePattern, text: str, groups: tuple[CreaseGroup, ...]) -> tuple[int, ...]:
     named = crease_groups(pattern, groups)
     terms = [" ".join(term.split()) for term in text.split(" and ")]
-    found = [_of_a_term(pattern, term, named, text) for term in terms]
-    edges = set(found[0]).intersection(*found[1:])
+    matches = [_of_a_term(pattern, term, named, text) for term in terms]
+    edges = set(matches[0]).intersection(*matches[1:])
     if not edges:
-        each = listed(f"{len(one)} {as_written(term)}" for term, one in zip(terms, found, strict=True))
-        raise InputError(f"need creases that are all of these at once, got none of {each}")
+        counts = listed(f"{len(match)} {as_written(term)}" for term, match in zip(terms, matches, strict=True))
+        raise InputError(f"need creases that are all of these at once, got none of {counts}")
     return tuple(sorted(edges))
 
 
 def crease_groups(pattern: CreasePattern, groups: Sequence[CreaseGroup] = ()) -> dict[str, tuple[int, ...]]:
-    """The groups of creases that have a name, each with the numbers of its edges; a group may name those before it.
+    """Return the named groups of creases with the numbers of their edges; a group may name groups before it.
 
     Raises:
         InputError: a group of no creases.
@@ -67,39 +67,41 @@ def crease_groups(pattern: CreasePattern, groups: Sequence[CreaseGroup] = ()) ->
 
 
 def crease_role(pattern: CreasePattern, edge: int) -> str:
-    """What a crease is called with others of its kind: "crease" where the pattern does not say."""
+    """Return the role of a crease; "crease" if the pattern gives none."""
     return pattern.edges_role[edge] or "crease"
 
 
 def crease_sense(pattern: CreasePattern, edge: int) -> int:
-    """+1 where a crease folds as a valley, -1 as a mountain; one that is not assigned, the way that its angle has."""
+    """Return +1 for a valley and -1 for a mountain; for an unassigned crease, the sign of its target angle."""
     letter = pattern.edges_assignment[edge]
     return -1 if letter == "M" or (letter == "U" and pattern.edges_fold_angle[edge] < 0) else 1
 
 
 @lru_cache(maxsize=64)
 def fold_edges(pattern: CreasePattern) -> tuple[int, ...]:
-    """Numbers of the edges at which a sheet folds, rising: mountains, valleys, unassigned ones between two facets."""
-    return tuple(sorted(each.edge for each in shared_edges(pattern) if pattern.edges_assignment[each.edge] in "MVU"))
+    """Return the numbers of the edges at which a sheet folds, ascending: M, V and U edges between two facets."""
+    return tuple(
+        sorted(shared.edge for shared in shared_edges(pattern) if pattern.edges_assignment[shared.edge] in "MVU")
+    )
 
 
 def creases_between(pattern: CreasePattern, one: int, other: int) -> tuple[int, ...]:
-    """Numbers of the edges at which a sheet of plates folds on the way from one facet to another, in their order.
+    """Return the numbers of the creases on the path from one facet to another of a sheet of plates, in order.
 
     Raises:
-        InputError: its facets form no tree.
+        InputError: the facets do not form a tree.
     """
-    way = edges_between(facet_tree(pattern), one, other)
-    return tuple(edge for edge in way if pattern.edges_assignment[edge] in "MVU")
+    path = edges_between(facet_tree(pattern), one, other)
+    return tuple(edge for edge in path if pattern.edges_assignment[edge] in "MVU")
 
 
 def _of_a_term(pattern: CreasePattern, term: str, named: Mapping[str, tuple[int, ...]], text: str) -> tuple[int, ...]:
-    """The creases of one word of a text."""
+    """Return the creases that one term of a text selects."""
     creases = named.get("creases", ())
-    if found := _CREASE.fullmatch(term):
-        edge = int(found[1])
+    if match := _CREASE.fullmatch(term):
+        edge = int(match[1])
         if edge not in creases:
-            shown = [f'"crease {each}"' for each in creases]
+            shown = [f'"crease {crease}"' for crease in creases]
             shown = [*shown[:11], "...", shown[-1]] if len(shown) > 12 else shown
             raise InputError(f"need {listed(shown, 'or')}, got {as_written(text)}")
         return (edge,)

@@ -1,4 +1,4 @@
-"""Names that a sheet's design gives to what is in it."""
+"""Check of the names that a sheet's design gives to groups, tendons, drives and measures."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ import re
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
-# what dotted keys and bounds in a protocol can hold
+# names that are allowed in dotted keys and in bounds of a protocol
 _NAME = re.compile(r"[A-Za-z][\w -]{0,59}")
-# how creases and places are written, and what joins several
+# texts that mean creases or places, or join several terms
 _WRITTEN = re.compile(r"(crease|vertex|edge|facet) \d+|.*\b(and|or)\b.*|ground")
 _RESERVED = ("none", "time", "rest", "target", "creases", "mountains", "valleys", "unassigned")
 
 
 def checked_name(name: str) -> str:
-    """Take a name.
+    """Return a name if it is allowed.
 
     Raises:
-        InputError: a key or a bound cannot hold it, or it means something; the caller knows the key.
+        InputError: the name is not allowed in keys and bounds, or it has a meaning already; the caller adds the key.
     """
     if not _NAME.fullmatch(name):
         raise InputError(
             f"need a name of letters, digits, spaces, - and _ that begins with a letter, got {as_written(name)}"
         )
     if name in _RESERVED or _WRITTEN.fullmatch(name):
-        raise InputError(f"need a name that means nothing yet, got {as_written(name)}")
+        raise InputError(f"need a name that has no other meaning, got {as_written(name)}")
     return name

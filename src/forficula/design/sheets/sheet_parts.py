@@ -1,4 +1,4 @@
-"""Sections of a sheet's design that say what is built: its facets, its creases and what holds it."""
+"""Sections of a sheet's design for facets, creases, imperfection and supports."""
 
 from __future__ import annotations
 
@@ -17,91 +17,113 @@ EXTENSION_DAMPING = Unit(display="N s/m^2", si="N s/m^2", example="10 N s/m^2")
 CREASE_DAMPING = Unit(display="N m s/rad/m", si="N m s/rad/m", example="1e-3 N m s/rad/m")
 
 _RESTS = ("as built", "flat")
-_OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several with and between"
+_OF = "creases, mountains, valleys, a group by name, crease 2, role:zigzag, assignment:M, or several joined by and"
 
 
 class FacetSection(Section):
-    """The panels, one on every facet; without a value one is chosen by a rule, which the written design tells."""
+    """The facets; a rule chooses values that are not given, and the written design file gives the reason."""
 
     about: ClassVar[str] = (
-        "The panels, one on every facet; without a value one is chosen by a rule, which the written design tells"
+        "The facets; a rule chooses values that are not given, and the written design file gives the reason"
     )
 
     natural: ClassVar[tuple[str, ...]] = ("stretch_damping",)
 
     kind: Annotated[
         Literal["bars", "rigid", "membrane"],
-        Field(description="bars: elastic bars along edges and diagonals; rigid: plates; membrane: an elastic sheet"),
+        Field(
+            description="model of a facet: bars: elastic bars along edges and diagonals; rigid: plates; membrane: an"
+            " elastic sheet"
+        ),
     ] = "bars"
     thickness: float | None = quantity(SMALL_LENGTH, "thickness", default=None, above=0)
-    density: float | None = quantity(DENSITY, "mass by volume", default=None, above=0)
+    density: float | None = quantity(DENSITY, "density", default=None, above=0)
     youngs_modulus: float | None = quantity(MODULUS, "Young's modulus", default=None, above=0, examples=["2000 MPa"])
     poisson_ratio: Annotated[float | None, Field(strict=True, ge=0, lt=0.5, description="Poisson's ratio")] = Field(
         default=None, examples=[0.3]
     )
     bend_stiffness: float | None = quantity(
         CREASE_STIFFNESS,
-        "of springs in which a facet bends along diagonals, by length",
+        "bending stiffness of a facet per length of its diagonals",
         default=None,
         at_least=0,
     )
     strength: float | None = quantity(
         MODULUS,
-        "stress that its material withstands, to be set beside the largest",
+        "stress that the material withstands, with which the largest stress is compared",
         default=None,
         above=0,
         examples=["50 MPa"],
     )
     stretch_damping: float | None = quantity(
-        SHORT_TIME, "relaxation time of the Kelvin-Voigt damping of what stretches", default=None, at_least=0
+        SHORT_TIME, "relaxation time of the Kelvin-Voigt damping of stretching", default=None, at_least=0
     )
 
 
 class Imperfection(Section):
-    """How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state."""
+    """Random deviations of the vertices from a flat sheet, which decide in which sense it leaves the flat state."""
 
     about: ClassVar[str] = (
-        "How far a sheet of nodes is from its drawing: what else is there decides which way it leaves a flat state"
+        "Random deviations of the vertices from a flat sheet, which decide in which sense it leaves the flat state"
     )
 
-    size: float = quantity(SMALL_LENGTH, "standard deviation of its vertices, square to it", default=0.0, at_least=0)
-    seed: Annotated[int, Field(strict=True, ge=0, description="of the random numbers: another one, another way")] = 0
+    size: float = quantity(
+        SMALL_LENGTH, "standard deviation of the vertices, normal to the sheet", default=0.0, at_least=0
+    )
+    seed: Annotated[
+        int, Field(strict=True, ge=0, description="seed of the random numbers; each seed gives other deviations")
+    ] = 0
 
 
 class CreaseGroup(Section):
-    """Creases that differ from the others; what is left out is as in [crease]."""
+    """Creases that differ from the others; values that are not given are those of [crease]."""
 
-    about: ClassVar[str] = "Creases that differ from the others; what is left out is as in [crease]"
+    about: ClassVar[str] = "Creases that differ from the others; values that are not given are those of [crease]"
 
     name: Annotated[
-        str | None, Field(description="by which drives, measures and other groups call it", examples=["gates"])
+        str | None,
+        Field(description="name of the group, for drives, measures and other groups", examples=["gates"]),
     ] = None
-    of: Annotated[str, Field(description=f"which: {_OF}", examples=["crease 0"])]
-    stiffness: float | None = quantity(CREASE_STIFFNESS, "of their springs by length", default=None, at_least=0)
+    of: Annotated[str, Field(description=f"creases of the group: {_OF}", examples=["crease 0"])]
+    stiffness: float | None = quantity(
+        CREASE_STIFFNESS, "stiffness of their springs per length", default=None, at_least=0
+    )
     rest_angle: float | str | None = quantity(
-        ANGLE, "where their springs rest", default=None, words=_RESTS, examples=["0 deg"]
+        ANGLE, "rest angle of their springs", default=None, words=_RESTS, examples=["0 deg"]
     )
-    law: Annotated[Literal["linear", "locking"] | None, Field(description="of their springs", examples=["linear"])] = (
-        None
-    )
+    law: Annotated[
+        Literal["linear", "locking"] | None, Field(description="law of their springs", examples=["linear"])
+    ] = None
     lock_angle: float | None = quantity(
-        ANGLE, "beyond which a locking spring stiffens", default=None, above=0, below=math.pi, examples=["135 deg"]
+        ANGLE,
+        "angle beyond which a locking spring stiffens",
+        default=None,
+        above=0,
+        below=math.pi,
+        examples=["135 deg"],
     )
-    damping: float | None = quantity(CREASE_DAMPING, "viscous damping by length", default=None, at_least=0)
-    extension: float | None = quantity(EXTENSION, "of springs in which they open, by length", default=None, above=0)
+    damping: float | None = quantity(CREASE_DAMPING, "viscous damping per length", default=None, at_least=0)
+    extension: float | None = quantity(
+        EXTENSION, "stiffness per length of the springs against opening", default=None, above=0
+    )
     extension_damping: float | None = quantity(
-        EXTENSION_DAMPING, "damping of their opening, by length", default=None, at_least=0
+        EXTENSION_DAMPING, "viscous damping of opening per length", default=None, at_least=0
     )
     fold_limit: float | None = quantity(
-        ANGLE, "how far they fold", default=None, above=0, at_most=math.pi, examples=["175 deg"]
+        ANGLE, "stop: largest fold angle", default=None, above=0, at_most=math.pi, examples=["175 deg"]
     )
     back_limit: float | None = quantity(
-        ANGLE, "how far the other way", default=None, at_least=0, at_most=math.pi, examples=["3 deg"]
+        ANGLE,
+        "stop: largest angle in the opposite sense",
+        default=None,
+        at_least=0,
+        at_most=math.pi,
+        examples=["3 deg"],
     )
     stop_stiffness: float | None = quantity(
-        CREASE_STIFFNESS, "of their stops by length", default=None, above=0, examples=["1 kN m/rad/m"]
+        CREASE_STIFFNESS, "stiffness of their stops per length", default=None, above=0, examples=["1 kN m/rad/m"]
     )
-    start: float | None = quantity(ANGLE, "how far folded they start", default=None, examples=["-1 deg"])
+    start: float | None = quantity(ANGLE, "initial fold angle", default=None, examples=["-1 deg"])
 
     @field_validator("name")
     @classmethod
@@ -110,16 +132,19 @@ class CreaseGroup(Section):
 
 
 class Crease(Section):
-    """The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat."""
+    """The creases; angles are 0 when flat and positive when a crease folds as assigned."""
 
-    about: ClassVar[str] = "The creases; angles count in a crease's own sense, folding as assigned positive, 0 flat"
+    about: ClassVar[str] = "The creases; angles are 0 when flat and positive when a crease folds as assigned"
 
     stiffness: float | None = quantity(
-        CREASE_STIFFNESS, "of the spring in a crease by its length; chosen if not given", default=None, at_least=0
+        CREASE_STIFFNESS,
+        "stiffness of a crease's spring per length of the crease; chosen if not given",
+        default=None,
+        at_least=0,
     )
     rest_angle: float | str = quantity(
         ANGLE,
-        'where that spring rests: an angle, "flat" or "as built"',
+        'rest angle of the spring: an angle, "flat" or "as built"',
         default="as built",
         words=_RESTS,
         at_least=-math.pi,
@@ -127,33 +152,37 @@ class Crease(Section):
     )
     law: Annotated[
         Literal["linear", "locking"],
-        Field(description="of that spring; locking: it stiffens beyond lock_angle and lets no panels pass each other"),
+        Field(
+            description="law of the spring; locking: the spring stiffens beyond lock_angle, so that facets do not pass"
+            " through each other"
+        ),
     ] = "linear"
     lock_angle: float = quantity(
         ANGLE,
-        "beyond which a locking spring stiffens, folded either way (Liu and Paulino 2017)",
+        "angle beyond which a locking spring stiffens, in both senses (Liu and Paulino 2017)",
         default=math.radians(135.0),
         above=0,
         below=math.pi,
     )
     damping: float | None = quantity(
-        CREASE_DAMPING, "viscous damping by length of crease; chosen if not given", default=None, at_least=0
+        CREASE_DAMPING, "viscous damping per length of the crease; chosen if not given", default=None, at_least=0
     )
     extension: float | None = quantity(
         EXTENSION,
-        "of a spring in which the crease opens, by its length; only where facets are rigid, which are hinged without",
+        "stiffness, per length of the crease, of a spring against opening of the crease; only for rigid facets, whose"
+        " creases are hinges if it is not given",
         default=None,
         above=0,
     )
     extension_damping: float | None = quantity(
         EXTENSION_DAMPING,
-        "viscous damping of its opening, by its length; chosen if not given",
+        "viscous damping of opening per length of the crease; chosen if not given",
         default=None,
         at_least=0,
     )
     fold_limit: float | None = quantity(
         ANGLE,
-        "stop: how far a crease folds; without it 180 deg where facets are rigid, else no stop",
+        "stop: largest fold angle of a crease; if not given, 180 deg for rigid facets, no stop for others",
         default=None,
         above=0,
         at_most=math.pi,
@@ -161,7 +190,7 @@ class Crease(Section):
     )
     back_limit: float | None = quantity(
         ANGLE,
-        "stop: how far it bends the other way; without it 0 deg where facets are rigid, else no stop",
+        "stop: largest angle in the opposite sense; if not given, 0 deg for rigid facets, no stop for others",
         default=None,
         at_least=0,
         at_most=math.pi,
@@ -169,30 +198,37 @@ class Crease(Section):
     )
     stop_stiffness: float | None = quantity(
         CREASE_STIFFNESS,
-        "of both stops, by length of crease; without it stops are rigid in statics, and in a run 1000 times as stiff as"
-        " the crease",
+        "stiffness of both stops per length of the crease; if not given, stops are rigid in statics and 1000 times as"
+        " stiff as the crease in a run",
         default=None,
         above=0,
         examples=["1 kN m/rad/m"],
     )
-    start: float = quantity(ANGLE, "how far folded it starts; only where facets are rigid", default=0.0)
+    start: float = quantity(ANGLE, "initial fold angle of a crease; only for rigid facets", default=0.0)
     group: Annotated[
-        tuple[CreaseGroup, ...], Field(description="creases that differ, of several that say so the last one counts")
+        tuple[CreaseGroup, ...],
+        Field(description="groups of creases that differ; for a crease in several groups the last one counts"),
     ] = ()
 
 
 def largest_extension(crease: Crease) -> float:
-    """The stiffest springs in which creases of a section or of its groups open, by length; 0 where none opens."""
+    """Return the largest stiffness per length against opening, of a section and its groups; 0 if no crease opens."""
     return max(crease.extension or 0.0, *(group.extension or 0.0 for group in crease.group), 0.0)
 
 
 class Support(Section):
-    """What is held."""
+    """A support: a facet or a vertex that is held."""
 
-    about: ClassVar[str] = "What is held"
+    about: ClassVar[str] = "A support: a facet or a vertex that is held"
 
-    of: Annotated[str, Field(description="facet 0, or where facets bend vertex 3, too", examples=["facet 0"])]
+    of: Annotated[
+        str, Field(description="what is held: facet 0 or, if facets bend, also vertex 3", examples=["facet 0"])
+    ]
     axes: Annotated[
         str | None,
-        Field(pattern="^[xyz]{1,3}$", description="of a vertex: along which axes; xyz if not given", examples=["xz"]),
+        Field(
+            pattern="^[xyz]{1,3}$",
+            description="axes along which a vertex is held; xyz if not given",
+            examples=["xz"],
+        ),
     ] = None

@@ -1,4 +1,4 @@
-"""Places on a sheet, as a design file writes them."""
+"""Places on a sheet, by their names in a design file."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ _VERTEX = re.compile(r"vertex (\d{1,9})(?: of facet (\d{1,9}))?")
 _EDGE = re.compile(rf"(?:edge|crease) (\d{{1,9}}) at {_NUMBER}")
 _FACET = re.compile(rf"facet (\d{{1,9}}) at (?:cent(?:re|er)|{_NUMBER}\s*,\s*{_NUMBER})")
 _WHOLE_FACET = re.compile(r"facet (\d{1,9})")
-_WRITTEN = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
-# of an end that is no part of the sheet
+_EXAMPLES = '"vertex 4", "vertex 4 of facet 2", "edge 12 at 0.5", "facet 3 at centre" or "facet 3 at 0.5, 1"'
+# end of a tendon or a distance that is not on the sheet
 GROUND_PLACE = "ground"
-# share of a facet's size by which a place may lie beside it: rounding
+# largest distance of a place from its facet, as a share of the facet's size: rounding
 _BESIDE = 1e-9
-# share of a facet's area that it shows from above: one with less stands upright
+# projected area from above as a share of a facet's area, below which the facet is vertical
 _UPRIGHT = 1e-6
 
 
@@ -34,8 +34,8 @@ class SheetPlace:
     """A place on a facet.
 
     Attributes:
-        facet: that carries it.
-        position: in the sheet as built, m, (3,), read-only.
+        facet: number of the facet that carries the place.
+        position: position in the sheet as built, m, (3,), read-only.
     """
 
     facet: int
@@ -45,81 +45,81 @@ class SheetPlace:
         self.position.setflags(write=False)
 
 
-@lru_cache(maxsize=1024)  # of one sheet, for all the designs that differ in something else
+@lru_cache(maxsize=1024)  # designs that differ in other values have the same places
 def place_on(pattern: CreasePattern, text: str) -> SheetPlace:
     """Find a place on a sheet.
 
-    "vertex 4" lies on the first facet that has it, "edge 12 at 0.5" half way along it on the first facet that it
-    borders, "facet 3 at centre" in its centre of area, "facet 3 at 0.5, 1" half way along what it takes of the x axis
-    and all the way along what it takes of the y axis.
+    "vertex 4" is on the first facet with this vertex, "edge 12 at 0.5" at half the length of the edge on the first
+    facet that it borders, and "facet 3 at centre" at the centroid. "facet 3 at 0.5, 1" is at half of the facet's extent
+    along x and at its largest y.
 
     Raises:
-        InputError: it is no such text, or there is no such place.
+        InputError: the text is not a place, or there is no such place.
     """
     written = as_place(text)
-    if found := _VERTEX.fullmatch(written):
-        return _at_vertex(pattern, int(found[1]), None if found[2] is None else int(found[2]))
-    if found := _EDGE.fullmatch(written):
-        return _on_edge(pattern, int(found[1]), float(found[2]))
-    if found := _FACET.fullmatch(written):
-        facet = _facet(pattern, int(found[1]))
-        if found[2] is None:
+    if match := _VERTEX.fullmatch(written):
+        return _at_vertex(pattern, int(match[1]), None if match[2] is None else int(match[2]))
+    if match := _EDGE.fullmatch(written):
+        return _on_edge(pattern, int(match[1]), float(match[2]))
+    if match := _FACET.fullmatch(written):
+        facet = _facet(pattern, int(match[1]))
+        if match[2] is None:
             return SheetPlace(facet=facet, position=_centre(pattern, facet))
-        return _in_facet(pattern, facet, float(found[2]), float(found[3]))
-    raise InputError(f"need a place such as {_WRITTEN}, got {as_written(text)}")
+        return _in_facet(pattern, facet, float(match[2]), float(match[3]))
+    raise InputError(f"need a place such as {_EXAMPLES}, got {as_written(text)}")
 
 
 def as_place(text: str) -> str:
-    """The text of a place without spaces that do not count."""
+    """Return the text of a place with single spaces."""
     return " ".join(text.split())
 
 
 def is_vertex(text: str) -> bool:
-    """Whether a text is that of a vertex, such as "vertex 4", there or not."""
+    """Whether a text has the form of a vertex, such as "vertex 4", even if there is no such vertex."""
     return _VERTEX.fullmatch(as_place(text)) is not None
 
 
 def facet_of(pattern: CreasePattern, text: str) -> int:
-    """The number of a facet written as "facet 0".
+    """Return the number of a facet written as "facet 0".
 
     Raises:
-        InputError: it is no such text, or there is no such facet.
+        InputError: the text is not a facet, or there is no such facet.
     """
-    found = _WHOLE_FACET.fullmatch(as_place(text))
-    if found is None:
+    match = _WHOLE_FACET.fullmatch(as_place(text))
+    if match is None:
         raise InputError(f'need a facet such as "facet 0", got {as_written(text)}')
-    return _facet(pattern, int(found[1]))
+    return _facet(pattern, int(match[1]))
 
 
 def vertex_of(pattern: CreasePattern, text: str) -> tuple[int, int | None]:
-    """The number of a vertex written as "vertex 4", and of the facet in "vertex 4 of facet 2", else None.
+    """Return the number of a vertex, and of the facet in "vertex 4 of facet 2", or None for "vertex 4".
 
     Raises:
-        InputError: it is no such text, or there is no such vertex.
+        InputError: the text is not a vertex, or there is no such vertex.
     """
-    found = _VERTEX.fullmatch(as_place(text))
-    if found is None:
+    match = _VERTEX.fullmatch(as_place(text))
+    if match is None:
         raise InputError(f'need a vertex such as "vertex 4", got {as_written(text)}')
-    facet = None if found[2] is None else int(found[2])
-    _at_vertex(pattern, int(found[1]), facet)
-    return int(found[1]), facet
+    facet = None if match[2] is None else int(match[2])
+    _at_vertex(pattern, int(match[1]), facet)
+    return int(match[1]), facet
 
 
 @lru_cache(maxsize=1024)
 def keeps_distance(pattern: CreasePattern, one: SheetPlace, other: SheetPlace) -> bool:
-    """Whether two places stay as far from each other however a sheet of plates folds.
+    """Whether the distance between two places is constant for all folded states of a sheet of plates.
 
-    A place on the axis of a crease moves with the plates on both of its sides: that crease does not matter.
+    A place on the axis of a crease moves with the plates on both sides, so that crease does not change the distance.
 
     Raises:
-        InputError: its facets form no tree.
+        InputError: the facets do not form a tree.
     """
-    way = list(creases_between(pattern, one.facet, other.facet))
-    while way and _on_axis(pattern, way[0], one):
-        way.pop(0)
-    while way and _on_axis(pattern, way[-1], other):
-        way.pop()
-    return not way
+    path = list(creases_between(pattern, one.facet, other.facet))
+    while path and _on_axis(pattern, path[0], one):
+        path.pop(0)
+    while path and _on_axis(pattern, path[-1], other):
+        path.pop()
+    return not path
 
 
 def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
@@ -132,7 +132,7 @@ def _on_axis(pattern: CreasePattern, edge: int, place: SheetPlace) -> bool:
 
 
 def _centre(pattern: CreasePattern, facet: int) -> Array:
-    """The centre of area of a facet in a plane of its own, m, (3,) (shoelace formula)."""
+    """Compute the centroid of a facet in its own plane, m, (3,) (shoelace formula)."""
     corners = pattern.vertices_coords[list(pattern.faces_vertices[facet])]
     away = corners - corners[0]
     following = np.roll(away, -1, axis=0)
@@ -174,22 +174,22 @@ def _in_facet(pattern: CreasePattern, facet: int, along: float, across: float) -
     if high[2] > low[2]:
         normal = polygon_normal(corners)
         if abs(normal[2]) <= _BESIDE * np.linalg.norm(normal):
-            raise InputError(f"need a facet that does not stand upright for a place along x and y, got facet {facet}")
+            raise InputError(f"need a facet that is not vertical for a place along x and y, got facet {facet}")
         position[2] = corners[0, 2] - (position - corners[0])[:2] @ normal[:2] / normal[2]
     if not is_inside(position[:2], corners[:, :2], _BESIDE * float(np.linalg.norm(high - low))):
         raise InputError(
             f"need a place on facet {facet}, in shares of its extent along x and y, got {along:g}, {across:g}, which"
-            " lies beside it"
+            " lies outside"
         )
     return SheetPlace(facet=facet, position=_lifted(corners, position, facet))
 
 
 def _lifted(corners: Array, position: Array, facet: int) -> Array:
-    """A position put into the mean plane of a facet, along z, m, (3,)."""
+    """Move a position along z into the mean plane of a facet, m, (3,)."""
     middle, normal = corners.mean(axis=0), polygon_normal(corners)
     if abs(normal[2]) <= _UPRIGHT * np.linalg.norm(normal):
         raise InputError(
-            f'need "facet {facet} at centre" or "edge 12 at 0.5", for facet {facet} stands upright as built'
+            f'need "facet {facet} at centre" or "edge 12 at 0.5", because facet {facet} is vertical as built'
         )
     height = middle[2] - (position - middle)[:2] @ normal[:2] / normal[2]
     return np.array([*position[:2], height])

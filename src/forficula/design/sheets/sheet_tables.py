@@ -1,4 +1,4 @@
-"""The sheet of a file in the tables of a design: read from where it is named, kept as what it holds."""
+"""The pattern of a FOLD file or a drawing in the tables of a design: its path is replaced by its content."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
 from forficula.quantities import format_quantity, parse_quantity
 
-# keys that name a file, in place of which stands what it holds
+# keys of a file, which its content replaces
 _OF_THE_FILE = ("path", "unit", "tolerance", "frame")
 
 
 def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) -> dict[str, Any]:
-    """Replace the path of a FOLD file or a drawing by what the file holds, so that a design says all by itself.
+    """Replace the path of a FOLD file or a drawing by the content of the file, so that a design is complete.
 
     Args:
-        tables: of a design file, or values by dotted key.
-        folder: that a path starts from; the working folder if not given.
+        tables: tables of a design file, or values by dotted key.
+        folder: folder to which a path is relative; the working folder if not given.
 
     Raises:
-        InputError: the file cannot be read, or holds no sheet.
+        InputError: the file cannot be read, or contains no sheet.
     """
     read = dict(tables)
     keys = [f"pattern.{key}" for key in _OF_THE_FILE]
@@ -36,13 +36,13 @@ def with_sheet_read(tables: Mapping[str, Any], *, folder: Path | None = None) ->
         read |= {f"pattern.{key}": value for key, value in _sheet(named, folder).items()}
     pattern = read.get("pattern")
     if isinstance(pattern, dict) and isinstance(pattern.get("path"), str):
-        own = {key: value for key, value in pattern.items() if key not in _OF_THE_FILE}
-        read["pattern"] = own | _sheet({key: pattern.get(key) for key in _OF_THE_FILE}, folder)
+        others = {key: value for key, value in pattern.items() if key not in _OF_THE_FILE}
+        read["pattern"] = others | _sheet({key: pattern.get(key) for key in _OF_THE_FILE}, folder)
     return read
 
 
 def _sheet(named: Mapping[str, Any], folder: Path | None) -> dict[str, Any]:
-    """What a file holds, by its path, the length of its unit, how near lines must be to meet, and its frame."""
+    """Read the pattern of a file, given the keys of `_OF_THE_FILE`, as keys of a design's section."""
     file = Path(named["path"]) if folder is None else folder / named["path"]
     lengths: dict[str, float | None] = {}
     for key in ("unit", "tolerance"):
@@ -58,7 +58,7 @@ def _sheet(named: Mapping[str, Any], folder: Path | None) -> dict[str, Any]:
 
 
 def sheet_values(pattern: CreasePattern) -> dict[str, Any]:
-    """A pattern as the keys of a design's section."""
+    """Return a pattern as the keys of a design's section."""
     across, upwards, above = pattern.vertices_coords.T.tolist()
     values = {
         "kind": "fold-file",

@@ -1,4 +1,4 @@
-"""Measured histories of strain and stress in, a material law with its uncertainty out."""
+"""Fitting of material laws with their uncertainty to measured histories of strain and stress."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from forficula.material.tensile.strain_history import StrainHistory
 from forficula.quantities import Unit
 from forficula.serial import Key, WithUnit, Written
 
-_SAME_FIT = 6.0  # of BIC, "strong" evidence (Raftery 1995, doi 10.2307/271063)
-# a refusal: the values that it names, and why; and the numbers of one, by which refusals of the same kind differ
+_SAME_FIT = 6.0  # difference of BIC that is "strong" evidence (Raftery 1995, doi 10.2307/271063)
+# the keys and the reason of a refusal, and the numbers in it, by which refusals with the same reason differ
 _NAMED = re.compile(r"(?P<keys>[a-z_]+[\w.]*(?:, [a-z_]+[\w.]*)*): (?P<reason>.*)", re.DOTALL)
 _NUMBERS = re.compile(r"(?<![\w.])[-+]?\d[\d.e+-]*|\b[kMG]?Pa\b")
 _TIMES = 16  # relaxation times tried in place of a damper
@@ -32,14 +32,14 @@ _Rms = Annotated[float, Key("residual_rms"), Unit("Pa")]
 
 @dataclass(frozen=True, kw_only=True)
 class FitCandidate:
-    """A form that was tried.
+    """A form of a law that was tried.
 
     Attributes:
-        form: what was tried.
-        bic: Bayesian information criterion, less is better; nan where it was refused.
-        above_chosen: by how much the criterion exceeds that of the chosen form; nan where it was refused.
-        misfit: root mean square of the residual, Pa; nan where it was refused.
-        refused: why, or empty.
+        form: the form.
+        bic: Bayesian information criterion, lower is better; nan if the form was refused.
+        above_chosen: criterion minus that of the chosen form; nan if the form was refused.
+        misfit: root mean square of the residual, Pa; nan if the form was refused.
+        refused: reason why the form was refused; empty if it was not.
     """
 
     form: Annotated[LawForm, Written.NEVER]
@@ -55,23 +55,23 @@ class FitCandidate:
 
     @property
     def values(self) -> Annotated[int, Written.FIRST]:
-        """Number of the values that the form has."""
+        """Number of values of the form."""
         return len(self.form.keys)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Residual:
-    """What a fit leaves of one specimen, by blocks of neighbouring rows.
+    """Measured and fitted stress of one specimen, averaged over blocks of neighbouring rows.
 
     Attributes:
-        name: of the specimen.
-        amplitude: its stress by that of the law.
+        name: name of the specimen.
+        amplitude: stress of the specimen divided by that of the law.
         time: s, shape (points,).
         strain: shape (points,).
-        stress: measured, Pa, shape (points,).
-        fitted: Pa, shape (points,), amplitude, offset and drift included.
-        offset: of the force's zero, Pa, at the middle of the test, known or fitted; else 0.
-        drift: of the force's zero, Pa/s, known or fitted; else 0.
+        stress: measured stress, Pa, shape (points,).
+        fitted: fitted stress, Pa, shape (points,), with amplitude, offset and drift.
+        offset: zero of the force at the middle of the test, Pa, measured or fitted; otherwise 0.
+        drift: drift of the zero of the force, Pa/s, measured or fitted; otherwise 0.
     """
 
     name: str
@@ -86,19 +86,19 @@ class Residual:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LawFit:
-    """A law and how well data determine it.
+    """A fitted law with its uncertainty, and the other forms that were tried.
 
     Attributes:
-        law: with the 95 % confidence intervals of its values.
-        form: its terms.
-        points: that were compared.
-        effective_points: that they are worth, neighbours being alike.
+        law: law with the 95 % confidence intervals of its values.
+        form: terms of the law.
+        points: number of points that were compared.
+        effective_points: effective number of independent points.
         bic: Bayesian information criterion.
         misfit: root mean square of the residual, Pa.
-        relative_misfit: that by the largest stress.
-        scatter: standard deviation of the logarithms of the specimens' amplitudes; None of one specimen.
-        residuals: by specimen.
-        candidates: all that were tried, the chosen one first, the refused ones last.
+        relative_misfit: misfit divided by the largest stress.
+        scatter: standard deviation of the logarithms of the specimens' amplitudes; None for one specimen.
+        residuals: residual of each specimen.
+        candidates: all forms that were tried, the chosen one first, refused ones last.
     """
 
     law: Annotated[MaterialLaw, Written.NEVER]
@@ -119,15 +119,19 @@ class LawFit:
 
     @property
     def amplitudes(self) -> Annotated[list[Mapping[str, str | float]], Written.ALWAYS]:
-        """Stress of every specimen by that of the law."""
-        return [{"specimen": each.name, "amplitude": each.amplitude} for each in self.residuals]
+        """Stress of every specimen divided by that of the law."""
+        return [{"specimen": residual.name, "amplitude": residual.amplitude} for residual in self.residuals]
 
     @property
     def force_zero(self) -> Annotated[list[Mapping[str, str | WithUnit]], Written.ALWAYS]:
-        """What the load cell shows of every specimen without force, and the drift of that."""
+        """Reading of the load cell without force, and its drift, for every specimen."""
         return [
-            {"specimen": each.name, "offset": WithUnit(each.offset, "Pa"), "drift": WithUnit(each.drift, "Pa/s")}
-            for each in self.residuals
+            {
+                "specimen": specimen.name,
+                "offset": WithUnit(specimen.offset, "Pa"),
+                "drift": WithUnit(specimen.drift, "Pa/s"),
+            }
+            for specimen in self.residuals
         ]
 
 
@@ -138,27 +142,27 @@ def fit_law(
     source: str = "",
     forms: Sequence[LawForm] | None = None,
 ) -> LawFit:
-    """Fit laws to one or several specimens and choose between them.
+    """Fit laws to one or several specimens and choose one of them.
 
-    Least squares of the stress, where a specimen gives way rather than push. Each of several specimens has an amplitude
-    of its own, and the law is that of their geometric mean; the 95 % intervals of what stress is proportional to hold
-    that of all specimens of the material, by Student's t of the few that were tested, beside what the misfit leaves
-    open. Where a specimen's zero of the force is not known, an offset and a drift linear in time are fitted with the
-    law if the data can tell them from it.
+    The fit is by least squares of the stress; where the law would push, the specimen counts as slack. Each of several
+    specimens has its own amplitude, and the law is that of their geometric mean. The 95 % intervals of values that are
+    proportional to the stress are those of the material's mean: they include the scatter of the few tested specimens,
+    by Student's t, in addition to the misfit. If the zero of a specimen's force is not known, an offset and a drift
+    linear in time are fitted with the law, provided that the data can distinguish them from the law.
 
-    The choice is by the Bayesian information criterion, with the points that the best residual is worth; of laws that
-    differ by less than 6 of it, the one with the fewest values is taken. A Prony series, which two Maxwell branches
-    stand for, gets another branch as long as one more fits better by as much.
+    The law is chosen by the Bayesian information criterion, with the effective number of points of the best residual.
+    Of laws whose criterion differs by less than 6, the one with the fewest values is chosen. A Prony series, which
+    starts with two Maxwell branches, gets another branch as long as the criterion improves by more than 6.
 
-    Where a test at one rate fits a damper and a Maxwell branch alike, and forms of both are tried, both are refused. A
-    test of which the first cycle is dropped is best given whole, with its `first` sample: branches, yield and softening
-    remember that cycle.
+    If a test at a single rate is fitted equally well by a damper and by a Maxwell branch, and forms with both are
+    tried, both are refused. If the first cycle of a test is to be left out, pass the whole test with its `first`
+    sample, because branches, yield and softening remember that cycle.
 
     Args:
-        histories: of the specimens, each from a specimen at rest.
-        name: of the law.
-        source: of the data.
-        forms: to try; by default `all_forms`.
+        histories: histories of the specimens, each starting at rest.
+        name: name of the law.
+        source: source of the data.
+        forms: forms to try; by default `all_forms`.
 
     Raises:
         InputError: no data, too few rows, no stretch, or no form whose values the data determine; the message names
@@ -176,9 +180,9 @@ def fit_law(
     if fitted:
         ambiguous = _ambiguous(fitted, tried, problem)
         refused += [
-            FitCandidate(form=each.model.form, refused=ambiguous[id(each)]) for each in fitted if id(each) in ambiguous
+            FitCandidate(form=fit.model.form, refused=ambiguous[id(fit)]) for fit in fitted if id(fit) in ambiguous
         ]
-        fitted = [each for each in fitted if id(each) not in ambiguous]
+        fitted = [fit for fit in fitted if id(fit) not in ambiguous]
     if not fitted:
         raise InputError(f"no law can be determined: {_reasons(refused)}")
     return _chosen(fitted, refused, name, source)
@@ -187,7 +191,7 @@ def fit_law(
 def _fitted(
     problem: FitProblem, starter: Starter, forms: Sequence[LawForm]
 ) -> tuple[list[FittedForm], list[FitCandidate]]:
-    """Forms that the data determine, and those that are refused."""
+    """Return the forms that the data determine, and those that are refused."""
     fitted: list[FittedForm] = []
     refused: list[FitCandidate] = []
     for form in forms:
@@ -199,90 +203,90 @@ def _fitted(
 
 
 def _gains(fitted: Sequence[FittedForm], branches: int) -> bool:
-    """Whether a Prony series of so many branches fits better than everything with fewer, by the criterion."""
-    longest = [each for each in fitted if each.model.form.branches == branches]
-    others = [each for each in fitted if each.model.form.branches < branches]
+    """Whether a Prony series with a number of branches fits better than all forms with fewer, by the criterion."""
+    longest = [fit for fit in fitted if fit.model.form.branches == branches]
+    others = [fit for fit in fitted if fit.model.form.branches < branches]
     if not longest or not others:
         return bool(longest)
     effective = _effective(fitted)
-    least, other = (min(each.bic(effective) for each in group) for group in (longest, others))
+    least, other = (min(fit.bic(effective) for fit in group) for group in (longest, others))
     return least < other - _SAME_FIT
 
 
 def _checked(histories: Sequence[StrainHistory]) -> FitProblem:
     if not histories:
         raise InputError("histories: need at least one, got none")
-    for each in histories:
-        if np.ptp(each.strain) == 0 or np.max(each.strain) <= 0:
-            raise InputError(f"{each.name}: strain: need a stretch, got {np.max(each.strain):g} throughout")
-        if not np.any(each.stress):
-            raise InputError(f"{each.name}: stress: need a force, got 0 throughout")
+    for history in histories:
+        if np.ptp(history.strain) == 0 or np.max(history.strain) <= 0:
+            raise InputError(f"{history.name}: strain: need a stretch, got {np.max(history.strain):g} throughout")
+        if not np.any(history.stress):
+            raise InputError(f"{history.name}: stress: need a force, got 0 throughout")
     return problem_of(histories)
 
 
 def _reasons(refused: Sequence[FitCandidate]) -> str:
-    """Why laws were refused, each reason once, with all values that it names and the number of laws."""
-    alike: dict[str, list[tuple[list[str], str]]] = {}
-    for each in refused:
-        named = _NAMED.match(each.refused)
-        keys, reason = (named["keys"].split(", "), named["reason"]) if named else ([], each.refused)
-        alike.setdefault(_NUMBERS.sub("", reason), []).append((keys, reason))
-    told = []
-    for group in alike.values():
-        keys = ", ".join(dict.fromkeys(key for own, _ in group for key in own))
-        told.append(f"{keys}: {group[0][1]}" if keys else group[0][1])
+    """Return the reasons why laws were refused, each once, with all values that it names and the number of laws."""
+    groups: dict[str, list[tuple[list[str], str]]] = {}
+    for candidate in refused:
+        match = _NAMED.match(candidate.refused)
+        keys, reason = (match["keys"].split(", "), match["reason"]) if match else ([], candidate.refused)
+        groups.setdefault(_NUMBERS.sub("", reason), []).append((keys, reason))
+    sentences = []
+    for group in groups.values():
+        named = ", ".join(dict.fromkeys(key for keys, _ in group for key in keys))
+        sentences.append(f"{named}: {group[0][1]}" if named else group[0][1])
         if len(group) > 1:
-            told[-1] += f" ({len(group)} laws)"
-    return ". ".join(told)
+            sentences[-1] += f" ({len(group)} laws)"
+    return ". ".join(sentences)
 
 
 def _ambiguous(fitted: Sequence[FittedForm], tried: Sequence[LawForm], problem: FitProblem) -> dict[int, str]:
-    """Forms whose damper a Maxwell branch replaces as well, or the other way round, at the one rate of the data.
+    """Return the reasons to refuse forms, by `id`, if a damper and a Maxwell branch fit equally well at a single rate.
 
-    Only where both were asked for.
+    Forms are refused only if both kinds were tried.
     """
     if not any(form.branches for form in tried):
         return {}
     rate = one_rate(problem)
-    dampers = [each for each in fitted if each.model.form.damper and not each.model.form.branches]
-    branched = [each for each in fitted if each.model.form.branches]
+    dampers = [fit for fit in fitted if fit.model.form.damper and not fit.model.form.branches]
+    branched = [fit for fit in fitted if fit.model.form.branches]
     if rate is None or not dampers:
         return {}
     effective = _effective(fitted)
-    damper = min(dampers, key=lambda each: each.bic(effective))
+    damper = min(dampers, key=lambda fit: fit.bic(effective))
     rivals = [2 * effective * _rival_misfit(damper)]
     settled = False
     if branched:
-        branch = min(branched, key=lambda each: each.bic(effective))
+        branch = min(branched, key=lambda fit: fit.bic(effective))
         rivals.append(2 * effective * _log_ratio(branch.misfit, damper.misfit, problem.peak))
-        # a branch that fits far better, with values that the data determine
+        # the branch fits far better, with values that the data determine
         settled = rivals[-1] < -_SAME_FIT
     if settled or min(rivals) > _SAME_FIT:
         return {}
     reason = (
-        f"one rate only, {rate:.3g} 1/s, cannot tell viscosity.linear from branches.0.modulus;"
+        f"one rate only, {rate:.3g} 1/s, cannot distinguish viscosity.linear from branches.0.modulus;"
         " test at another rate, or hold the strain"
     )
-    return {id(each): reason for each in (*dampers, *branched)}
+    return {id(fit): reason for fit in (*dampers, *branched)}
 
 
 def _rival_misfit(damper: FittedForm) -> float:
-    """By how much a Maxwell branch in place of a damper fits worse: ln of the ratio of misfits.
+    """Compute ln of the ratio of misfits of the best Maxwell branch and of the damper that it replaces.
 
-    Of the branches whose time the data sample; those that `fit_form` refuses since their values are open count, too.
+    All branches with a relaxation time that the data sample count, also those whose values the data do not determine.
     """
     form, problem = damper.model.form, damper.model.problem
     rival = LawModel(form=replace(form, damper=0, branches=1), problem=problem, baseline=damper.model.baseline)
     others = damper.values[len(form.linear_keys) : len(form.keys)]
     baseline, stress = rival.baseline_columns, problem.stress
     members = problem.membership
-    own = pulling_solution(problem.block(damper.model.columns(others)), baseline, stress, members)[1]
+    with_damper = pulling_solution(problem.block(damper.model.columns(others)), baseline, stress, members)[1]
     least, (shortest, longest) = np.inf, problem.times
     for logarithm in np.log(np.geomspace(shortest, longest, _TIMES)):
         columns = problem.block(rival.columns(np.array([logarithm, *others])))
         least = min(least, pulling_solution(columns, baseline, stress, members)[1])
     points = len(stress)
-    return _log_ratio(np.sqrt(least / points), np.sqrt(own / points), problem.peak)
+    return _log_ratio(np.sqrt(least / points), np.sqrt(with_damper / points), problem.peak)
 
 
 def _log_ratio(misfit: float, other: float, peak: float) -> float:
@@ -290,26 +294,26 @@ def _log_ratio(misfit: float, other: float, peak: float) -> float:
 
 
 def _effective(fitted: Sequence[FittedForm]) -> float:
-    """What the points are worth to the form with the least residual, so that all forms are judged by one number."""
-    best = min(fitted, key=lambda each: each.misfit)
+    """Return the effective number of points of the form with the smallest residual, with which all are compared."""
+    best = min(fitted, key=lambda fit: fit.misfit)
     return max(effective_points(best.residual, best.model.problem.specimen), len(best.values) + 2.0)
 
 
 def _chosen(fitted: list[FittedForm], refused: list[FitCandidate], name: str, source: str) -> LawFit:
     effective = _effective(fitted)
-    ranked = sorted(fitted, key=lambda each: each.bic(effective))
-    alike = [each for each in ranked if each.bic(effective) <= ranked[0].bic(effective) + _SAME_FIT]
-    best = min(alike, key=lambda each: len(each.values))
-    ranked = [best, *(each for each in ranked if each is not best)]
+    ranked = sorted(fitted, key=lambda fit: fit.bic(effective))
+    equivalent = [fit for fit in ranked if fit.bic(effective) <= ranked[0].bic(effective) + _SAME_FIT]
+    best = min(equivalent, key=lambda fit: len(fit.values))
+    ranked = [best, *(fit for fit in ranked if fit is not best)]
     chosen = best.bic(effective)
     tried = [
         FitCandidate(
-            form=each.model.form,
-            bic=each.bic(effective),
-            above_chosen=each.bic(effective) - chosen,
-            misfit=each.misfit,
+            form=fit.model.form,
+            bic=fit.bic(effective),
+            above_chosen=fit.bic(effective) - chosen,
+            misfit=fit.misfit,
         )
-        for each in ranked
+        for fit in ranked
     ]
     problem, logarithms = best.model.problem, best.model.parts(best.values)[1]
     return LawFit(
@@ -328,26 +332,26 @@ def _chosen(fitted: list[FittedForm], refused: list[FitCandidate], name: str, so
 
 def _residuals(best: FittedForm) -> tuple[Residual, ...]:
     problem, model = best.model.problem, best.model
-    time = problem.block(np.concatenate([each.time for each in problem.histories]))
+    time = problem.block(np.concatenate([history.time for history in problem.histories]))
     strain = problem.block(problem.strain)
     terms = np.zeros((2, len(problem.histories)))
     _, logarithms, zeros = model.parts(best.values)
     terms[: model.baseline, problem.unknown_zeros] = zeros.reshape(model.baseline, -1 if model.baseline else 0)
     residuals = []
-    for index, each in enumerate(problem.histories):
-        own = problem.specimen == index
-        half = (each.time[-1] - each.time[0]) / 2
-        stress = problem.stress[own] + each.zero_at(time[own])
+    for index, history in enumerate(problem.histories):
+        blocks = problem.specimen == index
+        half = (history.time[-1] - history.time[0]) / 2
+        stress = problem.stress[blocks] + history.zero_at(time[blocks])
         residuals.append(
             Residual(
-                name=each.name,
+                name=history.name,
                 amplitude=float(np.exp(logarithms[index])),
-                time=time[own],
-                strain=strain[own],
+                time=time[blocks],
+                strain=strain[blocks],
                 stress=stress,
-                fitted=stress + best.residual[own],
-                offset=float(terms[0, index]) if each.offset is None else each.offset,
-                drift=float(terms[1, index] / half) + each.drift,
+                fitted=stress + best.residual[blocks],
+                offset=float(terms[0, index]) if history.offset is None else history.offset,
+                drift=float(terms[1, index] / half) + history.drift,
             )
         )
     return tuple(residuals)

@@ -1,4 +1,4 @@
-"""A form of a law held against measured histories: fitted stress and its sensitivity to every value."""
+"""Comparison of a form of a law with measured histories: fitted stress and its sensitivity to every value."""
 
 from __future__ import annotations
 
@@ -19,32 +19,33 @@ from forficula.material.tensile.strain_history import StrainHistory, rate_range,
 
 MOST_ROWS = 10_000
 MOST_POINTS = 2000
-_REMEMBERED = 32
-_CLOSE = 0.1  # share of the samples: a machine may take more while the force changes
-_LOG = 300.0  # beyond which no value of a fit makes sense, and exp may overflow
-_STEP = 1e-6  # of finite differences: of a share, a logarithm or the largest strain
+_REMEMBERED = 32  # number of cached Maxwell branches
+_CLOSE = 0.1  # quantile of the time between samples: a machine may record faster while the force changes
+_LOG = 300.0  # largest logarithm: larger values make no sense, and exp may overflow
+_STEP = 1e-6  # step of finite differences of a share, of a logarithm, or relative to the largest strain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FitProblem:
-    """Measured histories, end to end, and the blocks of rows whose means are compared.
+    """Concatenated measured histories, and the blocks of rows whose means are compared with a model.
 
-    The model runs over every row; the means of neighbouring rows are compared, as many as make `MOST_POINTS` blocks.
-    Taking means loses little, since stress changes little within a block, and makes noise smaller.
+    The model is computed for every row, and means over at most `MOST_POINTS` blocks of neighbouring rows are compared.
+    Stress changes little within a block, so the means lose little information, and they reduce noise.
 
     Attributes:
-        histories: as measured.
-        strain: shape (rows,), of all histories end to end.
-        rate: 1/s, shape (rows,).
+        histories: measured histories.
+        strain: strain of all histories, concatenated, shape (rows,).
+        rate: strain rate, 1/s, shape (rows,).
         starts: first row of each block, shape (blocks,).
-        counts: rows in each block, shape (blocks,).
-        compared: whether a block counts, shape (blocks,); below, only those that do are blocks.
-        stress: mean of each block less what is known of the force's zero, Pa, shape (blocks,).
+        counts: number of rows in each block, shape (blocks,).
+        compared: whether each block is compared, shape (blocks,); the arrays below contain only compared blocks.
+        stress: mean of each block minus the known zero of the force, Pa, shape (blocks,).
         specimen: index of the history of each block, shape (blocks,).
-        time: mean of each block less the middle of its history, in halves of its duration, shape (blocks,).
-        largest_strain: of all rows that were measured.
-        rates: lowest and highest of the histories, 1/s, see `rate_range`.
-        remembered: the last stresses of a Maxwell branch by relaxation time.
+        time: mean time of each block relative to the middle of its history, divided by half of its duration, shape
+            (blocks,).
+        largest_strain: largest strain of all measured rows.
+        rates: lowest and highest strain rate of the histories, 1/s, see `rate_range`.
+        remembered: cached stresses of Maxwell branches by relaxation time.
     """
 
     histories: tuple[StrainHistory, ...]
@@ -62,79 +63,80 @@ class FitProblem:
 
     @cached_property
     def unknown_zeros(self) -> NDArray[np.int64]:
-        """Indices of the histories whose zero of the force has to be fitted."""
-        return np.array([index for index, each in enumerate(self.histories) if each.offset is None], dtype=np.int64)
+        """Indices of the histories whose zero of the force must be fitted."""
+        unknown = [index for index, history in enumerate(self.histories) if history.offset is None]
+        return np.array(unknown, dtype=np.int64)
 
     @cached_property
     def membership(self) -> Array:
-        """1 where a block is of a history, else 0, shape (blocks, histories)."""
+        """1 if a block belongs to a history, otherwise 0, shape (blocks, histories)."""
         return np.asarray(self.specimen[:, None] == np.arange(len(self.histories)), dtype=np.float64)
 
     @cached_property
     def peak(self) -> float:
-        """Largest stress that was measured in a block, Pa."""
+        """Largest mean stress of a block, Pa."""
         return float(np.max(np.abs(self.stress)))
 
     @cached_property
     def times(self) -> tuple[float, float]:
-        """Between which a relaxation time can be seen: two samples where they are close, and the longest history, s."""
-        steps = [float(np.quantile(np.diff(each.time), _CLOSE)) for each in self.histories]
-        return 2 * min(steps), max(float(each.time[-1] - each.time[0]) for each in self.histories)
+        """Shortest and longest observable relaxation time, s: two sampling intervals, and the longest history."""
+        steps = [float(np.quantile(np.diff(history.time), _CLOSE)) for history in self.histories]
+        return 2 * min(steps), max(float(history.time[-1] - history.time[0]) for history in self.histories)
 
     def block(self, values: Array) -> Array:
-        """Means over blocks of values by row; shape (rows, ...) becomes (blocks, ...)."""
+        """Compute means of rows over compared blocks; shape (rows, ...) becomes (blocks, ...)."""
         sums = np.add.reduceat(values, self.starts, axis=0)
         means = sums / self.counts.reshape(-1, *([1] * (values.ndim - 1)))
         return np.asarray(means[self.compared])
 
     def branch(self, time: float) -> Array:
-        """Stress of a Maxwell branch of modulus 1, shape (rows,)."""
+        """Compute the stress of a Maxwell branch with modulus 1, shape (rows,)."""
         if time not in self.remembered:
             unit = MaxwellBranch(modulus=1.0, time=time)
             if len(self.remembered) >= _REMEMBERED:
                 self.remembered.pop(next(iter(self.remembered)))
-            rows = np.concatenate([each.time for each in self.histories])
-            starts = np.cumsum([len(each.time) for each in self.histories])[:-1]
+            rows = np.concatenate([history.time for history in self.histories])
+            starts = np.cumsum([len(history.time) for history in self.histories])[:-1]
             self.remembered[time] = branch_stress(unit, rows, self.strain, starts)
         return self.remembered[time]
 
     def set_strain(self, residual: float, yield_strain: float | None) -> Array:
-        """The strain at which the spring is slack, shape (rows,)."""
-        return np.concatenate([set_history(each.strain, residual, yield_strain) for each in self.histories])
+        """Compute the strain at which the spring becomes slack, shape (rows,)."""
+        return np.concatenate([set_history(history.strain, residual, yield_strain) for history in self.histories])
 
 
 def problem_of(histories: Sequence[StrainHistory]) -> FitProblem:
-    """Put histories end to end and choose the blocks.
+    """Concatenate histories and define the blocks.
 
-    Where there are more rows than `MOST_ROWS`, the means of neighbours take their place: their strain lies on the
-    history but for a few rows at its turning points.
+    If there are more rows than `MOST_ROWS`, they are replaced by means of neighbouring rows, whose strain agrees with
+    the history except for a few rows at turning points.
     """
-    size = -(-sum(len(each.time) for each in histories) // MOST_ROWS)
-    largest = max(float(np.max(each.strain)) for each in histories)
+    size = -(-sum(len(history.time) for history in histories) // MOST_ROWS)
+    largest = max(float(np.max(history.strain)) for history in histories)
     lowest, highest = zip(*map(rate_range, histories), strict=True)
-    histories = [_thinned(each, size) for each in histories]
-    rows = sum(len(each.time) for each in histories)
+    histories = [_thinned(history, size) for history in histories]
+    rows = sum(len(history.time) for history in histories)
     size = -(-rows // MOST_POINTS)
-    blocks = [np.arange(0, len(each.time), size) for each in histories]
-    begins = np.cumsum([0, *(len(each.time) for each in histories)])
-    starts = np.concatenate([begin + own for begin, own in zip(begins[:-1], blocks, strict=True)])
+    blocks = [np.arange(0, len(history.time), size) for history in histories]
+    begins = np.cumsum([0, *(len(history.time) for history in histories)])
+    starts = np.concatenate([begin + block for begin, block in zip(begins[:-1], blocks, strict=True)])
     counts = np.diff([*starts, rows]).astype(np.float64)
-    compared = np.concatenate([own >= each.first for each, own in zip(histories, blocks, strict=True)])
+    compared = np.concatenate([block >= history.first for history, block in zip(histories, blocks, strict=True)])
 
     def means(values: Sequence[Array]) -> Array:
-        every = np.add.reduceat(np.concatenate(values), starts) / counts
-        return np.asarray(every[compared])
+        block_means = np.add.reduceat(np.concatenate(values), starts) / counts
+        return np.asarray(block_means[compared])
 
     return FitProblem(
         histories=tuple(histories),
-        strain=np.concatenate([each.strain for each in histories]),
-        rate=np.concatenate([strain_rate(each) for each in histories]),
+        strain=np.concatenate([history.strain for history in histories]),
+        rate=np.concatenate([strain_rate(history) for history in histories]),
         starts=starts,
         counts=counts,
         compared=compared,
-        stress=means([each.stress - each.zero for each in histories]),
-        specimen=np.repeat(np.arange(len(histories)), [len(own) for own in blocks])[compared],
-        time=means([_from_middle(each.time) for each in histories]),
+        stress=means([history.stress - history.zero for history in histories]),
+        specimen=np.repeat(np.arange(len(histories)), [len(block) for block in blocks])[compared],
+        time=means([_from_middle(history.time) for history in histories]),
         largest_strain=largest,
         rates=(min(lowest), max(highest)),
     )
@@ -145,7 +147,7 @@ def _from_middle(time: Array) -> Array:
 
 
 def _thinned(history: StrainHistory, size: int) -> StrainHistory:
-    """Means of neighbouring rows, some rows each; too few rows to fill one at the end are dropped."""
+    """Replace groups of `size` neighbouring rows by their means; an incomplete group at the end is dropped."""
     if size == 1 or len(history.time) < 2 * size:
         return history
     kept = len(history.time) // size * size
@@ -164,20 +166,21 @@ def _thinned(history: StrainHistory, size: int) -> StrainHistory:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LawModel:
-    """A form held against histories.
+    """A form of a law as a model of measured histories.
 
-    Values are in the order of `LawForm.keys`; then the logarithms of the specimens' amplitudes, of all but the last,
-    which makes their sum 0; then the baseline: for each history whose zero of the force is unknown an offset and, where
-    it has one, a drift, both in Pa. A relaxation time and `softening.m` stand as logarithms, `softening.r` as 1/r.
+    Its values are, in this order: the values of `LawForm.keys`; the logarithms of the specimens' amplitudes except the
+    last, which makes their sum 0; and the baseline, which has, for each history with an unknown zero of the force, an
+    offset and, if it has two terms, a drift, both in Pa. Relaxation times and `softening.m` are logarithms, and
+    `softening.r` is 1/r.
 
-    Specimens of one material differ in amplitude: their area is known to some per cent, and their fabric differs. Taken
-    for lack of fit, that would pass for a misfit that every row shares and hide all that is finer. So the law is that
-    of the specimens' geometric mean, and each has every stress of it times an amplitude of its own.
+    Specimens of a material differ in amplitude, because their areas are known to some per cent only and the material
+    varies. Without amplitudes, these differences would be a misfit common to all rows that hides all finer effects. So
+    the law is that of the specimens' geometric mean, and each specimen multiplies its stress by an amplitude.
 
     Attributes:
-        form: of the law.
+        form: form of the law.
         problem: the histories.
-        baseline: terms of the baseline of each history: none, an offset, or an offset and a drift.
+        baseline: number of terms of the baseline of each history: 0, 1 (offset) or 2 (offset and drift).
     """
 
     form: LawForm
@@ -186,47 +189,47 @@ class LawModel:
 
     @cached_property
     def baseline_columns(self) -> Array:
-        """Shape (blocks, histories with an unknown zero times terms)."""
-        own = self.problem.membership[:, self.problem.unknown_zeros]
-        terms = [own, own * self.problem.time[:, None]][: self.baseline]
-        return np.concatenate(terms, axis=1) if terms else np.empty((len(own), 0))
+        """Derivatives by the values of the baseline, shape (blocks, histories with an unknown zero times terms)."""
+        offsets = self.problem.membership[:, self.problem.unknown_zeros]
+        terms = [offsets, offsets * self.problem.time[:, None]][: self.baseline]
+        return np.concatenate(terms, axis=1) if terms else np.empty((len(offsets), 0))
 
     def parts(self, values: Array) -> tuple[Array, Array, Array]:
-        """Values of the law, logarithms of all amplitudes, shape (histories,), and values of the baseline."""
+        """Split values into those of the law, logarithms of all amplitudes, shape (histories,), and the baseline."""
         count, others = len(self.form.keys), len(self.problem.histories) - 1
-        own, free, zeros = np.split(values, [count, count + others])
-        return own, self._contrasts @ free, zeros
+        law_values, free, zeros = np.split(values, [count, count + others])
+        return law_values, self._contrasts @ free, zeros
 
     @cached_property
     def _contrasts(self) -> Array:
-        """The logarithms of all amplitudes by those that are free, shape (histories, histories - 1)."""
+        """Derivatives of the logarithms of all amplitudes by the free ones, shape (histories, histories - 1)."""
         others = len(self.problem.histories) - 1
         return np.concatenate([np.eye(others), np.full((1, others), -1.0)])
 
     def fitted(self, values: Array) -> Array:
-        """Stress of each block, Pa, shape (blocks,); a specimen gives way rather than push."""
-        own, logarithms, zeros = self.parts(values)
-        pull = self.problem.block(np.maximum(self.total(own), 0.0))
+        """Compute the stress of each block, Pa, shape (blocks,); a specimen that would push is slack."""
+        law_values, logarithms, zeros = self.parts(values)
+        pull = self.problem.block(np.maximum(self.total(law_values), 0.0))
         return np.asarray(pull * self._amplitudes(logarithms) + self.baseline_columns @ zeros)
 
     def _amplitudes(self, logarithms: Array) -> Array:
-        """Of the specimen of each block, shape (blocks,)."""
+        """Return the amplitude of the specimen of each block, shape (blocks,)."""
         return np.asarray(np.exp(np.clip(logarithms, -_LOG, _LOG))[self.problem.specimen])
 
     def sensitivity(self, values: Array) -> Array:
-        """Derivatives of `fitted`, shape (blocks, values)."""
+        """Compute the derivatives of `fitted`, shape (blocks, values)."""
         count, proportional = len(self.form.keys), len(self.form.linear_keys)
-        own, logarithms, _ = self.parts(values)
+        law_values, logarithms, _ = self.parts(values)
         columns = np.empty((len(self.problem.strain), count))
-        # softening makes the spring's moduli act by way of its energy, too
+        # with softening, the stress depends on the moduli also through the energy, so it is not linear in them
         if self.form.softening == "none":
             done = proportional
-            columns[:, :done] = self.columns(own[proportional:])
-            total = columns[:, :done] @ own[:done]
+            columns[:, :done] = self.columns(law_values[proportional:])
+            total = columns[:, :done] @ law_values[:done]
         else:
-            done, total = 0, self.total(own)
+            done, total = 0, self.total(law_values)
         for index in range(done, count):
-            moved, step = own.copy(), _STEP * self._scale(index)
+            moved, step = law_values.copy(), _STEP * self._scale(index)
             moved[index] += step
             columns[:, index] = (self.total(moved) - total) / step
         columns[total <= 0] = 0.0
@@ -236,18 +239,18 @@ class LawModel:
             [amplitudes * self.problem.block(columns), amplitudes * pull, self.baseline_columns], axis=1
         )
 
-    def total(self, own: Array) -> Array:
-        """Stress of spring, damper and branches in each row, Pa, shape (rows,)."""
+    def total(self, values: Array) -> Array:
+        """Compute the stress of spring, damper and branches in each row from the law's values, Pa, shape (rows,)."""
         proportional, order = len(self.form.linear_keys), self.form.order
-        columns, linear = self.columns(own[proportional:]), own[:proportional]
+        columns, linear = self.columns(values[proportional:]), values[:proportional]
         if self.form.softening == "none":
             return np.asarray(columns @ linear)
         first, second, third = (*linear[:order], 0.0, 0.0)[:3]
-        share = self.softening_share((first, second, third), columns[:, 0], own[proportional:])
+        share = self.softening_share((first, second, third), columns[:, 0], values[proportional:])
         return np.asarray(share * (columns[:, :order] @ linear[:order]) + columns[:, order:] @ linear[order:])
 
     def columns(self, others: Array) -> Array:
-        """Stress by unit of each linear value, shape (rows, linear values)."""
+        """Compute the stress per unit of each linear value, shape (rows, linear values)."""
         form, problem = self.form, self.problem
         extended = np.maximum(problem.strain - self._set_strain(others), 0.0)
         rate = problem.rate
@@ -259,10 +262,10 @@ class LawModel:
         return np.stack(columns, axis=1)
 
     def softening_share(self, moduli: Triple, extended: Array, others: Array) -> Array:
-        """Ogden and Roxburgh's eta in each row, shape (rows,), from the strain of the spring, of the same shape."""
+        """Compute Ogden and Roxburgh's eta in each row, shape (rows,), from the strain of the spring, shape (rows,)."""
         energy = spring_energy(moduli, extended)
-        ends = np.cumsum([len(each.time) for each in self.problem.histories])[:-1]
-        largest = np.concatenate([np.maximum.accumulate(each) for each in np.split(energy, ends)])
+        ends = np.cumsum([len(history.time) for history in self.problem.histories])[:-1]
+        largest = np.concatenate([np.maximum.accumulate(part) for part in np.split(energy, ends)])
         lost, logarithm = others[-3:-1] if self.form.softening == "m and beta" else others[-2:]
         beta = others[-1] if self.form.softening == "m and beta" else 0.0
         least = 1e-9 * float(np.max(np.abs(energy))) + np.finfo(float).tiny
@@ -276,7 +279,7 @@ class LawModel:
         return self.problem.set_strain(at, None)
 
     def _scale(self, index: int) -> float:
-        """Of a value, for the step of a finite difference."""
+        """Return the scale of a value, for the step of a finite difference."""
         key = self.form.keys[index]
         if key.startswith("modulus"):
             return float(self.problem.peak / self.problem.largest_strain ** (index + 1))

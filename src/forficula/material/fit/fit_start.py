@@ -1,4 +1,4 @@
-"""Where a fit begins: the best of a grid of the values that the stress is not proportional to."""
+"""Start values of a fit: the best node of a grid over the values to which the stress is not proportional."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from forficula.material.fit.fit_problem import FitProblem, LawModel
 from forficula.material.law.law_form import LawForm
 
 _MOST_ROWS = 500
-_HALVINGS = 2  # of the grid's spacing
-_RESIDUAL = (0.03, 0.1, 0.2, 0.3, 0.4, 0.55)  # of the largest strain
-_YIELD = (0.4, 0.55, 0.7, 0.8, 0.9, 0.97)
-_LOST = (0.25, 0.5, 0.8)
-_WIDTH = (0.05, 0.2, 0.6)  # of the energy at the peak
+_HALVINGS = 2  # refinements of the grid's spacing
+_RESIDUAL = (0.03, 0.1, 0.2, 0.3, 0.4, 0.55)  # residual strain as a share of the largest strain
+_YIELD = (0.4, 0.55, 0.7, 0.8, 0.9, 0.97)  # yield strain as a share of the largest strain
+_LOST = (0.25, 0.5, 0.8)  # 1/r of softening
+_WIDTH = (0.05, 0.2, 0.6)  # m of softening as a share of the energy at the peak
 
 
 class Starter:
-    """Columns of histories at the nodes of the grid, worked out once for every form."""
+    """Start values for forms of a law; the columns of histories at the nodes of the grid are computed once."""
 
     def __init__(self, problem: FitProblem) -> None:
         self._problem = problem
@@ -31,9 +31,9 @@ class Starter:
         self._damper = self._thin(np.stack([rate * np.abs(rate) ** power for power in range(3)], axis=1))
 
     def start(self, model: LawModel) -> Array:
-        """The best node, with proportional values, amplitudes and baseline that fit it, as a model has them."""
-        best, misfit = min((self._fitted(model, each) for each in self._nodes(model)), key=lambda each: each[1])
-        # branches that a coarse grid sets wrong may merge, and never part again
+        """Return the values of a model at the best node, with proportional values, amplitudes and baseline fitted."""
+        best, misfit = min((self._fitted(model, node) for node in self._nodes(model)), key=lambda fit: fit[1])
+        # refine the relaxation times, because branches that start in the wrong place may merge irreversibly
         step = self._times(model.form)[1] if model.form.branches > 1 else 0.0
         first = len(model.form.linear_keys)
         for _ in range(_HALVINGS if step else 0):
@@ -47,7 +47,7 @@ class Starter:
         return best
 
     def _fitted(self, model: LawModel, others: Array) -> tuple[Array, tuple[bool, float]]:
-        """The values that fit a node, and how badly: whether a branch is none, and the sum of squares, Pa^2."""
+        """Return the fitted values at a node, and the misfit: whether a branch vanishes, and sum of squares, Pa^2."""
         count, form = len(model.form.linear_keys), model.form
         solution, squares = pulling_solution(
             self._columns(model, others),
@@ -59,7 +59,7 @@ class Starter:
         return values, (bool(np.any(solution[count - form.branches : count] <= 0)), squares)
 
     def _times(self, form: LawForm) -> tuple[Array, float]:
-        """Logarithms of the relaxation times of a form's grid, half a decade or so from one to the next, and that."""
+        """Return the logarithms of the relaxation times of a form's grid and their spacing, about half a decade."""
         shortest, longest = np.log(self._problem.times)
         count = int(np.clip(2 * (longest - shortest) / np.log(10), 4, 8 if form.branches > 1 else 12))
         times = np.linspace(shortest, longest, count + 2)
@@ -73,10 +73,10 @@ class Starter:
         times = self._times(form)[0]
         shares: dict[str, list[tuple[float, ...]]] = {
             "none": [()],
-            "residual": [(each,) for each in _RESIDUAL],
-            "yield": [(each,) for each in _YIELD],
+            "residual": [(share,) for share in _RESIDUAL],
+            "yield": [(share,) for share in _YIELD],
         }
-        sets = [tuple(each * problem.largest_strain for each in share) for share in shares[form.permanent_set]]
+        sets = [tuple(share * problem.largest_strain for share in node) for node in shares[form.permanent_set]]
         energy = problem.peak * problem.largest_strain / 2
         soft: dict[str, list[tuple[float, ...]]] = {
             "none": [()],
@@ -89,7 +89,7 @@ class Starter:
     def _columns(self, model: LawModel, others: Array) -> Array:
         form = model.form
         if form.softening != "none":
-            # energy of a linear spring, near enough to begin with
+            # energy of a linear spring, accurate enough for start values
             modulus = self._problem.peak / self._problem.largest_strain
             columns = model.columns(others)
             share = model.softening_share((modulus, 0.0, 0.0), columns[:, 0], others)
@@ -114,16 +114,16 @@ class Starter:
 
 
 def pulling_solution(columns: Array, baseline: Array, stress: Array, membership: Array) -> tuple[Array, float]:
-    """Least squares where rows whose specimen would push count as slack, and specimens have amplitudes of their own.
+    """Solve the least-squares problem in which rows that would push count as slack, and specimens have amplitudes.
 
     Args:
-        columns: stress by unit of each proportional value, shape (rows, values).
+        columns: stress per unit of each proportional value, shape (rows, values).
         baseline: shape (rows, terms).
         stress: Pa, shape (rows,).
-        membership: 1 where a row is of a specimen, else 0, shape (rows, specimens).
+        membership: 1 for rows of a specimen, otherwise 0, shape (rows, specimens).
 
     Returns:
-        The values, as a model has them, and the sum of squares, Pa^2.
+        The values in the order of a model, and the sum of squares, Pa^2.
     """
     count = columns.shape[1]
     solution = _solve(np.concatenate([columns, baseline], axis=1), stress)
@@ -137,15 +137,15 @@ def pulling_solution(columns: Array, baseline: Array, stress: Array, membership:
 
 
 def _amplitudes(pull: Array, stress: Array, membership: Array) -> Array:
-    """Logarithms of what each specimen's stress is of a common pull, least squares, less their mean."""
+    """Compute the logarithms of each specimen's stress divided by a common pull, by least squares, minus their mean."""
     products, squares = (pull * stress) @ membership, pull**2 @ membership
-    seen = (products > 0) & (squares > 0)
-    logarithms = np.log(np.where(seen, products, 1.0) / np.where(seen, squares, 1.0))
-    return np.asarray(np.where(seen, logarithms - logarithms[seen].mean() if seen.any() else 0.0, 0.0))
+    known = (products > 0) & (squares > 0)
+    logarithms = np.log(np.where(known, products, 1.0) / np.where(known, squares, 1.0))
+    return np.asarray(np.where(known, logarithms - logarithms[known].mean() if known.any() else 0.0, 0.0))
 
 
 def _solve(columns: Array, stress: Array) -> Array:
-    """Least squares by the normal equations of columns of unit length: quick, and good enough to begin with."""
+    """Solve a least-squares problem by normal equations of unit columns, accurate enough for start values."""
     norms = np.maximum(np.linalg.norm(columns, axis=0), np.finfo(float).tiny)
     unit = columns / norms
     normal = unit.T @ unit

@@ -1,4 +1,4 @@
-"""How well data determine the values of a fit."""
+"""Uncertainty of the values of a fit: confidence intervals, and values that the data do not determine."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ import scipy
 
 from forficula.arrays import Array, Indices
 
-_FEWEST_SPECIMENS = 3  # from which their scatter says something
-_NAMED = 0.3  # of the largest part of the direction that the data leave open
+_FEWEST_SPECIMENS = 3  # least number of specimens whose scatter is used
+_NAMED = 0.3  # least component of a named value in the undetermined direction, as a share of the largest component
 
 
 def effective_points(residual: Array, specimen: Indices) -> float:
-    """How many independent points a residual is worth.
+    """Compute the effective number of independent points of a residual.
 
-    Neighbouring residuals of a tensile test are alike, so counting every row would make intervals far too narrow. The
-    count is divided by the integrated autocorrelation time 1 + 2 sum rho, with rho the mean over specimens. The sum
-    ends where rho first falls to 0 (after Geyer 1992, doi 10.1214/ss/1177011137): summed further, a misfit that
-    returns with every cycle would cancel itself and pass for noise.
+    Neighbouring residuals of a tensile test are correlated, so counting every row would make intervals far too narrow.
+    The number of points is divided by the integrated autocorrelation time 1 + 2 sum rho, with rho averaged over
+    specimens. The sum ends where rho first falls to 0 (after Geyer 1992, doi 10.1214/ss/1177011137); with more terms, a
+    misfit that recurs in every cycle would cancel out and look like noise.
 
     Args:
         residual: shape (points,).
         specimen: index of the specimen of each point, shape (points,), in order.
 
     Returns:
-        Between 1 and the number of points.
+        A number between 1 and the number of points.
     """
     pieces = [residual[specimen == index] for index in np.unique(specimen)]
     longest = max(len(piece) for piece in pieces)
@@ -43,35 +43,37 @@ def effective_points(residual: Array, specimen: Indices) -> float:
 
 
 def undetermined(sensitivity: Array, keys: Sequence[str], limit: float) -> tuple[str, ...]:
-    """The values that data do not determine.
+    """Return the keys of values that the data do not determine.
 
     Args:
         sensitivity: derivatives of the fitted points, shape (points, values).
-        keys: of the values; the baseline's may be left out at the end.
-        limit: largest ratio of the singular values of the sensitivity with columns of length 1.
+        keys: keys of the values; those of the baseline, at the end, may be left out.
+        limit: largest allowed ratio of the singular values of the sensitivity with columns of length 1.
 
     Returns:
-        Keys whose own column is 0, or else those that make up the direction that the data leave open.
+        Keys whose column is 0, or else the keys with large components in the undetermined direction.
     """
     norms = np.linalg.norm(sensitivity, axis=0)
     idle = [key for key, norm in zip(keys, norms, strict=False) if norm == 0]
     if idle or np.any(norms == 0):
         return tuple(idle) or tuple(keys)
     unit = sensitivity / norms
-    # of the normal matrix: its values are squares, and rise
+    # eigenvalues of the normal matrix are the squares of the singular values, in ascending order
     squares, directions = np.linalg.eigh(unit.T @ unit)
     if squares[-1] <= limit**2 * squares[0]:
         return ()
-    parts = np.abs(directions[:, 0])
-    return tuple(key for key, part in zip(keys, parts, strict=False) if part > _NAMED * parts.max()) or tuple(keys)
+    components = np.abs(directions[:, 0])
+    least = _NAMED * components.max()
+    return tuple(key for key, part in zip(keys, components, strict=False) if part > least) or tuple(keys)
 
 
 def half_widths(sensitivity: Array, residual: Array, specimen: Indices) -> Array:
-    """Half of the 95 % confidence intervals of the values of a least-squares fit.
+    """Compute half of the 95 % confidence intervals of the values of a least-squares fit.
 
-    From the sensitivity, with the variance of the residual spread over its `effective_points`. With three or more
-    specimens also from their scatter (the covariance robust to clusters, one for each specimen, with Student's t for
-    their number less 1; Cameron and Miller 2015, doi 10.3368/jhr.50.2.317); the wider one holds.
+    The interval follows from the sensitivity, with the variance of the residual for its `effective_points`. With three
+    or more specimens, a second interval follows from their scatter (cluster-robust covariance with one cluster for each
+    specimen and Student's t for their number minus 1; Cameron and Miller 2015, doi 10.3368/jhr.50.2.317). The wider
+    interval is returned.
 
     Args:
         sensitivity: derivatives of the fitted points, shape (points, values).
@@ -79,7 +81,7 @@ def half_widths(sensitivity: Array, residual: Array, specimen: Indices) -> Array
         specimen: index of the specimen of each point, shape (points,), in order.
 
     Returns:
-        Shape (values,), in the values' units.
+        Half-widths, shape (values,), in the values' units.
     """
     count = sensitivity.shape[1]
     norms = np.linalg.norm(sensitivity, axis=0)
@@ -87,7 +89,7 @@ def half_widths(sensitivity: Array, residual: Array, specimen: Indices) -> Array
     inverse = np.linalg.inv(unit.T @ unit)
     effective = effective_points(residual, specimen)
     freedom = max(effective - count, 1.0)
-    # mean square by freedom, and by as many more points as are alike
+    # sum of squares divided by the effective degrees of freedom
     variance = float(residual @ residual) / freedom
     widths = scipy.special.stdtrit(freedom, 0.975) * np.sqrt(variance * np.diag(inverse))
     specimens = np.unique(specimen)
@@ -102,13 +104,13 @@ def half_widths(sensitivity: Array, residual: Array, specimen: Indices) -> Array
 
 
 def mean_half_width(values: Array) -> float:
-    """Half of the 95 % confidence interval of the mean of a population, by Student's t.
+    """Compute half of the 95 % confidence interval of the mean of a population, by Student's t.
 
     Args:
-        values: of a sample, shape (specimens,).
+        values: values of a sample, shape (specimens,).
 
     Returns:
-        In the values' unit; 0 where one specimen tells nothing of others.
+        Half-width in the values' unit; 0 for a single specimen, which gives no information about scatter.
     """
     count = len(values)
     if count == 1:

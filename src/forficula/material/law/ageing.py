@@ -1,4 +1,4 @@
-"""What time does to a tendon whose ends stay where they are: taut, its Maxwell branches relax; slack, it recovers."""
+"""Ageing of a tendon with fixed ends: the Maxwell branches of a taut tendon relax, a slack tendon recovers."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import scipy
 from forficula.arrays import Array
 from forficula.material.law.tendon_law import TendonLaw
 
-# parts of a wait, evenly by its logarithm, over each of which a slack tendon grows shorter evenly
-_PARTS = 128
-_FIRST = 1 / 64  # of the shortest relaxation time, or of a shorter wait
+# number of logarithmically spaced steps of a wait, in each of which a slack tendon shortens linearly
+_STEPS = 128
+_FIRST = 1 / 64  # end of the first step, as a share of the shortest relaxation time, or of a shorter wait
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -20,9 +20,10 @@ class Aged:
     """A tendon after some time.
 
     Attributes:
-        forces: of its branches, pulling positive, (branch,), as they count from the distance of its ends.
-        lost: energy that its dampers turned into heat.
-        spared: by how much more energy its branches seem to store, counted so, than a slack tendon does.
+        forces: forces of the branches, pulling positive, (branch,), relative to the distance of the ends.
+        lost: energy dissipated in the dampers.
+        spared: energy that the branches seem to store, because their forces are relative to the distance of the ends,
+            in excess of that of the slack tendon.
     """
 
     forces: Array
@@ -31,20 +32,20 @@ class Aged:
 
 
 def aged(law: TendonLaw, distance: float, forces: Array, time: float, *, drift: float = 0.0) -> Aged:
-    """A tendon after its ends have stayed where they are for some time; units are the law's.
+    """Compute a tendon after its ends have been fixed for some time, in the units of its law.
 
-    Taut, every branch fades by exp(-t / time) (Maxwell 1867). The branches of a slack tendon that lets go, a strap that
-    buckles, are not as long as its ends are apart but as it is itself, where spring and branches cancel; as they relax
-    that comes to its resting length (free recovery), or it is taut before. The update of a branch over each part is
-    exact where the length changes evenly.
+    If the tendon is taut, the force of every branch decays by exp(-t / time) (Maxwell 1867). A slack tendon that does
+    not push, such as a strap that buckles, has the length at which the forces of spring and branches cancel, instead of
+    the distance of its ends. As the branches relax, this length approaches the resting length (free recovery), unless
+    the tendon becomes taut first. The update of a branch over each step is exact if the length changes linearly.
 
     Args:
-        law: of the tendon.
-        distance: of its ends.
-        forces: of its branches, pulling positive, (branch,), as they count from that distance.
-        time: that passes, > 0.
-        drift: by which its ends move apart evenly meanwhile if it is taut. The forces still count from the distance
-            before, as if it took place at once and afterwards; what is lost goes by them.
+        law: law of the tendon.
+        distance: distance of the ends.
+        forces: forces of the branches, pulling positive, (branch,), relative to that distance.
+        time: duration, > 0.
+        drift: distance by which the ends of a taut tendon move apart linearly during this time. The returned forces and
+            energies are still relative to `distance`, as if the whole drift followed at the end.
     """
     stiffness = np.array([branch.stiffness for branch in law.branches])
     times = np.array([branch.time for branch in law.branches])
@@ -53,31 +54,38 @@ def aged(law: TendonLaw, distance: float, forces: Array, time: float, *, drift: 
         follows = stiffness * -np.expm1(-time / times) * times / time
         faded = forces * np.exp(-time / times) + (follows - stiffness) * drift
         return Aged(forces=faded, lost=float(np.sum((forces**2 - faded**2) / (2 * stiffness))), spared=0.0)
-    # of the tendon's own length and the forces at it
-    length = _own_length(law, distance, forces, stiffness)
-    own = forces + stiffness * (length - distance)
-    first = _energy(law, length, own, stiffness), float(np.sum(forces**2 / (2 * stiffness)))
-    ends = np.geomspace(_FIRST * min(time, float(times.min())), time, _PARTS)
-    for part in np.diff(ends, prepend=0.0):
-        fading = np.exp(-part / times)
-        follows = stiffness * -np.expm1(-part / times) * times / part
-        shorter = _own_length(law, distance, fading * own + follows * (distance - length), follows)
-        own, length = fading * own + follows * (shorter - length), shorter
-    counted = own - stiffness * (length - distance)
-    last = _energy(law, length, own, stiffness), float(np.sum(counted**2 / (2 * stiffness)))
+    # actual length of the slack tendon, and the forces of the branches at this length
+    length = _slack_length(law, distance, forces, stiffness)
+    actual = forces + stiffness * (length - distance)
+    first = _energy(law, length, actual, stiffness), float(np.sum(forces**2 / (2 * stiffness)))
+    ends = np.geomspace(_FIRST * min(time, float(times.min())), time, _STEPS)
+    for step in np.diff(ends, prepend=0.0):
+        fading = np.exp(-step / times)
+        follows = stiffness * -np.expm1(-step / times) * times / step
+        shorter = _slack_length(law, distance, fading * actual + follows * (distance - length), follows)
+        actual, length = fading * actual + follows * (shorter - length), shorter
+    relative = actual - stiffness * (length - distance)
+    last = _energy(law, length, actual, stiffness), float(np.sum(relative**2 / (2 * stiffness)))
     lost = first[0] - last[0]
-    return Aged(forces=counted, lost=lost, spared=last[1] - first[1] + lost)
+    return Aged(forces=relative, lost=lost, spared=last[1] - first[1] + lost)
 
 
-def _own_length(law: TendonLaw, distance: float, forces: Array, follows: Array) -> float:
-    """The length, no less than a distance, from which on it pulls; branches follow it with some stiffness."""
+def _slack_length(law: TendonLaw, distance: float, forces: Array, follows: Array) -> float:
+    """Compute the length at which the total force is 0, or the distance of the ends if the tendon is taut.
+
+    Args:
+        law: law of the tendon.
+        distance: distance of the ends.
+        forces: forces of the branches at that distance, (branch,).
+        follows: effective stiffness of the branches for a change of length, (branch,).
+    """
     total, slope, rest = float(forces.sum()), float(follows.sum()), law.rest_length
     if _force(law, distance) + total >= 0:
         return distance
     linear, *others = law.stiffness
     if not any(others):
         return (linear * rest + slope * distance - total) / (linear + slope)
-    # there both pull
+    # at this length spring and branches both pull
     end = max(rest, distance - total / slope)
     root = scipy.optimize.brentq(
         lambda length: _force(law, length) + total + slope * (length - distance), distance, end, xtol=1e-15
@@ -86,7 +94,7 @@ def _own_length(law: TendonLaw, distance: float, forces: Array, follows: Array) 
 
 
 def _force(law: TendonLaw, length: float) -> float:
-    """Of its spring, as the material has it that buckles: shorter than it rests it pushes."""
+    """Return the force of the spring of the material, which pushes if it is shorter than its resting length."""
     rest = law.rest_length
     return float(np.copysign(law.elastic.force(rest + abs(length - rest)), length - rest))
 

@@ -1,4 +1,4 @@
-"""Moment of a crease against its fold angle."""
+"""Moment of a crease as a function of its fold angle."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from forficula.errors import InputError
 class CreaseLaw:
     """Springs of creases: linear, stiffening towards contact of the panels, with stops.
 
-    The moment is the slope of the energy by the fold angle (0 flat, contact at +-pi): positive where the spring pulls
-    the angle down. Between `lock_below` and `lock_above` it is stiffness (angle - rest_angle). Beyond them its slope
-    rises as 1 / cos^2 and it has no end at contact (Liu and Paulino 2017, Proc. R. Soc. A 473, 20170348, there by the
-    angle from contact). Stops are linear springs on one side, beside that. The numbers may be arrays, for many creases
-    at once, that go with the angles.
+    The moment is the derivative of the energy by the fold angle (0 flat, contact at +-pi), positive if the spring
+    reduces the angle. Between `lock_below` and `lock_above` it is stiffness (angle - rest_angle). Beyond these angles
+    its slope increases as 1 / cos^2, and it tends to infinity at contact (Liu and Paulino 2017, Proc. R. Soc. A 473,
+    20170348, who use the angle from contact). Stops are additional one-sided linear springs. The numbers may be arrays
+    for many creases, which broadcast with the angles.
 
     Attributes:
         stiffness: N m/rad.
         rest_angle: rad.
-        lock_below: angle below which it stiffens, rad, > -pi; -inf where it does not.
-        lock_above: angle above which it stiffens, rad, < pi; inf where it does not.
-        lower: angle of the lower stop, rad; -inf for none.
-        upper: angle of the upper stop, rad; inf for none.
-        stop_stiffness: of both stops, N m/rad.
+        lock_below: angle below which the spring stiffens, rad, > -pi; -inf for a linear spring.
+        lock_above: angle above which the spring stiffens, rad, < pi; inf for a linear spring.
+        lower: angle of the lower stop, rad; -inf without a stop.
+        upper: angle of the upper stop, rad; inf without a stop.
+        stop_stiffness: stiffness of both stops, N m/rad.
 
     Raises:
-        InputError: a number out of these bounds, or bounds that cross.
+        InputError: a number out of these bounds, or bounds in the wrong order.
     """
 
     stiffness: Array | float
@@ -61,48 +61,48 @@ class CreaseLaw:
                 raise InputError(f"{low}: need an angle below {high}, got one that is not")
 
     def some(self, which: Indices) -> CreaseLaw:
-        """Of some rows of arrays."""
-        # without another look at numbers that have been checked
+        """Return the law of some creases, by their indices in the arrays."""
+        # a copy skips the checks, which the numbers have passed
         law = copy.copy(self)
-        for each in dataclasses.fields(self):
-            object.__setattr__(law, each.name, np.asarray(getattr(self, each.name))[which])
+        for field in dataclasses.fields(self):
+            object.__setattr__(law, field.name, np.asarray(getattr(self, field.name))[which])
         return law
 
     def energy(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
-        """Energy stored, J, (...); infinite at and beyond contact where it locks.
+        """Compute the stored energy, J, (...); infinite at and beyond contact for a locking spring.
 
         Args:
             angle: rad, (...).
-            further: by how much the springs rest further on, rad.
+            further: change of the rest angles, rad.
         """
         angle = np.asarray(angle, dtype=np.float64)
         within, share, room = self._locked(angle)
         turned = within - self.rest_angle - further
         locked = -((2 * room / math.pi) ** 2) * np.log(np.cos(math.pi / 2 * share))
-        # no float is a right angle: what is trapped beyond contact would seem to be at ease
+        # the cosine of the nearest float to a right angle is not 0, so the energy at contact would be finite
         locked = np.where(np.abs(share) < 1, locked, math.inf)
         spring = self.stiffness * (turned**2 / 2 + turned * (angle - within))
-        # without a stiffness nothing locks
+        # without a stiffness the spring does not lock
         spring = spring + np.where(share == 0, 0.0, self.stiffness) * np.where(share == 0, 0.0, locked)
         return np.asarray(spring + np.asarray(self.stop_stiffness) / 2 * self._stopped(angle) ** 2)
 
     def moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
-        """Slope of the energy, N m; huge, not infinite, at contact and beyond; as `energy`."""
+        """Compute the moment, N m, with the arguments of `energy`; very large but finite at and beyond contact."""
         return self.moment_and_slope(np.asarray(angle, dtype=np.float64), further)[0]
 
     def rest_moment(self, angle: ArrayLike, further: Array | float = 0.0) -> Array:
-        """By how much the energy falls as the springs rest further on, N m/rad; as `energy`.
+        """Compute the negative derivative of the energy by `further`, N m, with the arguments of `energy`.
 
-        Stops and what locks do not turn with them: it is the moment without these.
+        It is the moment without stops and locking, which do not depend on the rest angle.
         """
         return np.asarray(self.stiffness * (np.asarray(angle, dtype=np.float64) - self.rest_angle - further))
 
     def slope(self, angle: ArrayLike) -> Array:
-        """Slope of the moment, N m/rad, in the shape of `angle` (rad)."""
+        """Compute the derivative of the moment, N m/rad, in the shape of `angle` (rad)."""
         return self.moment_and_slope(np.asarray(angle, dtype=np.float64))[1]
 
     def moment_and_slope(self, angle: Array, further: Array | float = 0.0) -> tuple[Array, Array]:
-        """The moment and its slope, as `moment` and `slope`, in half the time."""
+        """Compute the results of `moment` and `slope` together, in half the time."""
         within = np.clip(angle, self.lock_below, self.lock_above)
         spring = self.stiffness * (within - self.rest_angle - further)
         slope = np.asarray(self.stiffness, dtype=np.float64)
@@ -119,9 +119,10 @@ class CreaseLaw:
         return np.asarray(spring), np.asarray(slope)
 
     def _locked(self, angle: Array) -> tuple[Array, Array, Array]:
-        """The angle up to where it stiffens, the share of the way from there to contact that is used up, and that way.
+        """Return the angle clipped to the linear range, the share of the locking range that is used, and this range.
 
-        The share is negative below `lock_below`, and no more than one either way.
+        The locking range extends from the linear range to contact, rad. The share is negative below `lock_below`, and
+        between -1 and 1.
         """
         within = np.clip(angle, self.lock_below, self.lock_above)
         room = np.where(angle < self.lock_below, math.pi + np.asarray(self.lock_below), math.pi - self.lock_above)
@@ -129,7 +130,7 @@ class CreaseLaw:
         return within, np.clip((angle - within) / room, -1.0, 1.0), room
 
     def _stopped(self, angle: Array) -> Array:
-        """How far an angle is beyond a stop, rad, negative below the lower one."""
+        """Compute the angle beyond a stop, rad, negative below the lower stop."""
         return angle - np.clip(angle, self.lower, self.upper)
 
 

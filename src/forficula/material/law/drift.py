@@ -1,4 +1,4 @@
-"""How a value changes over the cycles of a test."""
+"""Drift: the change of a value over the cycles of a test."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ class Drift:
     """A change over the cycles of a test at constant amplitude.
 
     Attributes:
-        kind: "none", where the data show none; "logarithm", rate ln N; or "plateau", rate (1 - exp(-(N - 1) / cycles)).
-        rate: of the change.
-        interval: of the rate, 95 % confidence.
-        cycles: of the plateau; 0 for the others.
+        kind: "none" if the data show no drift; "logarithm", rate ln N; or "plateau", rate (1 - exp(-(N - 1) / cycles)).
+        rate: rate of the change.
+        interval: 95 % confidence interval of the rate.
+        cycles: decay constant of the approach to a plateau, in cycles; 0 for other kinds.
         relative: whether the change is in the logarithm of the value, or in the value itself.
-        seen: first and last cycle of the data; beyond, a drift is an extrapolation.
+        seen: first and last cycle of the data; outside, the drift is extrapolated.
 
     Raises:
-        InputError: numbers that are no such drift.
+        InputError: numbers that do not define a drift.
     """
 
     kind: Kind
@@ -48,7 +48,7 @@ class Drift:
 
     @property
     def plateau_cycles(self) -> Annotated[float | None, Written.ALWAYS]:
-        """Cycles of the plateau; None where the drift has none."""
+        """Decay constant of the approach to a plateau, in cycles; None for other kinds."""
         return self.cycles if self.kind == "plateau" else None
 
     def __post_init__(self) -> None:
@@ -64,40 +64,43 @@ class Drift:
             raise InputError(f"cycles: need > 0 for a plateau, 0 for the others, got {self.cycles:g}")
 
     def change(self, cycle: float) -> tuple[float, float, float]:
-        """The change from the first cycle seen to another: its value and its 95 % confidence interval.
+        """Compute the change from the first cycle of the data to another cycle.
 
         Args:
-            cycle: >= 1, the first one of the test being 1.
+            cycle: number of the cycle, >= 1, where 1 is the first cycle of the test.
 
         Returns:
-            A factor where the drift is relative, else a difference in the value's unit.
+            The change and the two ends of its 95 % confidence interval: factors if the drift is relative, otherwise
+            differences in the value's unit.
 
         Raises:
-            InputError: the cycle is none.
+            InputError: the cycle is not >= 1 and finite.
         """
         if not (math.isfinite(cycle) and cycle >= 1):
             raise InputError(f"cycle: need >= 1, got {cycle:g}")
-        way = float(_course(self.kind, np.array([float(cycle)]), self.cycles)[0])
-        way -= float(_course(self.kind, np.array([float(self.seen[0])]), self.cycles)[0])
-        low, high = sorted((self.interval[0] * way, self.interval[1] * way))
-        middle = self.rate * way
+        shape = float(_shape(self.kind, np.array([float(cycle)]), self.cycles)[0])
+        shape -= float(_shape(self.kind, np.array([float(self.seen[0])]), self.cycles)[0])
+        low, high = sorted((self.interval[0] * shape, self.interval[1] * shape))
+        middle = self.rate * shape
         return (math.exp(middle), math.exp(low), math.exp(high)) if self.relative else (middle, low, high)
 
 
 def fit_drift(cycles: Sequence[int], values: ArrayLike, *, relative: bool = True) -> Drift:
-    """Fit the drift of a value over cycles of constant amplitude, where the data show one.
+    """Fit the drift of a value over cycles of constant amplitude.
 
-    No drift, one with the logarithm of the cycle (the field's usual one, for ln of the value a power law) and one to a
-    plateau, each with a level of its own for every specimen; the choice is by the Bayesian information criterion. A
-    value may rise as well as fall: some thermoplastic elastomers stiffen (Scetta et al. 2021, arXiv 2104.02504).
+    Three drifts are compared by the Bayesian information criterion, each with a separate level for every specimen: no
+    drift; one that is proportional to the logarithm of the cycle (the usual one in this field; a power law if it is
+    relative); and one that approaches a plateau. A value may rise or fall: some thermoplastic elastomers stiffen
+    (Scetta et al. 2021, arXiv 2104.02504).
 
     Args:
-        cycles: their numbers, rising, the first one of the test being 1.
-        values: such as the peak stress or a modulus of each cycle, shape (cycles,) or (specimens, cycles).
-        relative: fit the logarithm of the values.
+        cycles: numbers of the cycles, ascending, where 1 is the first cycle of the test.
+        values: a value of each cycle, such as the peak stress, shape (cycles,) or (specimens, cycles).
+        relative: whether to fit the logarithm of the values.
 
     Raises:
-        InputError: fewer than three cycles, other shapes, or values that are not finite, or not > 0 where relative.
+        InputError: fewer than three cycles, other shapes, values that are not finite, or values that are not > 0 for a
+            relative drift.
     """
     numbers, table = np.asarray(cycles, dtype=np.float64), np.atleast_2d(np.asarray(values, dtype=np.float64))
     if len(numbers) < _FEWEST_CYCLES or np.any(np.diff(numbers) <= 0) or numbers[0] < 1:
@@ -123,23 +126,23 @@ def fit_drift(cycles: Sequence[int], values: ArrayLike, *, relative: bool = True
     )
 
 
-def _course(kind: str, numbers: Array, length: float) -> Array:
-    """How far a drift of rate 1 has come at each cycle."""
+def _shape(kind: str, numbers: Array, length: float) -> Array:
+    """Compute the change at each cycle for a rate of 1."""
     if kind == "logarithm":
         return np.log(numbers)
     return np.zeros_like(numbers) if kind == "none" else -np.expm1(-(numbers - 1) / length)
 
 
 def _of_kind(kind: Kind, numbers: Array, levelled: Array) -> tuple[float, Kind, float, float, float]:
-    """BIC, kind, rate, half of its interval and length of the plateau of the best drift of a kind."""
+    """Fit the best drift of a kind; return BIC, kind, rate, half of its interval, and decay constant of the plateau."""
     length = _plateau_length(numbers, levelled) if kind == "plateau" else 0.0
-    course = _course(kind, numbers, length)
-    course = course - course.mean()
-    weight = float(course @ course) * len(levelled)
-    rate = float(np.sum(levelled * course)) / weight if weight else 0.0
-    squares = max(float(np.sum((levelled - rate * course) ** 2)), _FLOOR**2)
-    own = {"none": 0, "logarithm": 1, "plateau": 2}[kind]
-    points, count = levelled.size, own + len(levelled)
+    shape = _shape(kind, numbers, length)
+    shape = shape - shape.mean()
+    weight = float(shape @ shape) * len(levelled)
+    rate = float(np.sum(levelled * shape)) / weight if weight else 0.0
+    squares = max(float(np.sum((levelled - rate * shape) ** 2)), _FLOOR**2)
+    parameters = {"none": 0, "logarithm": 1, "plateau": 2}[kind]
+    points, count = levelled.size, parameters + len(levelled)
     bic = points * math.log(squares / points) + count * math.log(points)
     freedom = max(points - count, 1)
     half = float(scipy.special.stdtrit(freedom, 0.975)) * math.sqrt(squares / freedom / weight) if weight else 0.0
@@ -147,14 +150,14 @@ def _of_kind(kind: Kind, numbers: Array, levelled: Array) -> tuple[float, Kind, 
 
 
 def _plateau_length(numbers: Array, levelled: Array) -> float:
-    """The length, in cycles, that fits best; between a part of a cycle and the cycles seen."""
+    """Fit the decay constant of a plateau, in cycles, between 0.3 cycles and the range of the data."""
 
     def residual(logarithm: Array) -> Array:
-        course = _course("plateau", numbers, float(np.exp(logarithm[0])))
-        course = course - course.mean()
-        rate = float(np.sum(levelled * course)) / (float(course @ course) * len(levelled))
-        return np.asarray((levelled - rate * course).ravel())
+        shape = _shape("plateau", numbers, float(np.exp(logarithm[0])))
+        shape = shape - shape.mean()
+        rate = float(np.sum(levelled * shape)) / (float(shape @ shape) * len(levelled))
+        return np.asarray((levelled - rate * shape).ravel())
 
     bounds = (math.log(0.3), math.log(float(np.ptp(numbers))))
-    found = scipy.optimize.least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
-    return float(np.exp(found.x[0]))
+    fit = scipy.optimize.least_squares(residual, [sum(bounds) / 2], bounds=([bounds[0]], [bounds[1]]))
+    return float(np.exp(fit.x[0]))

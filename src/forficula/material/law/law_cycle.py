@@ -1,4 +1,4 @@
-"""A material's law as it is at a cycle, and after its first stretch."""
+"""The law of a material at a given cycle, and after a first stretch."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from forficula.material.law.softening import Triple, softened_moduli
 
 
 def drifts_of(law: MaterialLaw) -> dict[str, Drift]:
-    """The drifts that a law has, by what drifts: those that the data could tell, be it that there is none."""
+    """Return the known drifts of a law, also those of kind "none", by the drifting quantity."""
     both = {"stiffness": law.stiffness_drift, "residual_strain": law.residual_strain_drift}
     return {key: drift for key, drift in both.items() if drift is not None}
 
 
 def change_at_cycle(drift: Drift, cycle: float) -> tuple[float, float, float]:
-    """As `Drift.change`, but none before the first cycle seen, where a drift tells nothing.
+    """Compute the change of a drift at a cycle, as `Drift.change`, but without extrapolation before the first cycle.
 
-    A first cycle that was left out is different from all others, and no course through those leads back to it.
+    A first cycle that was left out differs from all others, and the drift of the others does not extend to it.
     """
     if not cycle >= 1:
         raise InputError(f"cycle: need >= 1, got {cycle:g}")
@@ -28,17 +28,17 @@ def change_at_cycle(drift: Drift, cycle: float) -> tuple[float, float, float]:
 
 
 def law_at_cycle(law: MaterialLaw, cycle: float) -> MaterialLaw:
-    """A law as it is at a cycle: every stress times the stiffness' drift, the set longer by the residual strain's.
+    """Return the law of a material at a cycle, with the drifts of its stresses and of its residual strain.
 
     Args:
-        law: at the first cycle that its drifts have seen, and before.
-        cycle: >= 1.
+        law: law at the first cycle of the data.
+        cycle: number of the cycle, >= 1.
 
     Returns:
-        The law, without drifts and without intervals, since the drift's own uncertainty is not in them.
+        The law without drifts, and without intervals, because these do not include the uncertainty of the drift.
 
     Raises:
-        InputError: a cycle that is none.
+        InputError: the cycle is not >= 1.
     """
     changes = {key: change_at_cycle(drift, cycle)[0] for key, drift in drifts_of(law).items()}
     factor, longer = changes.get("stiffness", 1.0), changes.get("residual_strain", 0.0)
@@ -46,7 +46,7 @@ def law_at_cycle(law: MaterialLaw, cycle: float) -> MaterialLaw:
         law,
         moduli=None if law.moduli is None else _times(law.moduli, factor),
         viscosity=None if law.viscosity is None else _times(law.viscosity, factor),
-        branches=tuple(MaxwellBranch(modulus=each.modulus * factor, time=each.time) for each in law.branches),
+        branches=tuple(MaxwellBranch(modulus=branch.modulus * factor, time=branch.time) for branch in law.branches),
         residual_strain=max(law.residual_strain + longer, 0.0),
         softening=None if law.softening is None else replace(law.softening, m=law.softening.m * factor),
         stiffness_drift=None,
@@ -56,23 +56,25 @@ def law_at_cycle(law: MaterialLaw, cycle: float) -> MaterialLaw:
 
 
 def stretched_before(law: MaterialLaw, peak: float) -> tuple[MaterialLaw, float]:
-    """A law with softening as it is after a stretch: a polynomial that a simulator can take, see `softened_moduli`.
+    """Replace the softening of a law by a polynomial for the state after a stretch, see `softened_moduli`.
 
     Args:
-        law: with moduli.
-        peak: the largest strain that its spring has seen, > 0.
+        law: law with moduli.
+        peak: largest strain that the spring has reached, > 0.
 
     Returns:
-        The law, unchanged where it has no softening, and the largest error as a share of the stress at the peak.
+        The law, unchanged if it has no softening, and the largest error as a share of the stress at the peak.
 
     Raises:
-        InputError: an absent modulus, or a peak that is no strain > 0.
+        InputError: an absent modulus, or a peak that is not > 0.
     """
     if law.softening is None:
         return law, 0.0
     moduli, error = softened_moduli(known_moduli(law), law.softening, peak)
-    own = {f"modulus.{term}" for term in TERMS}
-    kept = tuple(each for each in law.intervals if each.key not in own and not each.key.startswith("softening"))
+    replaced = {f"modulus.{term}" for term in TERMS}
+    kept = tuple(
+        bounds for bounds in law.intervals if bounds.key not in replaced and not bounds.key.startswith("softening")
+    )
     return replace(law, moduli=moduli, softening=None, intervals=kept), error
 
 

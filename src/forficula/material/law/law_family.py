@@ -1,4 +1,4 @@
-"""Families of laws, by the names that people have for them."""
+"""Families of laws by their common names."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ FAMILIES = {
     "polynomial": "a spring of second or third order",
     "kelvin-voigt": "a spring and a damper side by side",
     "zener": "a spring and one Maxwell branch",
-    "prony": "a spring and two Maxwell branches, or more where the data tell them apart",
-    "softening": "a spring that softens below the largest strain seen (Ogden and Roxburgh), with a branch or without",
+    "prony": "a spring and two Maxwell branches, or more if the data distinguish them",
+    "softening": "a spring that softens below the largest previous strain (Ogden-Roxburgh), with or without a branch",
 }
 
 
 def family_forms(name: str) -> tuple[LawForm, ...]:
-    """The forms of a family; all but softening ones with a permanent set, or without.
+    """Return the forms of a family, with and, except for softening, without a permanent set.
 
     Args:
         name: one of `FAMILIES`.
@@ -32,7 +32,7 @@ def family_forms(name: str) -> tuple[LawForm, ...]:
 
 
 def _family(form: LawForm) -> str:
-    """Of a form; empty where people have no name for it."""
+    """Return the family of a form; "" if it has no common name."""
     if form.softening != "none":
         return "softening"
     if form.branches:

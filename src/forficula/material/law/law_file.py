@@ -1,4 +1,4 @@
-"""Law files: TOML in and out, with errors that name the key."""
+"""Reading and writing of law files in TOML, with errors that name the key."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _TEXTS = ("name", "source", "no_tendon")
 _TABLES = ("modulus", "viscosity", "branches", "softening", "drift", "interval", "range", "unknown", "facts")
 _SECTIONS = ("modulus", "viscosity", "branches", "yield_strain", "softening", "largest_strain")
 _SOFTENING = ("r", "m", "beta")
-_DRIFTS = {"stiffness": True, "residual_strain": False}  # whether they are relative
+_DRIFTS = {"stiffness": True, "residual_strain": False}  # whether a drift is relative
 
 
 def load_law(name_or_path: str | Path) -> MaterialLaw:
@@ -41,41 +41,41 @@ def load_law(name_or_path: str | Path) -> MaterialLaw:
         InputError: no such material or file, not TOML, an unknown key, or a value that is not allowed; the message
             names the file and the key.
     """
-    where = str(name_or_path)
-    if where in _named():
-        return _named_law(where)
+    name = str(name_or_path)
+    if name in _named():
+        return _named_law(name)
     path = Path(name_or_path)
     if path.suffix.lower() != ".toml":
-        hint = nearest(where, _named()).replace("allowed here:", "the named materials are")
-        raise InputError(f"{as_written(where)} is neither a named material nor a .toml file; {hint}")
+        hint = nearest(name, _named()).replace("allowed here:", "the named materials are")
+        raise InputError(f"{as_written(name)} is neither a named material nor a .toml file; {hint}")
     tables = read_toml(path, "a law")
     tables.setdefault("name", path.stem)
-    return _read(where, tables)
+    return _read(name, tables)
 
 
 def save_law(law: MaterialLaw, path: str | os.PathLike[str]) -> None:
-    """Write a law; reading the file gives the same law, to the bit.
+    """Write a law to a file, from which exactly the same law is read.
 
     Raises:
-        InputError: it cannot be written.
+        InputError: the file cannot be written.
     """
     write_text(Path(path), law_text(law))
 
 
 def named_laws() -> dict[str, str]:
-    """The names of the materials that come with the package, each with its source."""
+    """Return the names of the materials that come with the package, with their sources."""
     return {name: load_law(name).source for name in _named()}
 
 
 def law_text(law: MaterialLaw) -> str:
-    """A law as TOML; what is absent is left out."""
+    """Return a law as TOML without absent values."""
     tables: dict[str, Any] = {name: getattr(law, name) for name in _TEXTS if getattr(law, name) or name == "name"}
     for name in _NUMBERS:
         if getattr(law, name) not in (None, 0.0):
             tables[name] = _text(name, getattr(law, name))
     for name, values in (("modulus", law.moduli), ("viscosity", law.viscosity)):
         if values is not None:
-            tables[name] = {term: _text(f"{name}.{term}", each) for term, each in zip(TERMS, values, strict=True)}
+            tables[name] = {term: _text(f"{name}.{term}", value) for term, value in zip(TERMS, values, strict=True)}
     if law.branches:
         keys = ("modulus", "time")
         tables["branches"] = [
@@ -86,9 +86,9 @@ def law_text(law: MaterialLaw) -> str:
         tables["softening"] = {"r": soft.r, "m": _text("softening.m", soft.m), "beta": soft.beta}
     if drifts := drifts_of(law):
         tables["drift"] = {name: _drift_table(drift) for name, drift in drifts.items()}
-    for name, bounds in (("interval", law.intervals), ("range", law.ranges)):
-        if bounds:
-            tables[name] = {each.key: [_text(each.key, each.low), _text(each.key, each.high)] for each in bounds}
+    for name, pairs in (("interval", law.intervals), ("range", law.ranges)):
+        if pairs:
+            tables[name] = {pair.key: [_text(pair.key, pair.low), _text(pair.key, pair.high)] for pair in pairs}
     if law.unknown:
         tables["unknown"] = {entry.key: entry.why for entry in law.unknown}
     if law.facts:
@@ -97,10 +97,10 @@ def law_text(law: MaterialLaw) -> str:
 
 
 def law_values(law: MaterialLaw) -> dict[str, float]:
-    """Every number of a law by its key, in SI; what is absent is left out."""
+    """Return all numbers of a law by key, in SI, without absent values."""
     values: dict[str, float] = {}
     for name, terms in (("modulus", law.moduli), ("viscosity", law.viscosity)):
-        values |= {f"{name}.{term}": each for term, each in zip(TERMS, terms or (), strict=False)}
+        values |= {f"{name}.{term}": value for term, value in zip(TERMS, terms or (), strict=False)}
     for index, branch in enumerate(law.branches):
         values |= {f"branches.{index}.modulus": branch.modulus, f"branches.{index}.time": branch.time}
     if law.softening is not None:
@@ -120,15 +120,15 @@ def _named() -> tuple[str, ...]:
     return tuple(sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml")))
 
 
-@cache  # what comes with the package stays as it is, and a law is frozen
+@cache  # the files of the package do not change, and a law is frozen
 def _named_law(name: str) -> MaterialLaw:
     text = (resources.files("forficula.material") / "references" / f"{name}.toml").read_text("utf-8")
     return _read(name, tomllib.loads(text))
 
 
-def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
-    """Turn the tables of a file into a law; every error begins with the file."""
-    with error_prefix(f"{where}: "):
+def _read(file: str, tables: dict[str, Any]) -> MaterialLaw:
+    """Convert the tables of a file to a law; every error begins with the name of the file."""
+    with error_prefix(f"{file}: "):
         check_known(tables, (*_TEXTS, *_NUMBERS, *_TABLES), "")
         texts = {name: _string(name, tables.get(name, "")) for name in _TEXTS}
         numbers = {name: _quantity(name, tables[name]) for name in _NUMBERS if name in tables}
@@ -144,13 +144,13 @@ def _read(where: str, tables: dict[str, Any]) -> MaterialLaw:
             highest_strain_rate=numbers.get("highest_strain_rate"),
             moduli=_triple("modulus", tables),
             viscosity=_triple("viscosity", tables),
-            branches=tuple(_branch(index, each) for index, each in enumerate(_list("branches", tables))),
+            branches=tuple(_branch(index, branch) for index, branch in enumerate(_list("branches", tables))),
             softening=softening,
             **{f"{name}_drift": drift for name, drift in _drifts(tables).items()},
             intervals=_bounds("interval", tables),
             ranges=_bounds("range", tables),
             unknown=_unknown(tables),
-            facts=tuple(_fact(index, each) for index, each in enumerate(_list("facts", tables))),
+            facts=tuple(_fact(index, fact) for index, fact in enumerate(_list("facts", tables))),
         )
 
 
@@ -186,7 +186,7 @@ def _quantity(key: str, value: object) -> float:
 
 
 def _triple(section: str, tables: Mapping[str, Any]) -> Triple | None:
-    """The three terms of a polynomial; those after the linear one are 0 where they are left out."""
+    """Read the three terms of a polynomial; the quadratic and the cubic one are 0 if they are left out."""
     if section not in tables:
         return None
     table = _table(section, tables[section], TERMS, needed=TERMS[:1])
@@ -205,11 +205,11 @@ def _branch(index: int, value: object) -> MaxwellBranch:
 
 def _softening(value: object) -> OgdenRoxburgh:
     table = _table("softening", value, _SOFTENING, needed=("r", "m"))
-    return OgdenRoxburgh(**{name: _quantity(f"softening.{name}", each) for name, each in table.items()})
+    return OgdenRoxburgh(**{name: _quantity(f"softening.{name}", entry) for name, entry in table.items()})
 
 
 def _drift_table(drift: Drift) -> dict[str, Any]:
-    """Without what a drift of its kind does not have."""
+    """Return a drift as a table with the keys of its kind."""
     values: dict[str, Any] = {"kind": drift.kind}
     if drift.kind != "none":
         values |= {"rate": drift.rate, "interval": list(drift.interval)}
@@ -220,7 +220,7 @@ def _drift_table(drift: Drift) -> dict[str, Any]:
 
 def _drifts(tables: Mapping[str, Any]) -> dict[str, Drift]:
     table = _table("drift", tables.get("drift", {}), tuple(_DRIFTS))
-    return {name: _drift(f"drift.{name}", each, _DRIFTS[name]) for name, each in table.items()}
+    return {name: _drift(f"drift.{name}", drift, _DRIFTS[name]) for name, drift in table.items()}
 
 
 def _drift(key: str, value: object, relative: bool) -> Drift:
@@ -248,14 +248,14 @@ def _drift(key: str, value: object, relative: bool) -> Drift:
 def _numbers(key: str, value: object) -> tuple[float, float]:
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(f"{key}: need two numbers such as [2, 5], got {as_written(value)}")
-    first, second = (number(key, each) for each in value)
+    first, second = (number(key, entry) for entry in value)
     if not (math.isfinite(first) and math.isfinite(second)):
         raise InputError(f"{key}: need finite numbers, got {as_written(value)}")
     return first, second
 
 
 def _flat(table: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Values by dotted key, whether the key was quoted or the tables nested."""
+    """Return values by dotted key, for quoted keys as well as nested tables."""
     values: dict[str, Any] = {}
     for key, value in table.items():
         values |= _flat(value, f"{prefix}{key}.") if isinstance(value, dict) else {f"{prefix}{key}": value}
@@ -274,7 +274,7 @@ def _pair(section: str, key: str, value: object) -> Bounds:
     if not isinstance(value, list) or len(value) != 2:
         raise InputError(f'{section}.{key}: need two values such as ["{unit.example}", ...], got {as_written(value)}')
     with error_prefix(f"{section}."):
-        low, high = (_quantity(key, each) for each in value)
+        low, high = (_quantity(key, entry) for entry in value)
     if not low <= high:
         raise InputError(f"{section}.{key}: need the lower value first, got {as_written(value)}")
     return Bounds(key=key, low=low, high=high)

@@ -1,4 +1,4 @@
-"""Which terms a law has, before their values are known."""
+"""Forms of laws: the terms of a law without their values."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from forficula.material.law.law_keys import TERMS
 
 _SPRINGS = ("linear spring", "quadratic spring", "cubic spring")
 _DAMPERS = ("", "linear damper", "quadratic damper", "cubic damper")
-# how strain energy may be lost: order of the damper, number of Maxwell branches
+# terms that dissipate energy: order of the damper, number of Maxwell branches
 _LOSSES: tuple[tuple[Literal[0, 1, 2, 3], int], ...] = (
     (0, 0),
     (1, 0),
@@ -27,12 +27,13 @@ class LawForm:
     """The terms of a law to fit.
 
     Attributes:
-        order: of the spring's polynomial.
-        damper: order of the damper's polynomial; 0 is none.
+        order: order of the spring's polynomial.
+        damper: order of the damper's polynomial; 0 without a damper.
         branches: number of Maxwell branches.
-        permanent_set: none; a residual strain that was there from the start, as where the first cycle was dropped; or
-            a yield strain, beyond which it creeps.
-        softening: none; Ogden-Roxburgh with m alone, which is all that cycles of one amplitude can tell; or with beta.
+        permanent_set: "none"; "residual" for a residual strain that exists from the start, for example because the
+            first cycle was left out; or "yield" for a yield strain, beyond which the spring creeps.
+        softening: "none"; "m" for Ogden and Roxburgh's law with m alone, which is all that cycles with a single
+            amplitude can determine; or "m and beta".
     """
 
     order: Literal[1, 2, 3] = 1
@@ -43,7 +44,7 @@ class LawForm:
 
     @property
     def name(self) -> str:
-        """What people call it."""
+        """Name of the form in words."""
         plural = "es" if self.branches > 1 else ""
         parts = [
             _SPRINGS[self.order - 1],
@@ -56,19 +57,19 @@ class LawForm:
 
     @property
     def is_prony_series(self) -> bool:
-        """Whether it is a spring with two Maxwell branches or more, and nothing else that its rate matters to."""
+        """Whether the form is a spring with two or more Maxwell branches, without a damper and without softening."""
         return self.branches > 1 and not self.damper and self.softening == "none"
 
     @property
     def linear_keys(self) -> tuple[str, ...]:
-        """The values that the stress is proportional to, as in a law file; without softening."""
+        """Keys, as in a law file, of values to which the stress is proportional without softening."""
         springs = [f"modulus.{term}" for term in TERMS[: self.order]]
         dampers = [f"viscosity.{term}" for term in TERMS[: self.damper]]
         return (*springs, *dampers, *(f"branches.{index}.modulus" for index in range(self.branches)))
 
     @property
     def other_keys(self) -> tuple[str, ...]:
-        """The other values."""
+        """Keys of the other values."""
         keys = [f"branches.{index}.time" for index in range(self.branches)]
         if self.permanent_set != "none":
             keys.append(f"{self.permanent_set}_strain")
@@ -77,14 +78,14 @@ class LawForm:
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """All values, linear ones first."""
+        """Keys of all values, linear ones first."""
         return self.linear_keys + self.other_keys
 
 
 def all_forms() -> tuple[LawForm, ...]:
-    """Every form that a fit tries at first, simple ones first; softening goes with a Maxwell branch at most.
+    """Return the forms that a fit tries, simple ones first; softening is combined with at most one Maxwell branch.
 
-    Two Maxwell branches without a damper stand for a Prony series, which a fit makes longer as far as the data go.
+    Two Maxwell branches without a damper are the start of a Prony series, which a fit extends as far as the data allow.
     """
     orders: tuple[Literal[1, 2, 3], ...] = (1, 2, 3)
     sets: tuple[Literal["none", "residual", "yield"], ...] = ("none", "residual", "yield")

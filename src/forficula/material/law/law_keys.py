@@ -1,4 +1,4 @@
-"""Keys of a material law, dotted as in "modulus.linear", and the units of their values."""
+"""Dotted keys of a material law, such as "modulus.linear", and the units of their values."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ _UNITS = {
 
 
 def law_unit(key: str) -> Unit:
-    """The unit of a value of a law.
+    """Return the unit of a value of a law.
 
     Args:
-        key: dotted, such as "viscosity.linear"; a branch has its number, such as "branches.1.time".
+        key: dotted key, such as "viscosity.linear"; a branch has a number, as in "branches.1.time".
 
     Raises:
         InputError: there is no such key.
@@ -50,18 +50,18 @@ def law_unit(key: str) -> Unit:
 
 
 def nearest(word: str, allowed: Sequence[str]) -> str:
-    """The hint for a key that is none: the nearest, or all."""
+    """Return a hint for an unknown word: the nearest allowed one, or all."""
     near = difflib.get_close_matches(word.lower(), allowed, n=1)
     return f"did you mean {near[0]}?" if near else f"allowed here: {', '.join(allowed)}"
 
 
 def show_value(key: str, value: float) -> str:
-    """A value of a law for people, with its unit."""
+    """Return a value of a law as readable text with its unit."""
     return show_quantity(value, law_unit(key)).removesuffix(" dimensionless")
 
 
 def show_range(key: str, low: float, high: float) -> str:
-    """A range of a value of a law for people, "0.4 to 1.5 MPa"."""
+    """Return a range of a value of a law as readable text, such as "0.4 to 1.5 MPa"."""
     unit = law_unit(key)
     first = show_quantity(low, unit).removesuffix(f" {unit.display}")
     return f"{first} to {show_value(key, high)}"
@@ -71,7 +71,7 @@ def number(key: str, value: object) -> float:
     """Read a number without a unit.
 
     Raises:
-        InputError: it is none.
+        InputError: the value is not a number.
     """
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(f"{key}: need a number without quotes, got {as_written(value)}")

@@ -1,4 +1,4 @@
-"""A law and the values that it has, as files of results have them."""
+"""Summary of a law and its values for files of results."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ class LawValue:
     """A value of a law that is not 0.
 
     Attributes:
-        key: of the law's file.
-        value: SI.
-        interval: 95 % confidence; None where none is known.
-        unit: SI, "1" for a number.
+        key: key in a law file.
+        value: value in SI.
+        interval: 95 % confidence interval; None if it is not known.
+        unit: SI unit, "1" for a number.
     """
 
     key: str
@@ -36,11 +36,11 @@ class LawSummary:
     """A law that was fitted.
 
     Attributes:
-        name: of the material.
-        source: of the tests.
+        name: name of the material.
+        source: source of the tests.
         parameters: values that are not 0.
-        drift: over the cycles, by what drifts.
-        facts: of the tests.
+        drift: drift over the cycles, by the drifting quantity.
+        facts: facts about the tests.
     """
 
     name: str
@@ -51,7 +51,7 @@ class LawSummary:
 
 
 def law_summary(law: MaterialLaw) -> LawSummary:
-    """Return a law as `material.json` has it."""
+    """Return the summary of a law, as in `material.json`."""
     return LawSummary(
         name=law.name, source=law.source, parameters=known_values(law), drift=drifts_of(law), facts=law.facts
     )
@@ -59,7 +59,7 @@ def law_summary(law: MaterialLaw) -> LawSummary:
 
 def known_values(law: MaterialLaw) -> list[LawValue]:
     """Return the values of a law that are not 0 or have a confidence interval."""
-    bounds = {each.key: (each.low, each.high) for each in law.intervals}
+    bounds = {interval.key: (interval.low, interval.high) for interval in law.intervals}
     return [
         LawValue(key=key, value=value, interval=bounds.get(key), unit=law_unit(key).si.replace("dimensionless", "1"))
         for key, value in law_values(law).items()

@@ -1,4 +1,4 @@
-"""A material's law by unit length and area: engineering stress against strain, its rate and its past."""
+"""The law of a material: engineering stress as a function of strain, strain rate and strain history."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _AREA = Unit(display="mm^2", si="m^2", example="5 mm^2")
 
 @dataclass(frozen=True, kw_only=True)
 class MaxwellBranch:
-    """A spring and a damper in series: the stress that it takes up fades with a relaxation time.
+    """A spring and a damper in series, whose stress decays with a relaxation time.
 
     Attributes:
         modulus: Pa, > 0.
@@ -43,12 +43,12 @@ class MaxwellBranch:
 
 @dataclass(frozen=True, kw_only=True)
 class Bounds:
-    """Between what a value lies.
+    """Bounds of a value.
 
     Attributes:
-        key: of the value, as in a law file, such as "modulus.linear" or "branches.0.time".
-        low: in SI.
-        high: in SI.
+        key: key of the value in a law file, such as "modulus.linear" or "branches.0.time".
+        low: lower bound in SI.
+        high: upper bound in SI.
     """
 
     key: str
@@ -58,7 +58,7 @@ class Bounds:
 
 @dataclass(frozen=True, kw_only=True)
 class Unknown:
-    """What no source gives, and what is known instead."""
+    """A section of a law that no source gives, and the reason or what is known instead."""
 
     key: str
     why: str
@@ -66,7 +66,7 @@ class Unknown:
 
 @dataclass(frozen=True, kw_only=True)
 class LawFact:
-    """What a source says of a material beside its law, as text with units."""
+    """A fact about a material in addition to its law, as text with units, with its source."""
 
     what: str
     value: str
@@ -75,33 +75,33 @@ class LawFact:
 
 @dataclass(frozen=True, kw_only=True)
 class MaterialLaw(Displayed):
-    """Engineering stress (force by initial area) against strain (extension by resting length).
+    """Engineering stress (force per initial area) as a function of strain (extension per resting length).
 
-    A spring E1 x + E2 x^2 + E3 x^3 while x > 0, none when slack, where x is the strain less the set; a damper
-    eta1 e' + eta2 e' abs(e') + eta3 e'^3 (Kelvin and Voigt, for the nonlinear form see MuJoCo 4's tendon damping); and
-    Maxwell branches (generalised Maxwell or Zener model), damper and branches at any strain. The set is the residual
-    strain, and creeps so that x never passes the yield strain (ideal plasticity). What is None is absent: `require`
-    says why.
+    The stress is the sum of three terms, the last two at any strain. A spring has the stress E1 x + E2 x^2 + E3 x^3
+    for x > 0 and 0 when slack, where x is the strain minus the set. A damper has
+    eta1 e' + eta2 e' abs(e') + eta3 e'^3 (Kelvin and Voigt; for the nonlinear form see MuJoCo 4's tendon damping).
+    Maxwell branches form a generalised Maxwell or Zener model. The set is initially the residual strain, and creeps so
+    that x never exceeds the yield strain (ideal plasticity). None means that a value is absent; `require` reports why.
 
     Attributes:
-        name: of the material.
-        source: where its numbers come from.
+        name: name of the material.
+        source: source of the numbers.
         moduli: E1, E2, E3, Pa; the spring must pull at every strain.
         viscosity: eta1 in Pa s, eta2 in Pa s^2, eta3 in Pa s^3, each >= 0.
-        branches: of Maxwell; none is an empty tuple.
-        yield_strain: of the spring, > 0; None where it never yields.
-        residual_strain: the set that it begins with, >= 0.
-        softening: after the largest strain seen; None where none was found.
-        largest_strain: up to which it was measured.
-        lowest_strain_rate: from which on it was measured, 1/s.
-        highest_strain_rate: up to which it was measured, 1/s.
-        stiffness_drift: of every stress over the cycles, relative; None where nothing tells whether there is one.
-        residual_strain_drift: likewise, a difference.
-        ranges: where a source gives no value but a range.
+        branches: Maxwell branches.
+        yield_strain: yield strain of the spring, > 0; None if the spring never yields.
+        residual_strain: initial set, >= 0.
+        softening: softening below the largest strain reached so far; None without softening.
+        largest_strain: largest strain of the measurements.
+        lowest_strain_rate: lowest strain rate of the measurements, 1/s.
+        highest_strain_rate: highest strain rate of the measurements, 1/s.
+        stiffness_drift: relative drift of every stress over the cycles; None if it is not known.
+        residual_strain_drift: drift of the residual strain over the cycles, a difference; None if it is not known.
+        ranges: ranges of values for which a source gives no single value.
         intervals: 95 % confidence intervals of fitted values.
-        unknown: what is absent, and why.
-        facts: what else the sources say.
-        no_tendon: why no tendon can be made of it; empty where one can.
+        unknown: absent sections, with the reason.
+        facts: further facts from the sources.
+        no_tendon: reason why no tendon can be made of the material; empty if one can.
 
     Raises:
         InputError: a number out of these bounds or not finite.
@@ -152,10 +152,10 @@ class MaterialLaw(Displayed):
 
 
 def check_rates(lowest: float | None, highest: float | None) -> None:
-    """Refuse a range of strain rates, 1/s, that ends below its start; either end may be unknown.
+    """Refuse a range of strain rates, 1/s, whose highest rate is below the lowest; each may be unknown.
 
     Raises:
-        InputError: it does.
+        InputError: the highest rate is below the lowest.
     """
     if lowest is not None and highest is not None and lowest > highest:
         raise InputError(f"lowest_strain_rate: need <= highest_strain_rate, {highest:g} 1/s, got {lowest:g} 1/s")
@@ -166,16 +166,16 @@ def _rule(bounded: bool) -> str:
 
 
 def require(law: MaterialLaw, section: str) -> None:
-    """Ask for a part of a law.
+    """Check that a section of a law is present.
 
     Args:
-        law: of a material.
+        law: law of a material.
         section: "modulus", "viscosity", "branches", "yield_strain", "softening" or "largest_strain".
 
     Raises:
-        InputError: it is absent; the message names the range where one is known, or why it is unknown.
+        InputError: the section is absent; the message gives the known range, or the reason.
     """
-    given = {
+    sections = {
         "modulus": law.moduli,
         "viscosity": law.viscosity,
         "branches": law.branches,
@@ -183,43 +183,43 @@ def require(law: MaterialLaw, section: str) -> None:
         "softening": law.softening,
         "largest_strain": law.largest_strain,
     }
-    if section not in given:
-        raise InputError(f"{section}: is no part of a material law; need {', '.join(given)}")
+    if section not in sections:
+        raise InputError(f"{section}: is not a section of a material law; need {', '.join(sections)}")
     for bounds in law.ranges:
-        if given[section] is None and (bounds.key == section or bounds.key.startswith(f"{section}.")):
+        if sections[section] is None and (bounds.key == section or bounds.key.startswith(f"{section}.")):
             raise InputError(
                 f"{law.name}: {bounds.key}: known only as a range, {show_range(bounds.key, bounds.low, bounds.high)};"
                 " choose a value in it"
             )
     for entry in law.unknown:
-        if not given[section] and entry.key == section:
+        if not sections[section] and entry.key == section:
             raise InputError(f"{law.name}: {section}: is unknown: {entry.why}")
-    if given[section] is None:
+    if sections[section] is None:
         raise InputError(f"{law.name}: {section}: is not given by its source, {law.source or 'which is not named'}")
 
 
 def known_moduli(law: MaterialLaw) -> Triple:
-    """The moduli of a law, Pa.
+    """Return the moduli of a law, Pa.
 
     Raises:
-        InputError: they are absent; see `require`.
+        InputError: the moduli are absent; see `require`.
     """
     require(law, "modulus")
     return law.moduli or (0.0, 0.0, 0.0)
 
 
 def chosen(law: MaterialLaw, linear_modulus: float) -> MaterialLaw:
-    """Choose the modulus of a material that has a range of it.
+    """Set the modulus of a material for which only a range is known.
 
     Args:
-        law: whose linear modulus is known only as a range.
-        linear_modulus: Pa, in the range.
+        law: law with a range of the linear modulus.
+        linear_modulus: value within the range, Pa.
 
     Returns:
-        The law, linear, with that modulus.
+        A linear law with that modulus.
 
     Raises:
-        InputError: the law has no such range, or the value is not in it.
+        InputError: the law has no such range, or the value is outside.
     """
     key = "modulus.linear"
     bounds = next((entry for entry in law.ranges if entry.key == key), None)
@@ -232,16 +232,16 @@ def chosen(law: MaterialLaw, linear_modulus: float) -> MaterialLaw:
 
 
 def scaled(law: MaterialLaw, *, length: float, area: float) -> TendonLaw:
-    """A tendon of a material: k = E A / L, and with each power of the strain or its rate another 1 / L.
+    """Compute the law of a tendon from that of its material: k = E A / L, and 1 / L for each further power of strain.
 
     Args:
-        law: of the material.
-        length: of the unstretched patch, m, > 0.
-        area: of its cross-section, m^2, > 0.
+        law: law of the material.
+        length: unstretched length, m, > 0.
+        area: cross-section, m^2, > 0.
 
     Returns:
-        The tendon. Its resting length is longer than the patch by the residual strain; it has no damping where the
-        material's viscosity is absent.
+        The law of the tendon. Its resting length is `length` increased by the residual strain. It has no damping if the
+        viscosity of the material is absent.
 
     Raises:
         InputError: a length or area that is not > 0, an absent modulus, or a material that is not for tendons.
@@ -250,7 +250,7 @@ def scaled(law: MaterialLaw, *, length: float, area: float) -> TendonLaw:
         raise InputError(f"{law.name}: no tendon can be made of it: {law.no_tendon}")
     if not (math.isfinite(length) and length > 0):
         raise InputError(
-            "length: a material needs a resting length > 0, its strain being extension by resting length,"
+            "length: need a resting length > 0, because strain is extension per resting length,"
             f" got {show_quantity(length, _LENGTH)}"
         )
     if not (math.isfinite(area) and area > 0):
@@ -267,15 +267,15 @@ def scaled(law: MaterialLaw, *, length: float, area: float) -> TendonLaw:
 
 
 def area_for(law: MaterialLaw, *, length: float, stiffness: float) -> float:
-    """The cross-section whose tendon has a stiffness at small extension, A = k L / E1, m^2.
+    """Compute the cross-section of a tendon with a given stiffness at small extension, A = k L / E1, m^2.
 
     Args:
-        law: of the material.
-        length: of the unstretched patch, m, > 0.
+        law: law of the material.
+        length: unstretched length, m, > 0.
         stiffness: N/m, > 0.
 
     Raises:
-        InputError: as `scaled`, a stiffness that is not > 0, or a law without a linear term.
+        InputError: the errors of `scaled`, a stiffness that is not > 0, or a law without a linear term.
     """
     unit_area = scaled(law, length=length, area=1.0)
     if not (math.isfinite(stiffness) and stiffness > 0):

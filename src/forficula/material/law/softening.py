@@ -1,4 +1,4 @@
-"""Softening of rubber-like materials after their first stretch, the Mullins effect."""
+"""Softening of rubber-like materials after their first stretch: the Mullins effect."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _CURVE_POINTS = 201
 
 @dataclass(frozen=True, kw_only=True)
 class OgdenRoxburgh:
-    """How far a material softens below the largest strain that it has seen.
+    """Softening of a material below the largest strain reached so far.
 
-    The stress of the virgin curve times eta = 1 - erf((Wmax - W) / (m + beta Wmax)) / r, where W is the virgin curve's
-    strain energy by volume and Wmax the largest it has been (Ogden and Roxburgh 1999, doi 10.1098/rspa.1999.0431, with
-    the beta of the common finite-element codes). On the virgin curve itself eta is 1.
+    The stress of the virgin curve is multiplied by eta = 1 - erf((Wmax - W) / (m + beta Wmax)) / r, where W is the
+    strain energy per volume of the virgin curve and Wmax its largest previous value (Ogden and Roxburgh 1999,
+    doi 10.1098/rspa.1999.0431, with beta as in common finite-element codes). On the virgin curve eta is 1.
 
     Attributes:
-        r: the largest share that is lost is 1/r; >= 1.
-        m: energy scale, J/m^3, >= 0.
+        r: 1/r is the largest share of the stress that is lost; >= 1.
+        m: constant part of the energy scale, J/m^3, >= 0.
         beta: share of Wmax in the energy scale, >= 0; m and beta are not both 0.
 
     Raises:
@@ -46,50 +46,52 @@ class OgdenRoxburgh:
             raise InputError("softening.m: need m or beta > 0, got 0 for both")
 
     def share(self, largest: ArrayLike, energy: ArrayLike) -> Array:
-        """The share eta of the virgin curve's stress that is left.
+        """Compute eta, the remaining share of the virgin curve's stress.
 
         Args:
             largest: Wmax, J/m^3.
-            energy: W <= Wmax, J/m^3, of a shape that goes with it.
+            energy: W <= Wmax, J/m^3, of a shape that broadcasts with `largest`.
 
         Returns:
-            Between 1 - 1/r and 1, in the common shape.
+            Values between 1 - 1/r and 1, in the common shape.
         """
-        most, now = np.asarray(largest, dtype=np.float64), np.asarray(energy, dtype=np.float64)
+        most, current = np.asarray(largest, dtype=np.float64), np.asarray(energy, dtype=np.float64)
         width = self.m + self.beta * most
-        # virgin and unloaded with m = 0 is 0/0: nothing is lost there
-        way = np.divide(most - now, width, out=np.zeros(np.broadcast_shapes(most.shape, now.shape)), where=width > 0)
-        return np.asarray(1 - scipy.special.erf(way) / self.r)
+        # for a virgin, unloaded material with m = 0 this is 0/0, and eta is 1
+        depth = np.divide(
+            most - current, width, out=np.zeros(np.broadcast_shapes(most.shape, current.shape)), where=width > 0
+        )
+        return np.asarray(1 - scipy.special.erf(depth) / self.r)
 
 
 def spring_stress(moduli: Triple, strain: ArrayLike) -> Array:
-    """Stress of the elastic curve E1 e + E2 e^2 + E3 e^3 where e > 0, none elsewhere, Pa, in the strain's shape."""
+    """Compute the stress of the elastic curve, E1 e + E2 e^2 + E3 e^3 for e > 0, else 0, Pa, in the strain's shape."""
     e = np.maximum(np.asarray(strain, dtype=np.float64), 0.0)
     return np.asarray(e * (moduli[0] + e * (moduli[1] + e * moduli[2])))
 
 
 def spring_energy(moduli: Triple, strain: ArrayLike) -> Array:
-    """Energy by volume under the elastic curve, J/m^3, in the strain's shape."""
+    """Compute the energy per volume under the elastic curve, J/m^3, in the strain's shape."""
     e = np.maximum(np.asarray(strain, dtype=np.float64), 0.0)
     return np.asarray(e**2 * (moduli[0] / 2 + e * (moduli[1] / 3 + e * moduli[2] / 4)))
 
 
 def softened_moduli(moduli: Triple, softening: OgdenRoxburgh, peak: float) -> tuple[Triple, float]:
-    """The curve below a strain that was reached before, as a polynomial, which a simulator can take.
+    """Approximate the softened curve, below a strain that was reached before, by a polynomial for simulation.
 
-    Least squares over strains from 0 to the peak, so an approximation; where its best would push, the best without
-    negative terms.
+    The fit is by least squares over strains from 0 to the peak. If the best polynomial would push, the best one without
+    negative terms is used.
 
     Args:
-        moduli: of the virgin curve, Pa.
-        softening: of the material.
-        peak: largest strain that it has seen, > 0.
+        moduli: moduli of the virgin curve, Pa.
+        softening: softening of the material.
+        peak: largest previous strain, > 0.
 
     Returns:
         The moduli, Pa, and the largest error of the stress as a share of the stress at the peak.
 
     Raises:
-        InputError: the peak is no strain > 0.
+        InputError: the peak is not > 0.
     """
     if not (np.isfinite(peak) and peak > 0):
         raise InputError(f"peak: need a strain > 0, got {peak:g}")

@@ -1,4 +1,4 @@
-"""What a strain history does to a material: the set of its spring, the stress of its Maxwell branches."""
+"""Response of a material to a strain history: the set of its spring and the stress of its Maxwell branches."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from forficula.arrays import Array
 from forficula.errors import InputError
 from forficula.material.law.material_law import MaxwellBranch
 
-_NOTHING = 1e-30  # share of a stress that is left and counts no more
+_NOTHING = 1e-30  # remaining share of a stress that counts as 0
 
 
 def check_history(time: Array, strain: Array) -> None:
-    """Refuse what is no history.
+    """Check that time and strain form a history.
 
     Raises:
-        InputError: fewer than two samples, shapes that differ, a number that is not finite, or a time that does not
-            rise.
+        InputError: fewer than two samples, different shapes, a number that is not finite, or a time that does not
+            increase.
     """
     if time.ndim != 1 or time.shape != strain.shape or len(time) < 2:
         raise InputError(
@@ -36,23 +36,23 @@ def check_history(time: Array, strain: Array) -> None:
 
 
 def set_history(strain: Array, residual: float, yield_strain: float | None) -> Array:
-    """Strain at which a spring is slack, shape (samples,); it creeps where the spring would pass its yield."""
+    """Compute the strain at which a spring becomes slack, shape (samples,); it creeps beyond the yield strain."""
     if yield_strain is None:
         return np.full(strain.shape, residual)
     return np.maximum(residual, np.maximum.accumulate(strain) - yield_strain)
 
 
 def branch_stress(branch: MaxwellBranch, time: Array, strain: Array, starts: ArrayLike = ()) -> Array:
-    """Stress of a Maxwell branch that is relaxed at the first sample, Pa, shape (samples,).
+    """Compute the stress of a Maxwell branch that is relaxed at the first sample, Pa, shape (samples,).
 
-    Exact where the strain runs straight between samples: over h it becomes
+    The result is exact if the strain is linear between samples: over a step h the stress q becomes
     q exp(-h / tau) + E (1 - exp(-h / tau)) (tau / h) de.
 
     Args:
-        branch: of a law.
+        branch: branch of a law.
         time: s, shape (samples,).
         strain: shape (samples,).
-        starts: first samples of further histories, end to end with the first, at which it is relaxed, too.
+        starts: first samples of further concatenated histories, at which the branch is also relaxed.
     """
     spans = np.diff(time)
     spans[np.asarray(starts, dtype=np.int64) - 1] = np.inf
@@ -64,7 +64,7 @@ def branch_stress(branch: MaxwellBranch, time: Array, strain: Array, starts: Arr
 
 
 def _decaying_sum(steps: Array, gained: Array) -> Array:
-    """Solve q[k] = q[k-1] exp(-steps[k]) + gained[k] from q[-1] = 0 by doubling spans (Hillis and Steele 1986)."""
+    """Solve q[k] = q[k-1] exp(-steps[k]) + gained[k], q[-1] = 0, by doubling spans (Hillis and Steele 1986)."""
     kept, result, span = np.exp(-steps), gained.copy(), 1
     while span < len(steps) and np.any(kept[span:] > _NOTHING):
         result[span:] += kept[span:] * result[:-span]

@@ -1,4 +1,4 @@
-"""Force of a tendon against its length, its rate and its past."""
+"""Force of a tendon as a function of its length, rate and history."""
 
 from __future__ import annotations
 
@@ -16,13 +16,12 @@ from forficula.errors import InputError
 
 @dataclass(frozen=True, kw_only=True)
 class ElasticLaw:
-    """A tendon that pulls beyond its resting length, the same on the way out and back.
+    """An elastic tendon that pulls beyond its resting length, without hysteresis.
 
-    With the extension x = length - rest_length the force is linear x + quadratic x^2 + cubic x^3 where x > 0, and none
-    where the tendon is slack (Binder et al. 2025, doi 10.3390/biomimetics11010009, whose tendons are linear). It must
-    pull at every extension: linear >= 0, cubic >= 0, and quadratic either >= 0 or > -2 sqrt(linear cubic). So it may
-    soften, but never push. All zero is allowed, a tendon that does nothing. The numbers may be arrays, for many tendons
-    at once, that go with the lengths.
+    With the extension x = length - rest_length the force is linear x + quadratic x^2 + cubic x^3 for x > 0, and 0 when
+    slack (Binder et al. 2025, doi 10.3390/biomimetics11010009, whose tendons are linear). The tendon must pull at every
+    extension: linear >= 0, cubic >= 0, and quadratic either >= 0 or > -2 sqrt(linear cubic). It may soften, but never
+    push. All values may be 0. The numbers may be arrays for many tendons, which broadcast with the lengths.
 
     Attributes:
         rest_length: m.
@@ -41,7 +40,7 @@ class ElasticLaw:
 
     def __post_init__(self) -> None:
         numbers = (self.rest_length, self.linear, self.quadratic, self.cubic)
-        # as almost all are, and laws are made by the thousand
+        # fast path, because almost all laws pass this test and many are created
         if all(isinstance(number, float) and 0 <= number < math.inf for number in numbers):
             return
         units = {"rest_length": "m", "linear": "N/m", "quadratic": "N/m^2", "cubic": "N/m^3"}
@@ -61,25 +60,25 @@ class ElasticLaw:
         return np.maximum(np.asarray(length, dtype=np.float64) - self.rest_length, 0.0)
 
     def force(self, length: ArrayLike) -> Array:
-        """Pull at a length, N, in the shape of `length` (m)."""
+        """Compute the pull at a length, N, in the shape of `length` (m)."""
         return np.asarray(self._force_at(self._extension(length)))
 
     def energy(self, length: ArrayLike) -> Array:
-        """Energy stored at a length, the integral of the force, J, in the shape of `length` (m)."""
+        """Compute the stored energy, the integral of the force, J, in the shape of `length` (m)."""
         return np.asarray(self._energy_at(self._extension(length)))
 
     def stiffness(self, length: ArrayLike) -> Array:
-        """Slope of the force, N/m, in the shape of `length` (m); at the resting length itself that of the taut side."""
+        """Compute the slope of the force, N/m, in the shape of `length` (m); at the resting length, that when taut."""
         return np.where(np.asarray(length) < self.rest_length, 0.0, self._slope_at(self._extension(length)))
 
     def expansion(self, length: Array) -> tuple[Array, Array, Array]:
-        """Energy, pull and slope of the force at once, in the shape of `length` (m)."""
+        """Compute energy, pull and slope of the force together, in the shape of `length` (m)."""
         x = self._extension(length)
         slope = np.where(length < self.rest_length, 0.0, self._slope_at(x))
         return self._energy_at(x), self._force_at(x), slope
 
     def _energy_at(self, x: Array) -> Array:
-        """Of an extension, J."""
+        """Compute the energy at an extension, J."""
         return x**2 * (self.linear / 2 + x * (self.quadratic / 3 + x * self.cubic / 4))
 
     def _force_at(self, x: Array) -> Array:
@@ -89,16 +88,17 @@ class ElasticLaw:
         return self.linear + x * (2 * self.quadratic + x * 3 * self.cubic)
 
     def released(self, length: ArrayLike, shortening: ArrayLike) -> Array:
-        """Energy given back when the tendon shortens.
+        """Compute the energy that is released when the tendon shortens.
 
-        The difference of two energies as a product with the shortening, which keeps its digits where that is small.
+        The difference of the two energies is computed as a product with the shortening, which is accurate also if the
+        shortening is small.
 
         Args:
-            length: before, m, any shape.
-            shortening: >= 0, m, of a shape that goes with `length`; what shortens a slack tendon counts nothing.
+            length: length before, m, any shape.
+            shortening: >= 0, m, of a shape that broadcasts with `length`; shortening beyond slack releases no energy.
 
         Returns:
-            J, in the common shape.
+            Energy, J, in the common shape.
         """
         x = self._extension(length)
         d = np.minimum(np.asarray(shortening, dtype=np.float64), x)
@@ -110,17 +110,17 @@ class ElasticLaw:
 
 
 def stacked_laws(laws: Sequence[ElasticLaw]) -> ElasticLaw:
-    """Many laws as one, whose numbers are arrays, (law,), that go with the lengths (..., law)."""
+    """Combine many laws to one with arrays, (law,), which broadcast with lengths, (..., law)."""
     numbers: Any = {field.name: np.array([getattr(law, field.name) for law in laws]) for field in fields(ElasticLaw)}
     return ElasticLaw(**numbers)
 
 
 @dataclass(frozen=True, kw_only=True)
 class TendonBranch:
-    """A Maxwell branch of a tendon: a spring and a damper in series, beside the tendon's spring.
+    """A Maxwell branch of a tendon: a spring and a damper in series, parallel to the tendon's spring.
 
-    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867). A tendon passes it
-    on as `TendonLaw` says.
+    Its force follows dF/dt = stiffness dL/dt - F / time at any length, slack or taut (Maxwell 1867). `TendonLaw`
+    defines how it contributes to the force of the tendon.
 
     Attributes:
         stiffness: N/m, > 0.
@@ -142,23 +142,23 @@ class TendonBranch:
 
 @dataclass(frozen=True, kw_only=True)
 class TendonLaw:
-    """What a simulator needs of a tendon: a spring that only pulls, a damper, Maxwell branches, a yield.
+    """The law of a tendon for simulation: a pull-only spring, a damper, Maxwell branches, and a yield.
 
-    With the extension x = length - rest_length and its rate v the pull is the sum of a x + b x^2 + c x^3,
-    a v + b v|v| + c v^3 and the forces of the branches where x > 0 and that sum is > 0, and else nothing. A law that
-    `pushes` has damper and branches at any x and of either sign. Where x would pass `yield_extension`, the resting
-    length creeps so that it does not (ideal plasticity, MuJoCo's `springyield`).
+    With the extension x = length - rest_length and its rate v, the pull is the sum of a x + b x^2 + c x^3,
+    a v + b v|v| + c v^3 and the forces of the branches if x > 0 and this sum is > 0, otherwise 0. If `pushes` is true,
+    damper and branches act at any x and with either sign. Where x would exceed `yield_extension`, the resting length
+    creeps so that it does not (ideal plasticity, MuJoCo's `springyield`).
 
     Attributes:
         rest_length: m.
         stiffness: N/m, N/m^2, N/m^3.
-        damping: N s/m, N s^2/m^2, N s^3/m^3; None where the material does not say.
-        branches: of Maxwell, any number.
-        yield_extension: m, > 0; None where it never yields.
-        pushes: whether damper and branches act at any length and push, too, as a strut's do.
+        damping: N s/m, N s^2/m^2, N s^3/m^3; None if the material's viscosity is not known.
+        branches: Maxwell branches, any number.
+        yield_extension: m, > 0; None if the tendon never yields.
+        pushes: whether damper and branches act at any length and also push, as in a strut.
 
     Raises:
-        InputError: what `ElasticLaw` refuses, damping < 0, or a yield extension that is not > 0.
+        InputError: values that `ElasticLaw` refuses, damping < 0, or a yield extension that is not > 0.
     """
 
     rest_length: float
@@ -178,31 +178,31 @@ class TendonLaw:
 
     @property
     def elastic(self) -> ElasticLaw:
-        """Its spring."""
+        """The spring of the tendon."""
         linear, quadratic, cubic = self.stiffness
         return ElasticLaw(rest_length=self.rest_length, linear=linear, quadratic=quadratic, cubic=cubic)
 
     @property
     def may_push(self) -> bool:
-        """Whether its damper or its branches would push where nothing kept them from it."""
+        """Whether damper or branches could push without the rule that the tendon only pulls."""
         return bool(self.branches) or any(self.damping or ())
 
     @property
     def must_push(self) -> bool:
-        """Whether nothing in the simulator can keep it from pushing: that takes linear damping, and no yield."""
+        """Whether the simulation cannot prevent pushing, which it can only with linear damping and without yield."""
         return self.may_push and (any((self.damping or ())[1:]) or self.yield_extension is not None)
 
     @property
     def lets_go(self) -> bool:
-        """Whether spring, damper and branches together pull or do nothing in the simulator, and nothing while slack.
+        """Whether the simulation limits the sum of spring, damper and branches to pulling, and to 0 while slack.
 
-        A law that `pushes` does not, nor one that must push; an elastic one needs nothing for it.
+        It does not for a law that `pushes` or must push, and an elastic law needs no limit.
         """
         return self.may_push and not self.pushes and not self.must_push
 
     @property
     def yield_force(self) -> float | None:
-        """The largest force of its spring, N; None where it never yields."""
+        """Largest force of the spring, N; None if the tendon never yields."""
         if self.yield_extension is None:
             return None
         return float(self.elastic.force(self.rest_length + self.yield_extension))

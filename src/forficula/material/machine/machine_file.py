@@ -1,4 +1,4 @@
-"""Tensile tests out of the files of testing machines."""
+"""Reading of tensile tests from the files of testing machines."""
 
 from __future__ import annotations
 
@@ -17,31 +17,31 @@ from forficula.material.machine.zs2_file import parse_zs2
 from forficula.material.tensile.tensile_test import TensileTest, falling
 from forficula.quantities import as_written
 
-_LARGEST = 2**29  # bytes of a file: a hundred hours of ten columns
+_LARGEST = 2**29  # largest size of a file in bytes: a hundred hours of ten columns
 
 
 def read_tensile_test(
     path: str | os.PathLike[str], *, length: float | None = None, area: float | None = None
 ) -> TensileTest:
-    """Read one tensile test from what a testing machine exported.
+    """Read one tensile test from a file that a testing machine exported.
 
-    ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv and plain tables, in English or German (some
-    French); encoding, delimiter, decimal sign and units are found in the file. Where it holds no travel, its strain
-    times the length is taken; where it holds no force, its stress times the area; a position of the crosshead counts
-    from the first row. A .zs2 needs the extra `zs2`.
+    Supported are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv and plain tables, in English or German
+    (some French). Encoding, delimiter, decimal sign and units are detected. Without a column of travel, the strain
+    times the length is used; without a column of force, the stress times the area. A position of the crosshead is
+    relative to the first row. A .zs2 file needs the extra `zs2`.
 
     Args:
-        path: the file.
-        length: of the specimen, m; needed where the file does not give it.
-        area: of its cross-section, m2; needed where the file gives neither it nor the edges or diameter.
+        path: path of the file.
+        length: length of the specimen, m; needed if the file does not give it.
+        area: cross-section of the specimen, m2; needed if the file gives neither the area nor edges or a diameter.
 
     Returns:
         The test in SI.
 
     Raises:
-        InputError: the file cannot be read, is cut off, of an unknown format, has no column of time, travel or force, a
-            unit that is missing, unknown or mixed, a cell that is no number, or time that falls; or its length or area
-            is missing or in conflict with the one given. The message names the file and, where there is one, the line.
+        InputError: the file cannot be read, is cut off, or has an unknown format; it has no column of time, travel or
+            force, a missing, unknown or mixed unit, a cell that is not a number, or time that decreases; or the length
+            or area is missing or contradicts the given one. The message names the file and, if there is one, the line.
     """
     tests = read_tensile_tests([path], length=length, area=area)
     if len(tests) != 1:
@@ -53,15 +53,15 @@ def read_tensile_test(
 def read_tensile_tests(
     paths: Sequence[str | os.PathLike[str]], *, length: float | None = None, area: float | None = None
 ) -> tuple[TensileTest, ...]:
-    """Read the tensile tests of several specimens, in the order of the files, each of which may hold several.
+    """Read the tensile tests of several specimens in the order of the files, each of which may contain several tests.
 
     Args:
-        paths: the files.
-        length: of every specimen, m; as `read_tensile_test` takes it.
-        area: of every specimen's cross-section, m2.
+        paths: paths of the files.
+        length: length of every specimen, m, as for `read_tensile_test`.
+        area: cross-section of every specimen, m2, as for `read_tensile_test`.
 
     Raises:
-        InputError: there is no file, or what `read_tensile_test` says of any of them.
+        InputError: there is no file, or one of the errors of `read_tensile_test`.
     """
     if not paths:
         raise InputError("need at least one file of a tensile test, got none")
@@ -75,7 +75,7 @@ def read_tensile_tests(
 
 
 def _recordings(path: Path) -> tuple[Recording, ...]:
-    """What a file holds, one entry a specimen."""
+    """Read the recordings of a file, one for each specimen."""
     content = read_bytes(path, _LARGEST)
     if path.suffix.lower() == ".zs2":
         return parse_zs2(content, path.stem)
@@ -83,13 +83,13 @@ def _recordings(path: Path) -> tuple[Recording, ...]:
 
 
 def _tensile_test(recording: Recording, length: float | None, area: float | None) -> TensileTest:
-    """Columns in SI, checked where the lines are still known."""
+    """Convert a recording to SI and check it, with errors that name lines of the file."""
     line = recording.names_line
     time, _ = _in_si(recording.time, line, TIME)
-    if (falls := falling(time)) is not None:
-        before, after = recording.time.values[falls - 1 : falls + 1]
-        message = f"{recording.time.name}: need times that never fall, got {after:g} after {before:g}"
-        raise InputError(at_line(int(recording.lines[falls]), message))
+    if (row := falling(time)) is not None:
+        before, after = recording.time.values[row - 1 : row + 1]
+        message = f"{recording.time.name}: need times that never decrease, got {after:g} after {before:g}"
+        raise InputError(at_line(int(recording.lines[row]), message))
     if len(time) < 2:
         raise InputError(at_line(line, "need at least two rows of numbers, got one: is it cut off?"))
     travel, is_travel = _in_si(recording.travel, line, LENGTH, STRAIN)
@@ -107,7 +107,7 @@ def _tensile_test(recording: Recording, length: float | None, area: float | None
 
 
 def _in_si(column: RecordedColumn, line: int, kind: ColumnKind, other: ColumnKind | None = None) -> tuple[Array, bool]:
-    """A column's values, shape (row,), as one kind or else the other, and whether it is the first."""
+    """Convert a column, shape (row,), to SI as one kind of quantity or else the other; return if it is the first."""
     if (factor := kind.factor(column.unit)) is not None:
         return column.values * factor, True
     if other is not None and (factor := other.factor(column.unit)) is not None:

@@ -1,4 +1,4 @@
-"""What machines call what they measure, in their users' languages."""
+"""Names of columns in the files of testing machines, in several languages."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from forficula.errors import InputError
 from forficula.material.machine.machine_units import is_unit
 from forficula.quantities import as_written
 
-# Each role's names, the better choice first: a travel counted from the specimen's length before a strain, that may come
-# from another gauge length, and both before a position of the crosshead.
+# Names for each role, the better choice first: a travel relative to the specimen's length comes before a strain, which
+# may refer to another gauge length, and both come before a position of the crosshead.
 ROLES: dict[str, tuple[str, ...]] = {
     "time": (
         *("Prüfzeit", "Test time", "Time", "Zeit", "Elapsed time", "Running time", "Total time", "Versuchszeit"),
@@ -42,56 +42,56 @@ _APPENDED = re.compile(r"(.*?\S)(?:\s+in\s+|\s*/\s*|\s*,\s*|_|\s+)([^\s_,/]+(?:/
 
 
 def name_key(name: str) -> str:
-    """A name as it is compared: without case, punctuation or the many ways to write an umlaut."""
+    """Return a name in the form in which names are compared: without case, punctuation and variants of umlauts."""
     text = re.sub(r"[^\x00-\x7f]+|[aou]e|\?+", "\N{INVERTED QUESTION MARK}", name.lower())
     return " ".join(re.sub(r"[^\w\N{INVERTED QUESTION MARK}]+|_+", " ", text).split())
 
 
 def all_keys(name: str) -> tuple[str, str]:
-    """A known name's keys: as it is, and by someone who left the dots off its umlauts."""
+    """Return the keys of a known name: with its umlauts, and with the dots of umlauts left out."""
     stripped = "".join(letter for letter in unicodedata.normalize("NFKD", name) if not unicodedata.combining(letter))
     return name_key(name), name_key(stripped)
 
 
 @cache
 def _rank(role: str) -> dict[str, int]:
-    """A role's known keys and how good a choice each is, 0 the best."""
-    return {key: place for place, name in reversed([*enumerate(ROLES[role])]) for key in all_keys(name)}
+    """Return the known keys of a role with their ranks, 0 for the best choice."""
+    return {key: rank for rank, name in reversed([*enumerate(ROLES[role])]) for key in all_keys(name)}
 
 
 def choose_columns(names: Sequence[str]) -> dict[str, int]:
     """Find the columns that a tensile test needs.
 
     Args:
-        names: of the columns, without their units.
+        names: names of the columns, without units.
 
     Returns:
         The number of the best column for each of "time", "travel" or else "position", and "force".
 
     Raises:
-        InputError: there is none, or its name stands twice.
+        InputError: a role has no column, or two columns have the same name.
     """
-    keys, found = [name_key(name) for name in names], {}
+    keys, columns = [name_key(name) for name in names], {}
     for role in ROLES:
         known = [(_rank(role)[key], column) for column, key in enumerate(keys) if key in _rank(role)]
-        if known and not (role == "position" and "travel" in found):
+        if known and not (role == "position" and "travel" in columns):
             column = min(known)[1]
             if keys.count(keys[column]) > 1:
                 raise InputError(f"two columns are named {as_written(names[column])}; leave one of them out")
-            found[role] = column
+            columns[role] = column
     for role, examples in _ORDINARY.items():
-        if role not in found and not (role == "travel" and "position" in found):
+        if role not in columns and not (role == "travel" and "position" in columns):
             shown = ", ".join(as_written(name) for name in names if name) or "none"
             raise InputError(f"need a column of {role}, such as {examples}, got {shown}")
-    return found
+    return columns
 
 
 def split_unit(text: str) -> tuple[str, str]:
-    """Take the unit off a name: "Kraft [kN]", "Force (N)", "force_N", "Weg in mm", "F / N".
+    """Split a name and its unit: "Kraft [kN]", "Force (N)", "force_N", "Weg in mm", "F / N".
 
     Returns:
-        The name and the unit, empty where there is none. What stands in brackets and is no unit belongs to the name, as
-        in "Tensile strain (Extension)", except in square ones: these hold units only.
+        The name and the unit, "" without a unit. Text in round or angle brackets that is not a unit belongs to the
+        name, as in "Tensile strain (Extension)"; square brackets always contain a unit.
     """
     if bracketed := _BRACKETED.fullmatch(text):
         square = bracketed[2] is not None
@@ -106,5 +106,5 @@ def split_unit(text: str) -> tuple[str, str]:
 
 
 def is_role(name: str) -> bool:
-    """Whether a name is known."""
+    """Whether a name is a known name of a role."""
     return any(name_key(name) in _rank(role) for role in ROLES)

@@ -1,8 +1,8 @@
-"""Text that a testing machine exports: found out by votes, not by asking which machine it was.
+"""Parsing of text files of testing machines, whose format is detected from the text itself.
 
-The traits are those that ZwickRoell testXpert (.TXT, .TRA, .CSV), Instron Bluehill (.csv) and plain tables share: some
-lines of label, value and unit; a row of names; perhaps a row of units; then numbers. They differ in encoding,
-delimiter, decimal sign and language.
+ZwickRoell testXpert (.TXT, .TRA, .CSV), Instron Bluehill (.csv) and plain tables have a common structure: lines with
+label, value and unit; a row of names; possibly a row of units; then numbers. They differ in encoding, delimiter,
+decimal sign and language.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from forficula.quantities import as_written
 _DELIMITERS = ("\t", ";", ",")
 _EITHER_SIGN = re.compile(r"[+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?")
 _VALUE_AND_UNIT = re.compile(rf"({_EITHER_SIGN.pattern})\s*(.*)")
-_SAMPLE = 100  # lines that vote on the delimiter
+_SAMPLE = 100  # number of lines from which the delimiter is detected
 _LONGEST_HEADER = 2000  # lines
-_LONGEST_LINE = 100_000  # characters; the csv module takes no cell much longer
-# of a number such as 1,234 nobody can tell whether its comma stands for decimals or thousands
+_LONGEST_LINE = 100_000  # characters; the csv module rejects much longer cells
+# a number such as 1,234, whose comma may be a decimal sign or separate thousands
 _EITHER_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 _KNOWN = (
     "known are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv, tables with units in their names, each "
@@ -37,16 +37,16 @@ _KNOWN = (
 
 
 def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
-    """Find the tables of tensile tests in an exported text: one, or one a specimen, each below the same names.
+    """Find the tables of tensile tests in an exported text: one for each specimen, all below the same names.
 
-    Numbers are taken by Python's `float`, column by column: 100 000 rows in about a third of a second.
+    Numbers are converted by Python's `float`, column by column: 100 000 rows in about a third of a second.
 
     Args:
-        content: of the file.
-        name: of the specimen; several get a number each.
+        content: content of the file.
+        name: name of the specimen; a number is added if there are several.
 
     Returns:
-        The columns in the file's units, one entry a specimen.
+        The columns in the file's units, one entry for each specimen.
 
     Raises:
         InputError: there is no such table, or it is cut off; the message begins with the line.
@@ -61,40 +61,40 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
     rows, lines = _rows(text, delimiter)
     header = _names_row(rows)
     starts = [number for number, row in enumerate(rows) if row == rows[header] and number >= header]
-    found: list[Recording] = []
+    recordings: list[Recording] = []
     above = 0
     for number, start in enumerate(starts, start=1):
         end = starts[number] if number < len(starts) else len(rows)
         while end < len(rows) and end > start + 1 and not _is_numeric(rows[end - 1]):
-            end -= 1  # what stands above the next names
-        own = name if len(starts) == 1 else f"{name} {number}"
-        shared = [] if start == header else found[0].properties
-        found.append(_recording(own, rows[above:end], lines[above:end], start - above, shared))
-        if number > 1 and found[-1].time.values[0] >= found[-2].time.values[-1]:
-            raise InputError(at_line(lines[start], "the names stand here again, but time goes on: join the tables"))
+            end -= 1  # rows above the next names
+        specimen = name if len(starts) == 1 else f"{name} {number}"
+        shared = [] if start == header else recordings[0].properties
+        recordings.append(_recording(specimen, rows[above:end], lines[above:end], start - above, shared))
+        if number > 1 and recordings[-1].time.values[0] >= recordings[-2].time.values[-1]:
+            raise InputError(at_line(lines[start], "the names are repeated, but time continues: join the tables"))
         above = end
-    return tuple(found)
+    return tuple(recordings)
 
 
 def _recording(
     name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property]
 ) -> Recording:
-    """One table, what stands above it, and what it shares with the first of its file."""
+    """Parse one table with the properties above it and those that it shares with the first table of the file."""
     names, units, first = _names_and_units(rows, lines, header)
     columns = _columns_of_roles(names, lines[header])
     body, body_lines = rows[first:], lines[first:]
     _check_widths(body, body_lines, names, lines[header])
     cells = {role: [row[column] for row in body] for role, column in columns.items()}
     decimal = _decimal_sign(cells, body_lines)
-    found = {
+    recorded = {
         role: RecordedColumn(name=names[column], unit=units[column], values=_numbers(cells[role], decimal, body_lines))
         for role, column in columns.items()
     }
     return Recording(
         name=name,
-        time=found["time"],
-        travel=travel_among(found),
-        force=found["force"],
+        time=recorded["time"],
+        travel=travel_among(recorded),
+        force=recorded["force"],
         properties=(*_properties(rows[:header], lines, decimal), *shared),
         names_line=lines[header],
         lines=np.array(body_lines, dtype=np.int64),
@@ -102,7 +102,7 @@ def _recording(
 
 
 def _decoded(content: bytes) -> str:
-    """Text by its mark, by the zero bytes of UTF-16, as UTF-8, or as what Windows wrote in western Europe."""
+    """Decode text by its byte order mark, as UTF-16 if it has zero bytes, as UTF-8, or else as Windows-1252."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         encoding = "utf-16"
     elif b"\0" in content[:200]:
@@ -113,32 +113,32 @@ def _decoded(content: bytes) -> str:
         return content.decode(encoding)
     except UnicodeDecodeError:
         if encoding != "utf-8-sig":
-            # half a character is left over where the file ends too early
+            # a truncated file may end within a character
             return content.decode(encoding, errors="replace")
         return content.decode("cp1252", errors="replace")
 
 
 def _delimiter(text: str) -> str:
-    """The delimiter under which the second half of the file holds most numbers and least else."""
+    """Return the delimiter that gives the most numbers and the fewest other cells in the second half of the file."""
     lines = [line for line in text.splitlines() if line.strip()]
     half = lines[len(lines) // 2 :]
     sample = half[:: max(1, len(half) // _SAMPLE)]
     votes = {delimiter: sum(_vote(line, delimiter) for line in sample) for delimiter in _DELIMITERS}
     winner = max(_DELIMITERS, key=lambda delimiter: votes[delimiter])
     if votes[winner] <= 0:
-        raise InputError(f"need a table of numbers, found none: it is cut off, or its format is not known; {_KNOWN}")
+        raise InputError(f"need a table of numbers, found none: it is cut off, or its format is unknown; {_KNOWN}")
     return winner
 
 
 def _vote(line: str, delimiter: str) -> int:
-    """Numbers less other cells; nothing for a line that is no row of numbers."""
+    """Return the number of numeric cells minus that of other cells; 0 for a line that is not a row of numbers."""
     cells = [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter)) if cell.strip()]
     numbers = sum(_EITHER_SIGN.fullmatch(cell) is not None for cell in cells)
     return max(2 * numbers - len(cells), 0) if numbers > 1 else 0
 
 
 def _rows(text: str, delimiter: str) -> tuple[list[list[str]], list[int]]:
-    """The cells of every line that has some, and its number."""
+    """Return the cells of every line that is not empty, and the numbers of these lines."""
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     rows, lines = [], []
     try:
@@ -152,7 +152,7 @@ def _rows(text: str, delimiter: str) -> tuple[list[list[str]], list[int]]:
 
 
 def _names_row(rows: Sequence[Sequence[str]]) -> int:
-    """The first row with two known names, or the last before the numbers."""
+    """Return the index of the first row with two known names, or else of the last row before the numbers."""
     for number, row in enumerate(rows[:_LONGEST_HEADER]):
         if sum(is_role(split_unit(cell)[0]) for cell in row) > 1:
             return number
@@ -168,7 +168,7 @@ def _is_numeric(row: Sequence[str]) -> bool:
 
 
 def _is_units_row(row: Sequence[str]) -> bool:
-    """Whether no cell is a number, but for the 1 of a strain."""
+    """Whether no cell is a number, except for 1, the unit of a strain."""
     cells = [_unbracketed(cell) for cell in row if cell.strip()]
     return any(not _EITHER_SIGN.fullmatch(cell) for cell in cells) and all(
         cell == "1" or not _EITHER_SIGN.fullmatch(cell) for cell in cells
@@ -182,7 +182,7 @@ def _unbracketed(cell: str) -> str:
 def _names_and_units(
     rows: Sequence[Sequence[str]], lines: Sequence[int], header: int
 ) -> tuple[list[str], list[str], int]:
-    """Names without units, units, and the first row of the body."""
+    """Return names without units, units, and the index of the first row of the body."""
     split = [split_unit(cell) for cell in rows[header]]
     names, units = [name for name, _ in split], [unit for _, unit in split]
     below = header + 1
@@ -198,7 +198,7 @@ def _names_and_units(
 
 
 def _columns_of_roles(names: Sequence[str], line: int) -> dict[str, int]:
-    """The columns that a test needs."""
+    """Return the columns that a test needs, by role."""
     try:
         return choose_columns(names)
     except InputError as error:
@@ -207,15 +207,15 @@ def _columns_of_roles(names: Sequence[str], line: int) -> dict[str, int]:
 
 
 def _check_widths(rows: list[list[str]], lines: list[int], names: Sequence[str], names_line: int) -> None:
-    """Refuse a body that is missing, or whose rows are not as wide as the names."""
+    """Refuse a missing body, and a body whose rows do not have as many cells as names."""
     if not rows:
         raise InputError(at_line(names_line, "need rows of numbers below the names, got none: is the file cut off?"))
     widths = np.fromiter(map(len, rows), dtype=np.int64, count=len(rows))
     usual, width = int(np.bincount(widths).argmax()), max(n for n, name in enumerate(names, start=1) if name)
-    # a delimiter at the end of every row makes an empty cell
+    # a delimiter at the end of every row gives an additional empty cell
     if usual < width or any(cell.strip() for cell in rows[0][len(names) :]):
-        spoilt = "; decimal commas need another delimiter, or quotes" if usual == 2 * width else ""
-        raise InputError(at_line(lines[0], f"need {width} cells, one for each name, got {usual}{spoilt}"))
+        hint = "; decimal commas need another delimiter, or quotes" if usual == 2 * width else ""
+        raise InputError(at_line(lines[0], f"need {width} cells, one for each name, got {usual}{hint}"))
     if (widths != usual).any():
         wrong = int(np.argmax(widths != usual))
         cut = ": is the file cut off?" if wrong == len(rows) - 1 else ""
@@ -223,7 +223,7 @@ def _check_widths(rows: list[list[str]], lines: list[int], names: Sequence[str],
 
 
 def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
-    """The one decimal sign of the table."""
+    """Return the decimal sign of the table; refuse a mixture."""
     counts = {sign: sum("".join(column).count(sign) for column in cells.values()) for sign in ",."}
     if all(counts.values()):
         odd = min(counts, key=lambda sign: counts[sign])
@@ -245,7 +245,7 @@ def _decimal_sign(cells: dict[str, list[str]], lines: Sequence[int]) -> str:
 
 
 def _numbers(cells: list[str], decimal: str, lines: Sequence[int]) -> Array:
-    """A column as numbers, shape (row,)."""
+    """Convert a column to numbers, shape (row,)."""
     texts = "\n".join(cells).replace(",", ".").split("\n") if decimal == "," else cells
     try:
         values = np.fromiter(map(float, texts), dtype=np.float64, count=len(texts))
@@ -266,8 +266,8 @@ def _number_or_nan(cell: str) -> float:
 
 
 def _properties(rows: Sequence[Sequence[str]], lines: Sequence[int], decimal: str) -> tuple[Property, ...]:
-    """What stands above the table and has a number."""
-    found = []
+    """Return the labelled numbers above the table."""
+    properties = []
     for row, line in zip(rows, lines, strict=False):
         cells = [cell.strip() for cell in row]
         if not any(cells[1:]) and (parts := re.split(r"\s*[:=]\s*", cells[0], maxsplit=1))[1:]:
@@ -283,5 +283,5 @@ def _properties(rows: Sequence[Sequence[str]], lines: Sequence[int], decimal: st
         written = _unbracketed(cells[2]) if len(cells) > 2 else ""
         unit = _unbracketed(match[2]) or written or unit
         value = float(number.replace(",", "."))
-        found.append(Property(label=label, value=value, rounding=0.5 * 10.0**-decimals, unit=unit, line=line))
-    return tuple(found)
+        properties.append(Property(label=label, value=value, rounding=0.5 * 10.0**-decimals, unit=unit, line=line))
+    return tuple(properties)

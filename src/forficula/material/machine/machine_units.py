@@ -1,4 +1,4 @@
-"""The units that testing machines write."""
+"""Units in the files of testing machines."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ class ColumnKind:
     """The units of one kind of quantity.
 
     Attributes:
-        factors: from each unit to SI.
+        factors: factor from each unit to SI.
     """
 
     factors: Mapping[str, float]
 
     def factor(self, unit: str) -> float | None:
-        """From a unit, as a file has it, to SI; None where it is none of this kind."""
+        """Return the factor from a unit, as written in a file, to SI; None if it is not a unit of this kind."""
         spelled = " ".join(unit.replace("²", "^2").replace("**", "^").replace("\N{GREEK SMALL LETTER MU}", "µ").split())
         return self.factors.get(spelled)
 
     def rule(self) -> str:
-        """What an error asks for."""
+        """Return the allowed units, for error messages."""
         return f"need one of {', '.join(self.factors)}"
 
 
@@ -53,5 +53,5 @@ STRAIN = ColumnKind(factors={"%": 1e-2, "mm/mm": 1.0, "m/m": 1.0, "in/in": 1.0, 
 
 
 def is_unit(text: str) -> bool:
-    """Whether this is a unit of something that a tensile test holds."""
+    """Whether a text is a unit of a quantity of tensile tests."""
     return any(kind.factor(text) is not None for kind in (TIME, LENGTH, AREA, FORCE, STRESS, STRAIN))

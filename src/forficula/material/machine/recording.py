@@ -1,4 +1,4 @@
-"""What stands in a machine's file, before anyone asks what it means."""
+"""Content of a testing machine's file, before conversion to SI."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RecordedColumn:
-    """One measured quantity as the file has it.
+    """A column of a file.
 
     Attributes:
-        name: as written, its unit taken off.
-        unit: as written, brackets taken off; empty where the file gives none.
-        values: in that unit, shape (row,).
+        name: name as written, without the unit.
+        unit: unit as written, without brackets; empty if the file gives none.
+        values: values in that unit, shape (row,).
     """
 
     name: str
@@ -26,14 +26,14 @@ class RecordedColumn:
 
 @dataclass(frozen=True, kw_only=True)
 class Property:
-    """One line above the table that holds a number, such as `"L0" 60.0 "mm"`.
+    """A line above the table with a number, such as `"L0" 60.0 "mm"`.
 
     Attributes:
-        label: as written, its unit taken off.
-        value: in that unit.
-        rounding: half of the last digit that is written, in that unit.
-        unit: as written, brackets taken off; empty where the file gives none.
-        line: where it stands, from 1; 0 in a file without lines.
+        label: label as written, without the unit.
+        value: value in that unit.
+        rounding: half of the last written digit, in that unit.
+        unit: unit as written, without brackets; empty if the file gives none.
+        line: number of the line, from 1; 0 in a file without lines.
     """
 
     label: str
@@ -48,13 +48,13 @@ class Recording:
     """The columns of one specimen that a tensile test needs, and the properties in the same file.
 
     Attributes:
-        name: of the specimen.
-        time: of the test.
-        travel: of the machine, or a strain.
-        force: on the specimen, or a stress.
-        properties: in the order of the file.
-        names_line: where the names stand, from 1; 0 in a file without lines.
-        lines: of every row, shape (row,); all 0 in a file without lines.
+        name: name of the specimen.
+        time: time of the test.
+        travel: travel of the machine, or a strain.
+        force: force on the specimen, or a stress.
+        properties: properties in the order of the file.
+        names_line: number of the line with the names, from 1; 0 in a file without lines.
+        lines: number of the line of every row, shape (row,); all 0 in a file without lines.
     """
 
     name: str
@@ -67,7 +67,7 @@ class Recording:
 
 
 def travel_among(columns: Mapping[str, RecordedColumn]) -> RecordedColumn:
-    """The column of travel, or that of position, from where the test began."""
+    """Return the column of travel, or else that of position, relative to the first row."""
     if "travel" in columns:
         return columns["travel"]
     position = columns["position"]
@@ -75,5 +75,5 @@ def travel_among(columns: Mapping[str, RecordedColumn]) -> RecordedColumn:
 
 
 def at_line(line: int, message: str) -> str:
-    """A message that begins with its line, where there is one."""
+    """Return a message that begins with the number of the line, if it is not 0."""
     return f"line {line}: {message}" if line else message

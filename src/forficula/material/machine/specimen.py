@@ -1,4 +1,4 @@
-"""The size of a specimen, from the file or from who tested it; both must agree."""
+"""The size of a specimen, from the file or from the user; both must agree."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from forficula.material.machine.recording import Property, at_line
 from forficula.material.tensile.tensile_test import UNITS, size_rule
 from forficula.quantities import as_written, format_quantity, show_quantity
 
-# The better choice first: the length that the travel is counted from, before lengths of the whole specimen.
+# The better choice first: the length to which the travel refers, before lengths of the whole specimen.
 _LENGTHS = (
     *("L0", "Messlänge Standardweg", "Gage length, standard travel", "Gauge length, standard travel", "L0 SW"),
     *("L0 - course standard", "Anfangsmesslänge", "Messlänge", "Gage length", "Gauge length", "Initial length"),
@@ -27,12 +27,12 @@ _AREAS = (
 _WIDTHS = ("b0", "Probenbreite", "Specimen width", "Width", "Breite")
 _THICKNESSES = ("a0", "Probendicke", "Specimen thickness", "Thickness", "Dicke")
 _DIAMETERS = ("d0", "Probendurchmesser", "Specimen diameter", "Diameter", "Durchmesser")
-_MOST_ROUNDING = 0.01  # a size written as "5" is not known to a tenth
+_MOST_ROUNDING = 0.01  # largest relative difference that counts as rounding, for sizes with few digits such as "5"
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Size:
-    """A length or an area that the file gives, SI, and by how much it may be off for its digits."""
+    """A length or an area from the file, SI, with its rounding error."""
 
     value: float
     rounding: float
@@ -40,27 +40,27 @@ class _Size:
 
 
 def specimen_length(properties: Sequence[Property], given: float | None) -> float:
-    """The length of a specimen before the test, m.
+    """Return the length of a specimen before the test, m.
 
     Args:
-        properties: of the file.
-        given: by the user, m.
+        properties: properties in the file.
+        given: length from the user, m.
 
     Raises:
-        InputError: the file and the user disagree beyond rounding, neither gives it, or no specimen has such a size.
+        InputError: file and user disagree beyond rounding, neither gives a length, or the length is impossible.
     """
     return _agreed("length", _first(properties, _LENGTHS, LENGTH, needed=given is None), given)
 
 
 def specimen_area(properties: Sequence[Property], given: float | None) -> float:
-    """The area of a specimen's cross-section before the test, m2: as the file gives it, or from its edges or diameter.
+    """Return the cross-section of a specimen before the test, m2: from the file, or computed from edges or diameter.
 
     Args:
-        properties: of the file.
-        given: by the user, m2.
+        properties: properties in the file.
+        given: area from the user, m2.
 
     Raises:
-        InputError: the file and the user disagree beyond rounding, neither gives it, or no specimen has such a size.
+        InputError: file and user disagree beyond rounding, neither gives an area, or the area is impossible.
     """
     needed = given is None
     area = _first(properties, _AREAS, AREA, needed=needed)
@@ -76,41 +76,41 @@ def specimen_area(properties: Sequence[Property], given: float | None) -> float:
 
 
 def _first(properties: Sequence[Property], labels: Sequence[str], kind: ColumnKind, *, needed: bool) -> _Size | None:
-    """The best of the labels that stands in the file."""
-    by_key = {name_key(each.label): each for each in reversed(properties)}
-    found = next((by_key[key] for label in labels for key in all_keys(label) if key in by_key), None)
-    if found is None:
+    """Return the property in the file with the best of the labels; None without one."""
+    by_key = {name_key(entry.label): entry for entry in reversed(properties)}
+    best = next((by_key[key] for label in labels for key in all_keys(label) if key in by_key), None)
+    if best is None:
         return None
-    factor = kind.factor(found.unit)
+    factor = kind.factor(best.unit)
     if factor is None:
         if not needed:
             return None
-        what = f"{as_written(found.unit)} is not its unit" if found.unit else "the unit is missing"
-        raise InputError(at_line(found.line, f"{found.label}: {what}; {kind.rule()}"))
-    return _Size(value=found.value * factor, rounding=found.rounding * factor, source=at_line(found.line, found.label))
+        what = f"{as_written(best.unit)} is not its unit" if best.unit else "the unit is missing"
+        raise InputError(at_line(best.line, f"{best.label}: {what}; {kind.rule()}"))
+    return _Size(value=best.value * factor, rounding=best.rounding * factor, source=at_line(best.line, best.label))
 
 
 def _product(a: _Size, b: _Size, factor: float) -> _Size:
-    """An area from two edges, its rounding the sum of theirs."""
+    """Compute an area from two edges; its relative rounding error is the sum of theirs."""
     rounding = factor * (abs(a.value) * b.rounding + abs(b.value) * a.rounding)
     source = a.source if a is b else f"{a.source} and {b.source}"
     return _Size(value=factor * a.value * b.value, rounding=rounding, source=source)
 
 
-def _agreed(key: str, found: _Size | None, given: float | None) -> float:
-    """The one size that file and user mean."""
+def _agreed(key: str, from_file: _Size | None, given: float | None) -> float:
+    """Return the size from the file or from the user; refuse two sizes that disagree."""
     unit = UNITS[key]
     if given is None:
-        if found is None:
-            raise InputError(f"{key}: the file does not say it; give the specimen's {key}, such as {unit.example}")
-        if rule := size_rule(key, found.value):
-            raise InputError(f"{found.source}: {rule}")
-        return found.value
+        if from_file is None:
+            raise InputError(f"{key}: is not in the file; give the specimen's {key}, such as {unit.example}")
+        if rule := size_rule(key, from_file.value):
+            raise InputError(f"{from_file.source}: {rule}")
+        return from_file.value
     if rule := size_rule(key, given):
         raise InputError(f"{key}: {rule}")
-    if found is not None:
-        allowed = min(found.rounding, _MOST_ROUNDING * abs(found.value)) + 1e-9 * abs(found.value)
-        if abs(found.value - given) > allowed:
-            file_says = f"{show_quantity(found.value, unit)} ({found.source})"
-            raise InputError(f"{key}: {format_quantity(given, unit)} was given, but the file says {file_says}")
+    if from_file is not None:
+        allowed = min(from_file.rounding, _MOST_ROUNDING * abs(from_file.value)) + 1e-9 * abs(from_file.value)
+        if abs(from_file.value - given) > allowed:
+            other = f"{show_quantity(from_file.value, unit)} ({from_file.source})"
+            raise InputError(f"{key}: {format_quantity(given, unit)} was given, but the file has {other}")
     return given

@@ -1,4 +1,4 @@
-"""Which files hold the tensile tests of a material."""
+"""Tensile tests of a material from several files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class SpecimenFiles:
     """The tensile tests of some files.
 
     Attributes:
-        files: as given, patterns expanded.
-        tests: in their order, each with a name of its own.
+        files: paths as given, with patterns expanded.
+        tests: tests in the order of the files, with unique names.
     """
 
     files: tuple[str, ...]
@@ -30,7 +30,7 @@ class SpecimenFiles:
 
     @property
     def source(self) -> str:
-        """Where a law that is fitted to them comes from, in a line."""
+        """Source of a law that is fitted to the tests, in one line."""
         count, named = len(self.files), [Path(file).name for file in self.files[:_MOST_NAMED]]
         rest = f" and {count - _MOST_NAMED} more" if count > _MOST_NAMED else ""
         return f"fitted by forficula to the tensile tests in {', '.join(named)}{rest}"
@@ -40,12 +40,12 @@ def read_specimens(patterns: Sequence[str], *, length: float | None = None, area
     """Read the specimens of a material.
 
     Args:
-        patterns: files, or patterns such as "tpu-*.csv" where the shell leaves these to the program.
-        length: of every specimen, m; needed where a file does not give it.
-        area: of every specimen's cross-section, m2; likewise.
+        patterns: paths of files, or patterns such as "tpu-*.csv" that the shell did not expand.
+        length: length of every specimen, m; needed if a file does not give it.
+        area: cross-section of every specimen, m2; needed if a file does not give it.
 
     Raises:
-        InputError: no file, a folder, a file given twice, or one that cannot be read; the message names it.
+        InputError: no file, a folder, a file given twice, or a file that cannot be read; the message names it.
     """
     if not patterns:
         raise InputError("need at least one file of a tensile test, got none")
@@ -69,7 +69,7 @@ def _named_by_folder(file: str, test: TensileTest) -> TensileTest:
 
 
 def _expanded(pattern: str) -> list[str]:
-    """The files of a pattern, in order; a file that is there is no pattern."""
+    """Return the files of a pattern, sorted; the path of an existing file is not a pattern."""
     if not glob.has_magic(pattern) or Path(pattern).exists():
         return [pattern]
     files = sorted(glob.glob(pattern))  # noqa: PTH207, Path.glob takes no pattern with a drive or a root

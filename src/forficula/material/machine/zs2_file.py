@@ -1,4 +1,4 @@
-"""The binary series files of ZwickRoell testXpert, through zs2decode (MIT, an optional extra)."""
+"""Reading of binary series files of ZwickRoell testXpert with zs2decode (MIT, an optional extra)."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from forficula.quantities import as_written
 _CHANNELS = ("SeriesDef", "TestTaskDefs", "Elem0", "ChannelManager", "ChannelManager")
 _SERIES = ("Series", "SeriesElements")
 _DATA = ("SeriesElements", "Elem0", "RealTimeCapture", "Trs", "SingleGroupDataBlock", "DataChannels")
-# The format is not published. Three independent readers of it take measured values in these units of its unit tables:
-# borisgerretzen/zs2decode (mm, N), weltidom/zs2fast (mm, N, s) and a reader of its channels 40400, 40402 and 40403.
+# The format is not published. Three independent readers interpret values with these unit tables in these units:
+# borisgerretzen/zs2decode (mm, N), weltidom/zs2fast (mm, N, s) and a reader of the channels 40400, 40402 and 40403.
 _UNITS = {"UT_Time": "s", "UT_Force": "N", "UT_Displacement": "mm", "UT_Stress": "MPa", "UT_Ratio": "%"}
 _MARK = b"\xaf\xbe\xad\xde"
-_LARGEST, _PIECE = 2**28, 2**20  # bytes, unpacked
+_LARGEST, _PIECE = 2**28, 2**20  # bytes, largest unpacked file, and size of pieces
 _ARRAY = "DataArray"
 _WANTED = frozenset({_ARRAY, "TrsChannelId", "ID", "Text", "UnitTableName"})
 _SECTION, _NO_LIST = b"\xdd", b"\xee" + bytes(6)
@@ -36,7 +36,7 @@ Place = tuple[str, ...]
 
 @dataclass(frozen=True, kw_only=True)
 class _Channel:
-    """What a channel of the series is called, and its unit."""
+    """Name and unit of a channel of the series."""
 
     name: str
     unit: str
@@ -45,32 +45,32 @@ class _Channel:
 def parse_zs2(content: bytes, name: str) -> tuple[Recording, ...]:
     """Read the specimens of a series.
 
-    Their sizes are not read: which of the file's numbered parameters holds them differs between test programs.
+    Their sizes are not read, because the numbers of the parameters with the sizes differ between test programs.
 
     Args:
-        content: of the file.
-        name: of the series; its specimens get a number where there are several.
+        content: content of the file.
+        name: name of the series; a number is added for each specimen if there are several.
 
     Raises:
-        InputError: zs2decode is not installed, the file is cut off or no .zs2, or a specimen has no time, travel or
-            force.
+        InputError: zs2decode is not installed, the file is cut off or not a .zs2 file, or a specimen has no time,
+            travel or force.
     """
     values = _values(_stream(content))
     channels = _channels(values)
     series = _below(values, _SERIES)
     specimens = dict.fromkeys(place[0] for place in series)
-    found = [_columns(_below(series, (specimen, *_DATA)), channels) for specimen in specimens]
-    measured = [columns for columns in found if columns]
+    columns_of_specimens = [_columns(_below(series, (specimen, *_DATA)), channels) for specimen in specimens]
+    measured = [columns for columns in columns_of_specimens if columns]
     if not measured:
         raise InputError("need a series with measured values, found none")
     names = [name] if len(measured) == 1 else [f"{name} {number}" for number in range(1, len(measured) + 1)]
-    return tuple(_recording(each, columns) for each, columns in zip(names, measured, strict=True))
+    return tuple(_recording(specimen, columns) for specimen, columns in zip(names, measured, strict=True))
 
 
 def _stream(content: bytes) -> bytearray:
-    """The unpacked file; zs2decode takes a path only, so this one step is done here.
+    """Unpack the file; zs2decode would need a path for this step.
 
-    It is unpacked piece by piece: a few kilobytes may hold more than any memory.
+    The file is unpacked in pieces, because a few packed kilobytes may contain more data than fits into memory.
     """
     stream = bytearray()
     try:
@@ -90,7 +90,7 @@ def _stream(content: bytes) -> bytearray:
 
 
 def _values(stream: bytearray) -> dict[Place, object]:
-    """Every value of the file by its place below Body/batch."""
+    """Return all values of the file by their path below Body/batch."""
     try:
         from zs2decode import parser
     except ImportError:
@@ -99,7 +99,7 @@ def _values(stream: bytearray) -> dict[Place, object]:
         raw = parser.data_stream_to_chunks(stream)
         arrays = {address: _array(bytes(data)) for address, name, data in raw if name == _ARRAY}
         chunks = parser.parse_chunks([_slim(chunk) for chunk in raw if _matters(*chunk[1:])])
-    except Exception as error:  # a broken file raises whatever the broken place raises
+    except Exception as error:  # a damaged file may raise any exception
         reason = " ".join(str(error).split())
         raise InputError(f"need a whole .zs2, got one that cannot be decoded ({as_written(reason)})") from None
     values: dict[Place, object] = {}
@@ -118,30 +118,30 @@ def _values(stream: bytearray) -> dict[Place, object]:
 
 
 def _matters(name: str | None, data: bytearray) -> bool:
-    """Whether a chunk opens or ends a section, or holds what is asked for: a file has 100 000 others."""
+    """Whether a chunk begins or ends a section, or has a value that is needed; a file has 100 000 other chunks."""
     return name is None or name in _WANTED or data[:1] == _SECTION
 
 
 def _slim(chunk: list[Any]) -> list[Any]:
-    """A chunk without its array: zs2decode turns the single precision of 100 000 samples into text and back, in 2 s."""
+    """Return a chunk without its array, because zs2decode needs 2 s to convert 100 000 samples to text and back."""
     address, name, data = chunk
     return [address, name, bytearray(_NO_LIST) if name == _ARRAY else data]
 
 
 def _array(data: bytes) -> Array | None:
-    """The samples of a channel, shape (row,): a byte 0xEE, the kind of number, how many, and the numbers."""
+    """Decode the samples of a channel, shape (row,): a byte 0xEE, the type of number, their count, and the numbers."""
     kind = _FLOATS.get(data[:3])
     return None if kind is None else np.frombuffer(data[7:], dtype=kind).astype(np.float64)
 
 
 def _below(values: dict[Place, object], place: Sequence[str]) -> dict[Place, object]:
-    """The values below a place."""
+    """Return the values below a path."""
     depth = len(place)
     return {key[depth:]: value for key, value in values.items() if key[:depth] == tuple(place) and len(key) > depth}
 
 
 def _channels(values: dict[Place, object]) -> dict[object, _Channel]:
-    """The channels of the series by their number."""
+    """Return the channels of the series by number."""
     parts: dict[str, dict[Place, object]] = defaultdict(dict)
     for (element, *rest), value in _below(values, _CHANNELS).items():
         parts[element][tuple(rest)] = value
@@ -153,12 +153,12 @@ def _channels(values: dict[Place, object]) -> dict[object, _Channel]:
 
 
 def _unit(table: object) -> str:
-    """The unit of a unit table, or the table's name, so that an error can say it."""
+    """Return the unit of a unit table, or the name of an unknown table, for error messages."""
     return _UNITS.get(str(table), str(table)) if table else ""
 
 
 def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dict[str, RecordedColumn]:
-    """The columns of one specimen by role; none where nothing was measured."""
+    """Return the columns of one specimen by role; none if nothing was measured."""
     arrays: dict[object, Array] = {}
     for element in dict.fromkeys(place[0] for place in data):
         values, number = data.get((element, "DataArray")), data.get((element, "TrsChannelId"))
@@ -176,9 +176,9 @@ def _columns(data: dict[Place, object], channels: dict[object, _Channel]) -> dic
 
 
 def _recording(name: str, columns: dict[str, RecordedColumn]) -> Recording:
-    """One specimen as a file of text would have it, without lines."""
+    """Return one specimen in the same form as that of a text file, but without lines."""
     time, travel, force = columns["time"], travel_among(columns), columns["force"]
-    rows = {each.name: len(each.values) for each in (time, travel, force)}
+    rows = {column.name: len(column.values) for column in (time, travel, force)}
     if len(set(rows.values())) > 1:
         raise InputError(f"{name}: need channels of one length, got {rows}")
     lines = np.zeros(len(time.values), dtype=np.int64)

@@ -1,4 +1,4 @@
-"""How cycles change, over several specimens."""
+"""Medians of cycles, and their change from cycle to cycle, over several specimens."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ _QUANTITIES: dict[str, Callable[[Cycle], float]] = {
 
 @dataclass(frozen=True, kw_only=True)
 class CycleMedians:
-    """One cycle, medians over the specimens that have it; nan where no specimen has the value.
+    """Medians of one cycle over the specimens that have it; nan if no specimen has the value.
 
     Attributes:
-        number: of the cycle in its test, from 1.
-        specimens: how many have it.
-        secant_modulus: stress over strain at the largest strain, Pa.
-        loss: J/m3.
-        residual_strain: where the unloading comes to zero stress.
-        slack_strain: below which the unloading carries no force.
-        onset_strain: above which the loading carries force.
-        largest_strain: at the turn above.
+        number: number of the cycle in its test, from 1.
+        specimens: number of specimens with this cycle.
+        secant_modulus: stress divided by strain at the largest strain, Pa.
+        loss: energy loss, J/m3.
+        residual_strain: strain at which the unloading reaches zero stress.
+        slack_strain: strain below which the unloading carries no force.
+        onset_strain: strain above which the loading carries force.
+        largest_strain: strain at the upper turning point.
     """
 
     number: Annotated[int, Key("cycle")]
@@ -51,13 +51,13 @@ class CycleMedians:
 
 @dataclass(frozen=True, kw_only=True)
 class CycleDrift:
-    """By how much a cycle differs from the one before; nan where a value stands in fewer than two cycles.
+    """Change from one cycle to the next; nan for a value that fewer than two cycles have.
 
-    Of each specimen the slope over the number of the cycle, the median of those of all pairs of cycles (Theil 1950, Sen
-    1968); then the median over specimens.
+    For each specimen, the change is the median of the slopes of all pairs of cycles (Theil 1950, Sen 1968). The median
+    over the specimens is reported.
 
     Attributes:
-        specimens: how many have two cycles or more.
+        specimens: number of specimens with two cycles or more.
         secant_modulus: Pa per cycle.
         loss: J/m3 per cycle.
         residual_strain: per cycle.
@@ -76,13 +76,13 @@ class CycleDrift:
 
 
 def cycle_medians(specimens: Sequence[Sequence[Cycle]]) -> tuple[CycleMedians, ...]:
-    """What each cycle is, over specimens.
+    """Compute medians of each cycle over specimens.
 
     Args:
-        specimens: the cycles of each, as `find_cycles` gives them.
+        specimens: cycles of each specimen, as `find_cycles` returns them.
 
     Returns:
-        One entry for each number of a cycle that some specimen has, in order.
+        One entry for each number of a cycle, in order.
 
     Raises:
         InputError: there is no cycle.
@@ -103,10 +103,10 @@ def cycle_medians(specimens: Sequence[Sequence[Cycle]]) -> tuple[CycleMedians, .
 
 
 def cycle_drift(specimens: Sequence[Sequence[Cycle]]) -> CycleDrift:
-    """By how much cycles change from one to the next, over specimens.
+    """Compute the change from one cycle to the next, over specimens.
 
     Args:
-        specimens: the cycles of each, as `find_cycles` gives them.
+        specimens: cycles of each specimen, as `find_cycles` returns them.
     """
     drifting = [cycles for cycles in specimens if len(cycles) > 1]
     return CycleDrift(
@@ -116,7 +116,7 @@ def cycle_drift(specimens: Sequence[Sequence[Cycle]]) -> CycleDrift:
 
 
 def _slope(cycles: Sequence[Cycle], value: Callable[[Cycle], float]) -> float:
-    """Theil and Sen's, per cycle; nan where fewer than two cycles have the value."""
+    """Compute the Theil-Sen slope per cycle; nan if fewer than two cycles have the value."""
     numbers = np.array([cycle.number for cycle in cycles], dtype=np.float64)
     values = np.array([value(cycle) for cycle in cycles])
     first, second = np.triu_indices(len(cycles), k=1)
@@ -124,6 +124,6 @@ def _slope(cycles: Sequence[Cycle], value: Callable[[Cycle], float]) -> float:
 
 
 def _median(values: Sequence[float]) -> float:
-    """Of the values that are there; nan where none is."""
-    there = [value for value in values if value == value]
-    return float(np.median(there)) if there else float("nan")
+    """Compute the median of the values that are not nan; nan if there are none."""
+    known = [value for value in values if value == value]
+    return float(np.median(known)) if known else float("nan")

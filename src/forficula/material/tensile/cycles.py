@@ -1,4 +1,4 @@
-"""The cycles of a tensile test: loading and unloading, and what each cycle loses and leaves."""
+"""Cycles of a tensile test: loading and unloading, energy loss and residual strain."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from forficula.material.tensile.tensile_test import TensileTest
 from forficula.material.tensile.turning_points import turning_points
 from forficula.serial import JoulesPerCubicMetre, Key, Pascals, Written
 
-BAND = 0.05  # share of the largest travel; a crosshead's noise is a thousandth of it or less
-_SLACK_SHARE = 0.01  # of the peak stress: less is called no force
-_SLACK_NOISE = 5.0  # standard deviations: one sample in three million is further out
-_HANGING_SHARE = 0.05  # lowest part of the strains of an unloading, where a slack specimen hangs
-_FLAT_SHARE = 0.01  # of the slope of the unloading: less is flat
-_FOOT = (0.02, 0.1)  # shares of the peak stress between which the foot of an unloading is taken for straight
-_FEWEST = 5  # samples that give a straight line
-_GAUSS = 1.4826  # standard deviations in a median absolute deviation of normal noise
+BAND = 0.05  # share of the largest travel; the noise of a crosshead is at most a thousandth of the travel
+_SLACK_SHARE = 0.01  # share of the peak stress below which the force counts as 0
+_SLACK_NOISE = 5.0  # standard deviations of noise below which the force counts as 0: exceeded once in three million
+_HANGING_SHARE = 0.05  # lowest share of the strains of an unloading, in which a slack specimen hangs
+_FLAT_SHARE = 0.01  # slope, as a share of that of the whole unloading, below which the stress is flat
+_FOOT = (0.02, 0.1)  # shares of the peak stress between which the foot of an unloading counts as straight
+_FEWEST = 5  # least number of samples for a straight line
+_GAUSS = 1.4826  # standard deviation divided by the median absolute deviation of normal noise
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CycleBranch:
-    """One way of a cycle, in the order of time.
+    """The loading or the unloading of a cycle, in the order of time.
 
     Attributes:
         time: s, shape (sample,).
-        strain: engineering strain from the specimen's first length on, shape (sample,).
-        stress: engineering stress as the load cell had it, Pa, shape (sample,).
+        strain: engineering strain relative to the specimen's initial length, shape (sample,).
+        stress: engineering stress from the load cell, Pa, shape (sample,).
     """
 
     time: Array
@@ -42,15 +42,15 @@ class CycleBranch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cycle:
-    """One loading and the unloading after it.
+    """One loading and the following unloading.
 
-    Every strain counts from the specimen's first length, as in Binder et al. 2025; nothing is shifted to where the
-    force begins. Where that is, is said by `onset_strain`, `slack_strain` and `residual_strain`.
+    All strains are relative to the specimen's initial length, as in Binder et al. 2025; they are not shifted to the
+    strain at which the force begins. `onset_strain`, `slack_strain` and `residual_strain` give that strain.
 
     Attributes:
-        number: of the cycle in the test, from 1; those that were dropped count.
-        loading: from the turn below to the turn above, both in it.
-        unloading: from the turn above to the turn below, both in it.
+        number: number of the cycle in the test, from 1; cycles that were left out are counted.
+        loading: samples from the lower to the upper turning point, inclusive.
+        unloading: samples from the upper to the lower turning point, inclusive.
     """
 
     number: Annotated[int, Key("cycle")]
@@ -59,14 +59,14 @@ class Cycle:
 
     @property
     def largest_strain(self) -> Annotated[float, Written.ALWAYS]:
-        """Strain at the turn above."""
+        """Strain at the upper turning point."""
         return float(self.loading.strain[-1])
 
     @property
     def loss(self) -> JoulesPerCubicMetre:
         """Energy lost per volume, J/m3: the integral of stress over strain around the cycle.
 
-        Trapezoids between the samples. Where the end is not where the cycle began, a straight line closes the loop.
+        The integral is by the trapezoidal rule. If the cycle does not end where it began, a straight line closes it.
         """
         up, down = self.loading, self.unloading
         closing = (down.stress[-1] + up.stress[0]) / 2 * (up.strain[0] - down.strain[-1])
@@ -74,24 +74,24 @@ class Cycle:
 
     @property
     def secant_modulus(self) -> Pascals:
-        """Stress above `zero_stress` over strain, both at the largest strain, Pa."""
+        """Stress above `zero_stress` divided by strain, both at the largest strain, Pa."""
         return (self._peak_stress - self.zero_stress) / self.largest_strain
 
     @cached_property
     def zero_stress(self) -> Pascals:
-        """What the load cell shows while the specimen hangs slack, Pa: its offset.
+        """Offset of the load cell, Pa: the median of the stress while the specimen hangs slack.
 
-        The median over the samples that hang slack; 0 where none do, as then nothing tells an offset from a force.
+        It is 0 if the specimen never hangs slack, because then an offset cannot be distinguished from a force.
         """
         hanging = self.unloading.stress[self.hanging]
         return float(np.median(hanging)) if len(hanging) else 0.0
 
     @cached_property
     def hanging(self) -> Flags:
-        """Which samples of the unloading show a slack specimen, shape (sample,).
+        """Samples of the unloading in which the specimen hangs slack, shape (sample,).
 
-        Those in the lowest 5 % of the unloading's strains, where the stress is flat there: its slope is less than 1 %
-        of the slope of the whole unloading, or than three of its standard errors. None elsewhere.
+        These are the samples in the lowest 5 % of the unloading's strains, if the stress is flat there, that is, if its
+        slope is less than 1 % of that of the whole unloading, or less than three standard errors.
         """
         down = self.unloading
         span = float(np.ptp(down.strain))
@@ -108,9 +108,9 @@ class Cycle:
     def slack_strain(self) -> Annotated[float, Written.ALWAYS]:
         """Strain below which the unloading carries no force.
 
-        No force is less than 1 % of the peak stress, or than five standard deviations of the noise where that is more,
-        above `zero_stress`. Nan where the unloading ends under force. A specimen that never hangs slack has the strain
-        at 1 % of its peak stress here.
+        The force counts as 0 below the larger of 1 % of the peak stress and five standard deviations of the noise,
+        above `zero_stress`. The strain is nan if the unloading ends under force. For a specimen that never hangs slack
+        it is the strain at 1 % of the peak stress.
         """
         down = self.unloading
         carrying = np.flatnonzero(down.stress - self.zero_stress > self._least_force)
@@ -120,10 +120,10 @@ class Cycle:
 
     @property
     def onset_strain(self) -> Annotated[float, Written.ALWAYS]:
-        """Strain above which the loading carries force, by the same threshold as `slack_strain`.
+        """Strain above which the loading carries force, with the threshold of `slack_strain`.
 
-        What is left of the slack after the rest between the two; the first cycle's is slack from clamping. Nan where
-        the loading begins under force.
+        It is the slack that remains after the specimen has recovered since the previous unloading; in the first cycle,
+        slack from clamping. It is nan if the loading begins under force.
         """
         up = self.loading
         slack = np.flatnonzero(up.stress - self.zero_stress <= self._least_force)
@@ -131,13 +131,13 @@ class Cycle:
 
     @property
     def residual_strain(self) -> Annotated[float, Written.ALWAYS]:
-        """Strain at which the unloading comes to zero stress, by a straight line through its foot.
+        """Strain at which the unloading reaches zero stress, extrapolated by a straight line through its foot.
 
-        That is how residual strain is defined for elastomers in cycles (Qi and Boyce 2005, Mechanics of Materials 37,
-        817; Bartolome et al. 2013, Materials and Design 49, 974). The line is by least squares from 2 to 10 % of the
-        peak stress, so that neither noise nor slack decides; a law that curves there gives what its foot points to.
-        Part of it recovers: tension set after a rest (ISO 2285) is smaller. Nan where the unloading does not come down
-        to 10 %, or has fewer than five samples in between.
+        This is the definition of residual strain for elastomers in cycles (Qi and Boyce 2005, Mechanics of Materials
+        37, 817; Bartolome et al. 2013, Materials and Design 49, 974). The line is fitted by least squares from 2 to 10
+        % of the peak stress, so that noise and slack have little influence. Part of the residual strain recovers:
+        tension set after a rest (ISO 2285) is smaller. The strain is nan if the unloading does not reach 10 %, or has
+        fewer than five samples between 2 and 10 %.
         """
         down, peak = self.unloading, self._peak_stress - self.zero_stress
         stress = down.stress - self.zero_stress
@@ -152,9 +152,9 @@ class Cycle:
 
     @cached_property
     def noise(self) -> float:
-        """Standard deviation of the stress from sample to sample, Pa.
+        """Standard deviation of the noise of the stress, Pa.
 
-        From second differences, which a smooth curve has hardly any of.
+        It is computed from second differences, which are small for smooth curves.
         """
         rough = np.concatenate([np.diff(branch.stress, n=2) for branch in (self.loading, self.unloading)])
         return _GAUSS * float(np.median(np.abs(rough))) / math.sqrt(6) if len(rough) else 0.0
@@ -165,25 +165,26 @@ class Cycle:
 
     @property
     def _least_force(self) -> float:
-        """Stress above `zero_stress` from which on it counts as force, Pa."""
-        # the first samples may be an offset, so the peak is taken above the lowest of the loop
+        """Least stress above `zero_stress` that counts as a force, Pa."""
+        # the first samples may have an offset, so the peak is taken relative to the lowest samples of the loop
         span = self._peak_stress - float(np.median(np.sort(self.unloading.stress)[:_FEWEST]))
         return max(_SLACK_SHARE * span, _SLACK_NOISE * self.noise)
 
 
 def find_cycles(test: TensileTest, *, band: float = BAND, drop_first: bool = True) -> tuple[Cycle, ...]:
-    """Cut a test into cycles at the turning points of its travel.
+    """Split a test into cycles at the turning points of its travel.
 
-    A cycle ends where the next loading begins; the last one, that nothing follows, counts if it comes down by half or
-    more of what it went up.
+    A cycle ends where the next loading begins. The last one, without a following loading, counts if its unloading
+    covers at least half of its loading.
 
     Args:
-        test: of one specimen.
-        band: hysteresis, a share of the largest travel, 0 to 1: a turn back by less is noise, not a turning point.
-        drop_first: leave out the first cycle, as Binder et al. 2025 do for the Mullins effect and first yielding.
+        test: test of one specimen.
+        band: hysteresis as a share of the largest travel, 0 to 1: smaller reversals are noise, not turning points.
+        drop_first: leave out the first cycle, as Binder et al. 2025 do because of the Mullins effect and first
+            yielding.
 
     Returns:
-        The cycles in order, numbered from 1; from 2 where the first is dropped.
+        The cycles in order, numbered from 1; from 2 if the first is left out.
 
     Raises:
         InputError: a band out of range, or no cycle is left.
@@ -191,17 +192,17 @@ def find_cycles(test: TensileTest, *, band: float = BAND, drop_first: bool = Tru
     if not 0 < band < 1:
         raise InputError(f"{test.name}: band: need a share of the largest travel, > 0 and < 1, got {band:g}")
     turns = turning_points(test.extension, band * float(np.ptp(test.extension)))
-    ups = [place for place in range(len(turns) - 1) if test.extension[turns[place + 1]] > test.extension[turns[place]]]
+    ups = [index for index in range(len(turns) - 1) if test.extension[turns[index + 1]] > test.extension[turns[index]]]
     cycles = []
-    for number, place in enumerate((place for place in ups if place + 2 < len(turns)), start=1):
-        start, top, end = turns[place : place + 3]
+    for number, index in enumerate((index for index in ups if index + 2 < len(turns)), start=1):
+        start, top, end = turns[index : index + 3]
         rise, fall = test.extension[top] - test.extension[start], test.extension[top] - test.extension[end]
-        if place + 3 < len(turns) or fall >= rise / 2:
+        if index + 3 < len(turns) or fall >= rise / 2:
             cycles.append(Cycle(number=number, loading=_branch(test, start, top), unloading=_branch(test, top, end)))
     kept = cycles[1:] if drop_first else cycles
     if not kept:
-        found = "none" if not cycles else "one, that drop_first leaves out"
-        raise InputError(f"{test.name}: need a cycle of loading and unloading, found {found}")
+        got = "none" if not cycles else "one, which drop_first leaves out"
+        raise InputError(f"{test.name}: need a cycle of loading and unloading, found {got}")
     for cycle in kept:
         if not cycle.loading.stress[-1] > cycle.unloading.stress.min() or not cycle.largest_strain > 0:
             raise InputError(f"{test.name}: cycle {cycle.number}: need a pull, got no force at the largest travel")

@@ -1,4 +1,4 @@
-"""What a specimen went through: strain and stress in time."""
+"""The history of strain and stress of a specimen, and its strain rates."""
 
 from __future__ import annotations
 
@@ -13,28 +13,29 @@ from forficula.material.law.stress import check_history
 from forficula.material.tensile.cycles import BAND
 from forficula.material.tensile.turning_points import turning_points
 
-_RATE_ERROR = 0.02  # of the typical rate: how much noise of the strain may leave in it
-_WIDEST = 50  # samples
-_SHARES = (0.1, 0.9)  # of the way from one turn to the next: what is less is a turn, or noise
+_RATE_ERROR = 0.02  # largest error of the rate from noise, as a share of the typical rate
+_WIDEST = 50  # samples, largest distance over which a slope is taken
+_SHARES = (0.1, 0.9)  # quantiles of the rate by travelled strain: slower samples are turning points or noise
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class StrainHistory:
-    """Strain and engineering stress of one specimen, from one test.
+    """Strain and engineering stress of one specimen in one test.
 
     Attributes:
-        time: s, shape (samples,), rising.
-        strain: extension by resting length, shape (samples,).
-        stress: force by initial area, Pa, shape (samples,).
-        name: of the specimen.
-        first: the first sample that a fit compares; a law runs through those before, such as the first cycle, too.
-        offset: of the force's zero at the middle of the time, Pa, as a slack specimen shows it; None where none hung
-            slack, so that it has to be fitted with the law.
-        drift: of that zero, Pa/s.
+        time: s, shape (samples,), increasing.
+        strain: extension per resting length, shape (samples,).
+        stress: force per initial area, Pa, shape (samples,).
+        name: name of the specimen.
+        first: first sample that a fit compares; a law is also computed through the samples before, such as those of the
+            first cycle.
+        offset: zero of the force at the middle of the time, Pa, measured on a slack specimen; None if the specimen
+            never hung slack, so that the zero must be fitted with the law.
+        drift: drift of that zero, Pa/s.
 
     Raises:
-        InputError: rows of different length, a first sample that is none, numbers that are not finite, or a time
-            that does not rise.
+        InputError: rows of different length, a first sample out of range, numbers that are not finite, or a time that
+            does not increase.
     """
 
     time: Array
@@ -47,11 +48,11 @@ class StrainHistory:
 
     @property
     def zero(self) -> Array:
-        """What is known of the force's zero, Pa, shape (samples,)."""
+        """Known zero of the force, Pa, shape (samples,)."""
         return self.zero_at(self.time)
 
     def zero_at(self, time: Array) -> Array:
-        """What is known of the force's zero at some times, s, in Pa and their shape."""
+        """Compute the known zero of the force, Pa, at given times, s, in their shape."""
         middle = (self.time[0] + self.time[-1]) / 2
         return np.asarray((self.offset or 0.0) + self.drift * (time - middle))
 
@@ -67,19 +68,19 @@ class StrainHistory:
 
 
 def strain_rate(history: StrainHistory) -> Array:
-    """Rate of the strain, 1/s, shape (samples,).
+    """Compute the strain rate, 1/s, shape (samples,).
 
-    The slope over as many neighbouring samples as the noise of the strain asks for: one on either side where the
-    strain is clean, so that turning points stay sharp. Samples need not be evenly spaced.
+    The rate is the slope over a number of neighbouring samples that depends on the noise of the strain: one on each
+    side without noise, so that turning points remain sharp. Samples need not be equally spaced.
     """
     strain, time = history.strain, history.time
     steps, spans = np.diff(strain), np.diff(time)
     typical = float(np.median(np.abs(steps))) or float(np.mean(np.abs(steps)))
-    # off the straight line through its neighbours white noise has this share of its variance more, 1.5 where samples
-    # are evenly spaced; its median stands for it despite turning points
+    # the deviation from the line through its two neighbours has 1 + share^2 + (1 - share)^2 times the variance of white
+    # noise, 1.5 for equally spaced samples; the median is insensitive to turning points
     share = spans[1:] / (spans[:-1] + spans[1:])
-    off = np.abs(share * steps[:-1] - (1 - share) * steps[1:]) / np.sqrt(1 + share**2 + (1 - share) ** 2)
-    noise = float(np.median(off)) / 0.6745 if len(off) else 0.0
+    deviations = np.abs(share * steps[:-1] - (1 - share) * steps[1:]) / np.sqrt(1 + share**2 + (1 - share) ** 2)
+    noise = float(np.median(deviations)) / 0.6745 if len(deviations) else 0.0
     reach = 1 if typical == 0 else int(np.clip(np.ceil(noise / np.sqrt(2) / (_RATE_ERROR * typical)), 1, _WIDEST))
     if reach == 1:
         return np.asarray(np.gradient(strain, time))
@@ -89,17 +90,18 @@ def strain_rate(history: StrainHistory) -> Array:
 
 
 def rate_range(history: StrainHistory) -> tuple[float, float]:
-    """The lowest and the highest rate at which a history, from its first sample that counts, is strained, 1/s.
+    """Compute the lowest and the highest strain rate of a history, from its first compared sample on, 1/s.
 
-    Those at which at least a tenth of a way from turn to turn goes; in a hold nothing does.
+    Between two turning points, a tenth of the strain is travelled at rates below the lowest rate, and a tenth above the
+    highest one. Holds do not count, because no strain is travelled.
     """
     strain = history.strain[history.first :]
     speed, span = np.abs(strain_rate(history))[history.first :], np.gradient(history.time)[history.first :]
     turns = turning_points(strain, BAND * float(np.ptp(strain)))
-    found = []
+    rates = []
     for start, end in pairwise(turns):
         rising = np.argsort(speed[start : end + 1])
         speeds = speed[start : end + 1][rising]
         travelled = np.cumsum(speeds * span[start : end + 1][rising])
-        found.append(speeds[np.searchsorted(travelled, np.multiply(_SHARES, travelled[-1]))])
-    return float(np.min(found)), float(np.max(found))
+        rates.append(speeds[np.searchsorted(travelled, np.multiply(_SHARES, travelled[-1]))])
+    return float(np.min(rates)), float(np.max(rates))

@@ -1,4 +1,4 @@
-"""One tensile test: what a machine recorded of one specimen."""
+"""A tensile test: the recording of a testing machine for one specimen."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from forficula.errors import InputError
 from forficula.quantities import Unit, show_quantity, show_value
 from forficula.serial import Metres, SquareMetres, Written
 
-# no rubber stretches as far; a length in the wrong unit does
+# no rubber reaches this strain, but a length in a wrong unit does
 _MOST_STRAIN = 20
-# m and m2: from a fibre of 0.1 µm across to a ship's rope; beyond, a unit or a power of ten is wrong [chosen]
+# [chosen] m and m2: from a fibre with a diameter of 0.1 µm to a ship's rope; beyond, a unit or a power of ten is wrong
 SIZES = {"length": (1e-6, 100.0), "area": (1e-15, 1.0)}
 UNITS = {
     "length": Unit(display="mm", si="m", example="60 mm"),
@@ -27,16 +27,16 @@ class TensileTest:
     """Time, travel and force of one specimen, and its size before the test.
 
     Attributes:
-        name: of the specimen.
-        time: s, shape (row,), never falling.
-        extension: travel of the machine from the specimen's length on, m, shape (row,).
+        name: name of the specimen.
+        time: s, shape (row,), never decreasing.
+        extension: travel of the machine relative to the specimen's length, m, shape (row,).
         force: N, shape (row,), pulling positive.
-        length: of the specimen between the points whose distance the travel changes, m, 1e-6 to 100.
-        area: of its cross-section, m2, 1e-15 to 1.
+        length: length of the specimen between the points whose distance the travel changes, m, 1e-6 to 100.
+        area: cross-section of the specimen, m2, 1e-15 to 1.
 
     Raises:
-        InputError: arrays of different lengths, fewer than two rows, numbers that are not finite, time that falls, or a
-            size that no specimen has.
+        InputError: arrays of different lengths, fewer than two rows, numbers that are not finite, time that decreases,
+            or an impossible size.
     """
 
     name: str
@@ -48,7 +48,7 @@ class TensileTest:
 
     @property
     def rows(self) -> Annotated[int, Written.ALWAYS]:
-        """Return the number of rows."""
+        """Number of rows."""
         return len(self.time)
 
     def __post_init__(self) -> None:
@@ -63,9 +63,9 @@ class TensileTest:
             if not np.isfinite(values).all():
                 row = int(np.argmin(np.isfinite(values)))
                 raise InputError(f"{self.name}: {key}: need finite numbers, got {values[row]} in row {row}")
-        if (falls := falling(self.time)) is not None:
-            before, after = self.time[falls - 1 : falls + 1]
-            raise InputError(f"{self.name}: time: need times that never fall, got {after:g} s after {before:g} s")
+        if (decrease := falling(self.time)) is not None:
+            before, after = self.time[decrease - 1 : decrease + 1]
+            raise InputError(f"{self.name}: time: need times that never decrease, got {after:g} s after {before:g} s")
         for key, size in (("length", self.length), ("area", self.area)):
             if rule := size_rule(key, size):
                 raise InputError(f"{self.name}: {key}: {rule}")
@@ -78,17 +78,17 @@ class TensileTest:
 
     @property
     def strain(self) -> Array:
-        """Engineering strain: extension over the first length, shape (row,)."""
+        """Engineering strain: extension divided by the initial length, shape (row,)."""
         return self.extension / self.length
 
     @property
     def stress(self) -> Array:
-        """Engineering stress: force over the first area, Pa, shape (row,)."""
+        """Engineering stress: force divided by the initial area, Pa, shape (row,)."""
         return self.force / self.area
 
 
 def size_rule(key: str, size: float) -> str:
-    """Say which sizes a specimen can have where one is none of them, and that one; "" otherwise.
+    """Return the message for an impossible size of a specimen, with the allowed sizes; "" for a possible size.
 
     Args:
         key: "length" or "area".
@@ -102,6 +102,6 @@ def size_rule(key: str, size: float) -> str:
 
 
 def falling(time: Array) -> int | None:
-    """The first row whose time, shape (row,), is before that of the row above; None where there is none."""
+    """Return the index of the first row whose time, shape (row,), is smaller than that before; None without one."""
     falls = np.flatnonzero(np.diff(time) < 0)
     return int(falls[0]) + 1 if len(falls) else None

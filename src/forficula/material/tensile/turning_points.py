@@ -1,4 +1,4 @@
-"""Where a signal turns back."""
+"""Turning points of a signal."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from numpy.typing import NDArray
 
 
 def turning_points(signal: NDArray[np.float64], band: float) -> list[int]:
-    """Find the extremes between which a signal moves by more than a band.
+    """Find the extremes of a signal that differ by more than a band.
 
-    The hysteresis filter of rainflow counting (ASTM E1049): an extreme counts once the signal has come back from it by
-    more than the band. The first and the last extreme are those of the rest before and after.
+    This is the hysteresis filter of rainflow counting (ASTM E1049): an extreme counts if the signal then returns by
+    more than the band. The first and the last extreme are those of the remaining signal before and after.
 
     Args:
         signal: shape (sample,).
-        band: in the signal's unit, >= 0.
+        band: width of the band in the signal's unit, >= 0.
 
     Returns:
-        Samples of valleys and peaks in turn, in order; fewer than two where the signal stays within the band.
+        Indices of alternating valleys and peaks, in order; fewer than two if the signal stays within the band.
     """
     values = signal.tolist()
     low = high = 0

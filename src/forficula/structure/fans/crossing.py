@@ -1,4 +1,4 @@
-"""How a tendon lies across one hinge: arms and offsets, of bars that are given or of any two points."""
+"""Geometry of a tendon across a single hinge: arms and offsets, between two bars or any two points."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.structure.parts import Crossing
 from forficula.structure.structure import Structure
 from forficula.structure.tree import ancestry, built_frames, built_points, hinges_between
 
-# share of the tendon's length; an end that is nearer to the axis is on it
+# largest distance of an end from the axis that counts as 0, as a share of the tendon's length
 _ON_AXIS = 1e-9
 
 
@@ -26,28 +26,28 @@ def bar_crossing(
     asides: tuple[float, float] = (0.0, 0.0),
     inertia: float,
 ) -> Crossing:
-    """The crossing of a tendon from one bar to another, both in the level plane of the hinge's axis as built.
+    """Compute the crossing of a tendon from one bar to another; bars and hinge axis lie in the x-y plane as built.
 
-    Bars at angles alpha and beta to the axis, with the ends at distances p and d along them, have a = p sin alpha,
-    b = d sin beta and c = p cos alpha + d cos beta. Offsets h out of the plane make the arms hypot(a, h) and
+    For bars at angles alpha and beta to the axis, with the ends at distances p and d along them, a = p sin alpha,
+    b = d sin beta and c = p cos alpha + d cos beta. With offsets h and h' out of the plane the arms are hypot(a, h) and
     hypot(b, h'), and delta = atan(h / a) + atan(h' / b).
 
     Args:
-        hinge: its number.
-        axis: unit vector along the hinge, either way, (3,).
-        bars: unit vectors outwards along the proximal and the distal bar, (3,) each; no farther than a right angle from
-            each other beside the axis.
+        hinge: number of the hinge.
+        axis: unit vector along the hinge, in either direction, (3,).
+        bars: unit vectors outwards along the proximal and the distal bar, (3,) each; the angle between their components
+            normal to the axis is at most a right angle.
         attachments: distances of the ends from the hinge along the bars, m.
-        offsets: of the ends out of the plane, towards the side to which positive angles turn the distal bar, m.
-        asides: of the ends within the plane, counterclockwise of their bars seen from above, m.
-        inertia: of what turns about the axis, with the hinge's armature, kg m^2.
+        offsets: distances of the ends from the plane, towards the side to which positive angles turn the distal bar, m.
+        asides: distances of the ends from their bars in the plane, counterclockwise seen from above, m.
+        inertia: inertia of everything that turns about the axis, with the hinge's armature, kg m^2.
     """
     proximal, distal = bars
     arms = [attachment * sine_between(bar, axis) for attachment, bar in zip(attachments, bars, strict=True)]
     offset = attachments[0] * float(proximal @ axis) + attachments[1] * float(distal @ axis)
     if any(asides):
         upwards = np.array([0.0, 0.0, 1.0])
-        # in the plane, square to the axis, to the side of the distal bar
+        # in the plane, normal to the axis, towards the distal bar
         outwards = np.cross(upwards, axis)
         outwards = outwards * math.copysign(1.0, outwards @ distal)
         for end, sign in ((0, -1.0), (1, 1.0)):
@@ -65,20 +65,20 @@ def bar_crossing(
 
 
 def sine_between(one: Array, other: Array) -> float:
-    """Compute the sine between two unit vectors, (3,): plain numbers take a third of the time of arrays."""
+    """Compute the sine between two unit vectors, (3,); plain numbers take a third of the time of arrays."""
     (x, y, z), (u, v, w) = one.tolist(), other.tolist()
     return float(np.linalg.norm(np.array([y * w - z * v, z * u - x * w, x * v - y * u])))
 
 
 def tendon_crossing(structure: Structure, points: tuple[int, int]) -> Crossing | None:
-    """The crossing of a tendon between any two points, from where they and the hinge are in the built shape.
+    """Compute the crossing of a tendon between any two points from their positions in the built shape.
 
     Args:
-        structure: with its bodies, points and hinges; tendons are not looked at.
+        structure: structure with bodies, points and hinges; its tendons are ignored.
         points: numbers of the tendon's ends.
 
     Returns:
-        None where the length depends on several hinges, or on none.
+        The crossing; None if the length depends on several hinges, or on none.
     """
     bodies = [structure.points[point].body for point in points]
     between = hinges_between(structure, bodies[0], bodies[1])
@@ -95,7 +95,7 @@ def tendon_crossing(structure: Structure, points: tuple[int, int]) -> Crossing |
     radii = np.linalg.norm(arms, axis=1)
     if radii.min() <= _ON_AXIS * float(np.linalg.norm(ends[1] - ends[0])):
         return None
-    # from where the proximal arm points away from to where the distal one is
+    # the offset angle is that from the opposite of the proximal arm to the distal arm
     opposite = -arms[0]
     return Crossing(
         hinge=between[0],

@@ -1,4 +1,4 @@
-"""Two bars with a hinge and a tendon between them, the proximal one held: the joint as a structure."""
+"""The structure of a joint: two bars with a hinge and a tendon between them; the proximal bar is held."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LABEL = "hinge"
 def joint_structure(design: JointDesign) -> Structure:
     """Build the bars, the hinge and the tendon of a joint, in the units of its design.
 
-    The hinge lies along +y through the origin; as in a fan it folds to negative angles in its own sense.
+    The hinge lies along +y through the origin. As in a fan, folding has negative angles in the hinge's own sense.
     """
     veins = (joint_vein(design),)
     bare = bare_veins(design, veins, masses=vein_masses(design, veins), labels=[_LABEL])
@@ -37,13 +37,13 @@ def joint_structure(design: JointDesign) -> Structure:
         titles={"distal_angle": "hinge angle", "ring": "hinge angle"},
         pattern=chosen.sheet,
     )
-    # its own hinge is the only one that is asked for, not one with bars square to it
+    # closed forms use the actual hinge, not one with bars normal to its axis
     tendons = tuple(replace(tendon, ideal=None) for tendon in bare.tendons)
     return with_protocol(replace(bare, tendons=tendons, appearance=appearance), design)
 
 
 def joint_vein(design: JointDesign) -> Vein:
-    """Where the bars of a joint lie in the flat sheet, and which way they fold."""
+    """Return the positions of a joint's bars in the flat sheet, and the sense in which they fold."""
     pattern = design.pattern.sheet
     proximal, distal = (
         pattern.vertices_coords[pattern.edges_vertices[pattern.edges_role.index(role)]]

@@ -1,4 +1,4 @@
-"""The parts of a vein, a chain of bars with hinges between them, of a fan or alone."""
+"""Components of veins, chains of bars with hinges between them, in a fan or alone."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from forficula.structure.mass import end_inertia, turned_inertia
 from forficula.structure.parts import GROUND, Bar, Body, Crossing, Hinge, Point, PointMass, Stops, Tendon
 from forficula.structure.structure import Structure
 
-# of veins with bars, hinges and tendons
+# designs with veins
 VeinDesign = FanDesign | JointDesign
 
-# what tells the ring folds of a vein from each other, from the hub outwards, in names
+# prefixes of names at the ring folds of a vein, from the hub outwards
 _FOLDS = ("", "outer_")
-# axis and bars of a hinge with both bars square to it
+# axis and bars of a hinge with both bars normal to it
 _SQUARE = (np.array([0.0, 1.0, 0.0]), (np.array([1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0])))
 
 
@@ -37,15 +37,15 @@ def bare_veins(
     aims: Sequence[Sequence[Hinge]] = (),
     overlapping: float = 0.0,
 ) -> Structure:
-    """Build veins with their bars, ring folds and tendons, and nothing between them, without a protocol.
+    """Build veins with bars, ring folds and tendons, without panels between them and without a protocol.
 
     Args:
-        design: with their properties.
-        veins: where they lie.
-        masses: that their bars carry.
-        labels: what tables call the hinge and the tendon of each vein.
-        aims: hinges of each vein's proximal bar; empty where none has any.
-        overlapping: how far from the hub on the first bars touch nothing, m.
+        design: design with the properties.
+        veins: positions of the veins.
+        masses: point masses on the bars.
+        labels: name of the hinge and the tendon of each vein in tables.
+        aims: hinges of each vein's proximal bar; empty if no vein has any.
+        overlapping: length of the first bars from the hub in which contact is ignored, m.
     """
     bodies: list[Body] = []
     points: list[Point] = []
@@ -81,7 +81,7 @@ def bare_veins(
 
 
 def _distal_angle(hinges: Sequence[Hinge], folds: int) -> Measure:
-    """The angles of the distal hinges, each of which is shared by so many ring folds of a vein."""
+    """Return the measure of the distal hinge angles, each of which is the sum over the ring folds of a vein."""
     rings = tuple(number for number, hinge in enumerate(hinges) if hinge.role == "ring")
     return Measure(
         name="distal_angle",
@@ -94,10 +94,10 @@ def _distal_angle(hinges: Sequence[Hinge], folds: int) -> Measure:
 
 
 def vein_masses(design: VeinDesign, veins: Sequence[Vein]) -> tuple[PointMass, ...]:
-    """The masses of hinges and tendons, in the units of the design; none where all of them are 0.
+    """Return the point masses of hinges and tendons, in the units of the design; none if all are 0.
 
-    Half of a tendon is at either end: the momentum of a straight line between two points that move, and a kinetic
-    energy that is larger by a twelfth of its mass times the square of the difference of their velocities.
+    Half of a tendon's mass is at each end. This has the momentum of a straight line between two moving points; the
+    kinetic energy is larger by a twelfth of the mass times the square of the difference of their velocities.
     """
     masses: list[PointMass] = []
     for index, vein in enumerate(veins):
@@ -117,7 +117,7 @@ def vein_masses(design: VeinDesign, veins: Sequence[Vein]) -> tuple[PointMass, .
 
 
 def _bodies(index: int, vein: Vein) -> list[Body]:
-    """The bars of a vein, each on the one before; all have the axes of the first."""
+    """Return the bodies of a vein's bars, each with the previous one as its parent; all have the axes of the first."""
     return [
         Body(
             name=f"{role}{index}",
@@ -131,7 +131,7 @@ def _bodies(index: int, vein: Vein) -> list[Body]:
 
 
 def _points(index: int, vein: Vein, tendon: TendonSection | None) -> list[Point]:
-    """The ends of a vein's bars, from the hub outwards, and of its tendon, before the tip."""
+    """Return the ends of a vein's bars, from the hub outwards, with the ends of its tendon before the tip."""
     last = vein.bars - 1
     return [
         Point(name=f"hub{index}", role="hub", body=vein.body(index, 0), place=np.zeros(3)),
@@ -145,14 +145,14 @@ def _points(index: int, vein: Vein, tendon: TendonSection | None) -> list[Point]
 
 
 def _bars(design: VeinDesign, index: int, vein: Vein, ends: tuple[int, int], overlapping: float) -> list[Bar]:
-    """The bars of a vein between points, given the numbers of the first and the last; nothing touches them up to there.
+    """Return the bars of a vein between its points.
 
     Args:
-        design: with the bars.
-        index: of the vein.
-        vein: where it lies.
+        design: design with the properties of the bars.
+        index: number of the vein.
+        vein: position of the vein.
         ends: numbers of the points at the hub and at the tip.
-        overlapping: how far from the hub on the first one touches nothing, m.
+        overlapping: length of the first bar from the hub in which contact is ignored, m.
     """
     hub, tip = ends
     return [
@@ -169,7 +169,7 @@ def _bars(design: VeinDesign, index: int, vein: Vein, ends: tuple[int, int], ove
 
 
 def _hinges(design: VeinDesign, index: int, vein: Vein, label: str) -> list[Hinge]:
-    """The hinges of a vein at its ring folds, which share their way."""
+    """Return the hinges of a vein at its ring folds, which share the limits and the initial angle equally."""
     choice, folds = design.hinge, len(vein.axes)
     return [
         Hinge(
@@ -193,7 +193,7 @@ def _hinges(design: VeinDesign, index: int, vein: Vein, label: str) -> list[Hing
 def _tendon(
     name: str, choice: TendonSection, vein: Vein, end: int, across: tuple[Crossing | None, Crossing | None]
 ) -> Tendon:
-    """The tendon of a vein from the point with this number to the next, as it lies `across` the ring fold."""
+    """Return the tendon of a vein from the point with the number `end` to the next one, with its crossings `across`."""
     crossing, ideal = across
     return Tendon(
         name=name,
@@ -209,34 +209,34 @@ def _tendon(
 
 
 def _longest(tendon: TendonSection, vein: Vein) -> float:
-    """Up to which a tendon is ever stretched: from its ends to the ring folds, and from one of these to the next."""
-    ways = math.hypot(tendon.proximal_attachment, tendon.proximal_offset, tendon.proximal_aside) + math.hypot(
+    """Compute the largest possible length of a tendon: from its ends to the ring folds, plus between the ring folds."""
+    ends = math.hypot(tendon.proximal_attachment, tendon.proximal_offset, tendon.proximal_aside) + math.hypot(
         tendon.distal_attachment, tendon.distal_offset, tendon.distal_aside
     )
-    return ways + sum(float(np.linalg.norm(vein.end(bar))) for bar in range(1, vein.bars - 1))
+    return ends + sum(float(np.linalg.norm(vein.end(bar))) for bar in range(1, vein.bars - 1))
 
 
 def _crossings(
     design: VeinDesign, tendon: TendonSection, vein: Vein, hinge: int, carried: float
 ) -> tuple[Crossing | None, Crossing | None]:
-    """How a tendon lies across the ring fold of a vein, and the same with bars square to it; None across several.
+    """Compute the crossing of a tendon at the ring fold, and the one with bars normal to it; None for several folds.
 
-    What the distal bar carries has the inertia `carried` about the hinge.
+    `carried` is the inertia about the hinge of the masses on the distal bar.
     """
     if len(vein.axes) > 1:
         return None, None
     proximal, distal = (vein.places[bar + 1] - vein.places[bar] for bar in range(2))
     bars = proximal / np.linalg.norm(proximal), distal / np.linalg.norm(distal)
-    own = _crossing(design, tendon, hinge, vein.axes[0], bars, carried)
-    return own, _crossing(design, tendon, hinge, *_SQUARE, carried)
+    crossing = _crossing(design, tendon, hinge, vein.axes[0], bars, carried)
+    return crossing, _crossing(design, tendon, hinge, *_SQUARE, carried)
 
 
 def _crossing(
     design: VeinDesign, tendon: TendonSection, hinge: int, axis: Array, bars: tuple[Array, Array], carried: float
 ) -> Crossing:
-    """How a tendon lies across a distal hinge about an axis, between bars that point outwards in the flat sheet.
+    """Compute the crossing of a tendon at a distal hinge, between bars that point outwards in the flat sheet.
 
-    What the distal bar carries has the inertia `carried` about the axis.
+    `carried` is the inertia about the axis of the masses on the distal bar.
     """
     distal = bars[1]
     inertia = end_inertia(
@@ -258,7 +258,7 @@ def _crossing(
 
 
 def _bar_mass(design: VeinDesign) -> float:
-    """Mass of a vein of the whole length, kg."""
+    """Compute the mass of a vein of the whole length, kg."""
     span = design.pattern.proximal_length + design.pattern.distal_length
     mass = design.vein.density * span * math.pi / 4 * design.vein.diameter**2
     if not 0 < mass < math.inf:

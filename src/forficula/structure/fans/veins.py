@@ -1,4 +1,4 @@
-"""Bars on creases with membranes between them: the fan as a structure."""
+"""The structure of a fan: bars on the creases with membranes between them."""
 
 from __future__ import annotations
 
@@ -34,15 +34,16 @@ _APPEARANCE = Appearance(
     titles={"distal_angle": "distal hinge angle", "turn": "turn about its own axis"},
 )
 _NOT_RIGID = (
-    "with two ring folds, whose vertices are off Kawasaki, rigid panels do not fold, so there is no energy along that;"
-    " every tendon lies across both folds, so there are no landscapes of single hinges"
+    "with two ring folds, whose vertices do not satisfy Kawasaki's condition, rigid panels do not fold, so there is no"
+    " energy along a rigid fold; every tendon lies across both folds, so there are no landscapes of single hinges"
 )
-# the hinges of a vein in this order: sweep and lift aim it, turn is about its own axis
+# hinges of a vein in this order: sweep and lift set its direction, turn is about its own axis
 _AIMS = (("sweep", (0.0, 0.0, 1.0)), ("lift", (0.0, 1.0, 0.0)), ("turn", (1.0, 0.0, 0.0)))
-# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is one, for
-# all of it is joined to the panels on both sides, which are further from each other than layers are thick
+# strips along a vein from the membrane's inner edge to the ring fold, and from there to the tip; a gusset is a single
+# strip, because it is joined to the panels on both sides, whose distance exceeds the thickness of a layer
 _STRIPS = 3
-# how far beside a vein's axis neighbouring panels begin to touch at least, by their thickness: nearer they are joined
+# least distance from a vein's axis, in panel thicknesses, at which neighbouring panels can touch: nearer, they are
+# joined
 _BESIDE = 5.0
 _SHARES = np.linspace(0, 1, 1001)
 
@@ -51,24 +52,24 @@ def vein_structure(design: FanDesign) -> Structure:
     """Build bars, hinges, tendons and membranes on the creases of a fan, in the units of its design."""
     fan, pattern = design.fan, earwig_pattern(design.fan)
     built = structure_of_veins(design, veins_on(pattern, ring_directions(fan)))
-    chosen, rigid = design.pattern, fan.ring_folds == 1
+    section, rigid = design.pattern, fan.ring_folds == 1
     sizes = {
-        "proximal length": chosen.proximal_length,
-        "distal length": chosen.distal_length,
-        "hub radius": chosen.hub_radius,
+        "proximal length": section.proximal_length,
+        "distal length": section.distal_length,
+        "hub radius": section.hub_radius,
         **({} if rigid else {"pitch": fan.pitch, "lowest gusset": fan.gusset_height}),
     }
     text = (
         f"A fan of {fan.vein_count} veins and {fan.vein_count - 1} membrane panels, each vein"
-        f" {show_value(chosen.proximal_length, 'm')} long up to the ring fold and"
-        f" {show_value(chosen.distal_length, 'm')} beyond it"
+        f" {show_value(section.proximal_length, 'm')} long up to the ring fold and"
+        f" {show_value(section.distal_length, 'm')} beyond it"
     )
     if not rigid:
         text += (
-            f", which is two folds with a gusset between them; layers lie {show_value(fan.pitch, 'm')} apart when"
-            " folded, and every layer's gusset stands higher by twice as much than that of the layer inside it"
+            f", which is two folds with a gusset between them; folded layers are {show_value(fan.pitch, 'm')} apart,"
+            " and the gusset of each layer is higher than that of the layer inside it by twice this distance"
         )
-    circles = {"hub": chosen.hub_radius}
+    circles = {"hub": section.hub_radius}
     appearance = replace(built.appearance, text=text, sizes=sizes, pattern=pattern, circles=circles)
     return replace(
         built,
@@ -79,17 +80,17 @@ def vein_structure(design: FanDesign) -> Structure:
 
 
 def veins_on(pattern: CreasePattern, directions: Array) -> tuple[Vein, ...]:
-    """The veins on the creases of a pattern with the roles of `vein_roles`.
+    """Return the veins on the creases of a pattern with the roles of `vein_roles`.
 
-    A turn of a vein by its sense folds it as a crease, with the panel that hangs on it rising where the sense is -1.
+    A turn of a vein in its own sense folds the crease; the panel that is glued to the vein rises if the sense is -1.
 
     Args:
-        pattern: flat.
-        directions: unit vectors along which each vein folds at its ring folds, (vein, 3).
+        pattern: flat crease pattern.
+        directions: unit vectors of the axes about which each vein folds at its ring folds, (vein, 3).
     """
-    place = pattern.vertices_coords
+    coords = pattern.vertices_coords
     bars = [
-        place[[pattern.edges_vertices[edge] for edge, its in enumerate(pattern.edges_role) if its == role]]
+        coords[[pattern.edges_vertices[edge] for edge, name in enumerate(pattern.edges_role) if name == role]]
         for role in vein_roles(2 if "gusset" in pattern.edges_role else 1)
     ]
     lines = [bars[0][:, 0], *(ends[:, 1] for ends in bars)]
@@ -105,7 +106,7 @@ def veins_on(pattern: CreasePattern, directions: Array) -> tuple[Vein, ...]:
 
 
 def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
-    """Build on veins of any layout, neighbours joined by panels and guards, with the design's properties."""
+    """Build a fan on veins in any positions, with panels and guard tendons between neighbours."""
     bare = bare_veins(
         design,
         veins,
@@ -126,7 +127,7 @@ def structure_of_veins(design: FanDesign, veins: Sequence[Vein]) -> Structure:
 
 
 def _aims(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
-    """The hinges of a vein's proximal bar, unless that is held."""
+    """Return the hinges of a vein's proximal bar, none if the bar is fixed."""
     choice = design.hinge
     return [
         Hinge(
@@ -148,11 +149,11 @@ def _aims(design: FanDesign, index: int, vein: Vein) -> list[Hinge]:
 
 
 def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
-    """Lay the membrane: panel k from the edge of its margin on vein k to the axis of vein k + 1.
+    """Build the membranes: panel k extends from the edge of its margin on vein k to the axis of vein k + 1.
 
-    The margin is glued to vein k and turns with it; about vein k + 1 the panel may turn. A row of nodes lies at every
-    share of the proximal length, at the ring folds, at every share of the distal length and at the tip; that of a ring
-    fold is on the bar before it.
+    The margin is glued to vein k and turns with it, and the panel is hinged on the axis of vein k + 1. Rows of nodes
+    lie at every share of the proximal length, at the ring folds, at every share of the distal length and at the tip.
+    The row of a ring fold is carried by the bar before it.
     """
     choice, panels = design.membrane, []
     law = MembraneLaw(
@@ -168,16 +169,16 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
         bodies: list[int] = []
         places: list[Array] = []
         roots: list[Array] = []
-        for bar, here, edge, there in zip(carriers, *panel_lines(design, *pair), strict=True):
-            for vein, number, node, root in zip(pair, (panel, panel + 1), (edge, there), (here, there), strict=True):
+        for bar, start, edge, end in zip(carriers, *panel_lines(design, *pair), strict=True):
+            for vein, number, node, root in zip(pair, (panel, panel + 1), (edge, end), (start, end), strict=True):
                 built.append(node)
                 bodies.append(vein.body(number, bar))
                 places.append(vein.on_bar(bar, node))
                 roots.append(vein.on_bar(bar, root))
         corners = [
-            each
+            triangle
             for left in range(0, len(built) - 2, 2)
-            for each in ([left, left + 2, left + 3], [left, left + 3, left + 1])
+            for triangle in ([left, left + 2, left + 3], [left, left + 3, left + 1])
         ]
         panels.append(
             Membrane(
@@ -196,21 +197,21 @@ def _panels(design: FanDesign, veins: Sequence[Vein]) -> tuple[Membrane, ...]:
 
 
 def _guards(design: FanDesign, veins: Sequence[Vein], tips: Sequence[int]) -> tuple[LengthLimit, ...]:
-    """Guard tendons between neighbouring tips, of which the numbers are given."""
+    """Return the guard tendons between neighbouring tips, given the numbers of the tips."""
     limits = []
     for index in range(len(veins) - 1):
-        apart = float(np.linalg.norm(veins[index + 1].places[-1] - veins[index].places[-1]))
-        ends, most = (tips[index], tips[index + 1]), design.guard.stretch * apart
-        limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=apart, most=most))
+        distance = float(np.linalg.norm(veins[index + 1].places[-1] - veins[index].places[-1]))
+        ends, most = (tips[index], tips[index + 1]), design.guard.stretch * distance
+        limits.append(LengthLimit(name=f"guard{index}", points=ends, built_length=distance, most=most))
     return tuple(limits)
 
 
 def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:
-    """How a fan folds along its pleats.
+    """Return the fold of a fan with rigid panels along its pleats.
 
-    The pleat angle is the fold angle of the veins; it is negative where the overbend bends them backwards. Veins turn
-    by half of it and the distal hinges fold with the ring creases. Sweep and lift of the veins, which the panels' way
-    leaves open because the hub points stay where they are, go to where the membrane is stretched least.
+    The pleat angle is the fold angle of the veins; it is negative in the overbend. Veins turn by half of the pleat
+    angle, and the distal hinges fold with the ring creases. The hub points are fixed, so that rigid folding does not
+    determine sweep and lift of the veins: they minimise the stretching of the membrane.
     """
     camber, ratio = camber_angle(design), ring_ratio(design.fan)
     roles = [hinge.role for hinge in structure.hinges]
@@ -230,18 +231,21 @@ def fan_fold(design: FanDesign, structure: Structure) -> RigidFold:
 
 
 def ring_ratio(fan: EarwigFan) -> float:
-    """Ratio m of the tangents of half the ring's and half the veins' fold angle (theory.md, section 2)."""
+    """Compute m, the ratio of the tangents of half the ring's and half the veins' fold angle.
+
+    See docs/model/theory.md, section "Fan pattern".
+    """
     return math.sin(fan.epsilon) / math.cos(fan.sector_angle / 2)
 
 
 def camber_angle(design: FanDesign) -> float | None:
-    """Pleat angle at which the ring creases reach the overbend, rad, negative; None where they never do."""
+    """Compute the pleat angle at which the ring creases reach the overbend, rad, negative; None if they never do."""
     ratio = ring_ratio(design.fan)
     return -2 * math.atan2(math.tan(design.hinge.overbend / 2), ratio) if ratio > 0 else None
 
 
 def _last_pleat(design: FanDesign, ratio: float) -> float:
-    """Pleat angle at which the ring creases reach the fold limit, or the veins theirs, rad."""
+    """Compute the pleat angle at which the ring creases reach their fold limit, or the veins their turn limit, rad."""
     limit = design.hinge.fold_limit
     closed = math.pi if ratio == 0 or limit == math.pi else 2 * math.atan2(math.tan(limit / 2), ratio)
     return min(closed, 2 * design.hinge.turn_limit)
@@ -251,51 +255,52 @@ def _remarks(design: FanDesign, camber: float | None) -> tuple[str, ...]:
     if camber is None:
         return (
             "pattern.hub_radius is 0, so the ring fold stays straight until the pleats are closed: rigid panels never"
-            " reach the overbend, and their energy is the same all along; a hub radius > 0 couples the two",
+            " reach the overbend, and their energy is constant; a hub radius > 0 couples ring fold and pleats",
         )
     remarks = []
     if 2 * design.hinge.turn_limit < math.pi:
         remarks.append(
             f"hinge.turn_limit stops the veins at {math.degrees(design.hinge.turn_limit):.4g} deg, so rigid panels"
-            f" pleat to {math.degrees(2 * design.hinge.turn_limit):.4g} deg and no further"
+            f" cannot pleat beyond {math.degrees(2 * design.hinge.turn_limit):.4g} deg"
         )
     back, stop = -camber / 2, design.hinge.turn_back
     if back > stop:
         remarks.append(
             f"rigid panels reach the overbend of {math.degrees(design.hinge.overbend):.4g} deg only with veins turned"
             f" back by {math.degrees(back):.4g} deg, and hinge.turn_back stops them at {math.degrees(stop):.4g} deg:"
-            " in the compliant wing the membrane gives way instead"
+            " in the compliant wing the membrane stretches instead"
         )
     return tuple(remarks)
 
 
 def fan_contact(design: FanDesign) -> Contact | None:
-    """How the panels and the bars of a fan touch; None where they do not."""
+    """Return the contact of the panels and bars of a fan; None without contact."""
     if not design.protocol.contact:
         return None
-    chosen = design.contact or ContactSection()
+    section = design.contact or ContactSection()
     return Contact(
-        thickness=design.membrane.thickness if chosen.thickness is None else chosen.thickness,
-        friction=chosen.friction,
-        stops=Stops(time_constant=chosen.time_constant, damping_ratio=chosen.damping_ratio),
+        thickness=design.membrane.thickness if section.thickness is None else section.thickness,
+        friction=section.friction,
+        stops=Stops(time_constant=section.time_constant, damping_ratio=section.damping_ratio),
     )
 
 
 def overlapping_length(design: FanDesign) -> float:
-    """How far from the hub on proximal bars touch nothing, m: up to the membrane, or to where they lie apart if later.
+    """Compute the length of proximal bars from the hub in which contact is ignored, m.
 
-    Nearer, neighbours may overlap in the flat fan, and the hub brings them together as they fold.
+    It extends to the membrane, or further if neighbouring bars overlap further in the flat fan. Nearer to the hub,
+    neighbours may overlap when flat, and folding brings them together.
     """
     close = _SHARES[vein_gaps(design.fan, _SHARES) <= design.vein.diameter]
-    apart = float(close[-1]) + 1 / (len(_SHARES) - 1) if len(close) else 0.0
-    return min(max(apart, design.membrane.proximal_rows[0]), 1.0) * design.pattern.proximal_length
+    overlap = float(close[-1]) + 1 / (len(_SHARES) - 1) if len(close) else 0.0
+    return min(max(overlap, design.membrane.proximal_rows[0]), 1.0) * design.pattern.proximal_length
 
 
 def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surface:
-    """The surface of a panel and its margin, from the axis of one vein to that of the next.
+    """Build the surface of a panel and its margin, from the axis of one vein to that of the next.
 
-    Lines of nodes: the axis of vein `number`, one beside it up to which the panel before may fold on this one without
-    touching, the edge of the margin, all on that vein's bars, and the axis of the next vein.
+    The nodes lie on four lines. Three are carried by the bars of vein `number`: its axis, a line beside the axis up to
+    which contact with the previous panel is ignored, and the edge of the margin. The fourth is the next vein's axis.
     """
     near, far = veins
     contact = fan_contact(design)
@@ -308,12 +313,12 @@ def panel_surface(design: FanDesign, veins: Sequence[Vein], number: int) -> Surf
         rows += [(bar, share) for share in np.linspace(first, 1, strips + 1)[1:].tolist()]
     bodies, places = [], []
     for bar, share in rows:
-        here, there = (vein.places[bar] + share * (vein.places[bar + 1] - vein.places[bar]) for vein in (near, far))
-        edge = margin_edge(here, there, design, near.margin_along(bar) if share == 1 else None)
-        margin = float(np.linalg.norm(edge - here))
-        begins = here + beside / max(margin, 2 * beside) * (edge - here)
+        start, end = (vein.places[bar] + share * (vein.places[bar + 1] - vein.places[bar]) for vein in (near, far))
+        edge = margin_edge(start, end, design, near.margin_along(bar) if share == 1 else None)
+        margin = float(np.linalg.norm(edge - start))
+        contact_line = start + beside / max(margin, 2 * beside) * (edge - start)
         for vein, index, place in zip(
-            (near, near, near, far), (number, number, number, number + 1), (here, begins, edge, there), strict=True
+            (near, near, near, far), (number, number, number, number + 1), (start, contact_line, edge, end), strict=True
         ):
             bodies.append(vein.body(index, bar))
             places.append(vein.on_bar(bar, place))

@@ -1,4 +1,4 @@
-"""Couplings between joints: those of the veins of a fan, and what twists them."""
+"""Couplings between the joints of a fan's veins, and their twists as functions of the hinge angles."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from forficula.structure.structure import Structure
 
 
 def vein_couplings(design: FanDesign, hinges: Sequence[Hinge]) -> tuple[Coupling, ...]:
-    """Tie the turn of every vein to that of the next, each in its own sense: folding, all turn towards the fold."""
+    """Couple the turn of every vein to that of the next one, each in its own sense, so that all fold together."""
     if design.coupling is None:
         return ()
     stiffness = math.inf if design.coupling.stiffness == "rigid" else float(design.coupling.stiffness)
     turns = [number for number, hinge in enumerate(hinges) if hinge.role == "turn"]
     return tuple(
-        Coupling(name=f"coupling{place}", hinges=pair, stiffness=stiffness)
-        for place, pair in enumerate(itertools.pairwise(turns))
+        Coupling(name=f"coupling{number}", hinges=pair, stiffness=stiffness)
+        for number, pair in enumerate(itertools.pairwise(turns))
     )
 
 
 def coupling_rows(structure: Structure) -> Array:
-    """By what an angle of each hinge twists each coupling, in the hinges' own senses, (coupling, hinge)."""
+    """Compute the twist of each coupling per angle of each hinge, in the hinges' own senses, (coupling, hinge)."""
     rows = np.zeros((len(structure.couplings), len(structure.hinges)))
     for row, coupling in zip(rows, structure.couplings, strict=True):
         first, second = coupling.hinges

@@ -1,4 +1,4 @@
-"""What plates on facets have however they hang together: corners, masses, tendons between places on them."""
+"""Plates on facets, for hinged and for opening creases: corners, masses, and tendons between places on them."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from forficula.structure.mass import mass_of
 from forficula.structure.parts import Plate, Point, Tendon
 from forficula.structure.structure import Structure
 
-# what gives a place on a plate a point, by a name and a role, and says its number
+# function that adds a point with a name and a role at a place on a plate, and returns its number
 AddPoint = Callable[[str, str, SheetPlace], int]
 
 
 def facet_plates(
     design: SheetDesign, pattern: CreasePattern, facets: Iterable[tuple[int, int]], origins: Sequence[Array]
 ) -> tuple[list[Point], tuple[Plate, ...]]:
-    """The corners of facets, and a plate between those of each.
+    """Return the corners of facets, and a plate between the corners of each facet.
 
     Args:
-        design: with thickness and density.
-        pattern: of the sheet, as built.
-        facets: the number of the body of each, and its own.
-        origins: of all bodies, m, whose axes are parallel to those of the pattern as built.
+        design: design with thickness and density.
+        pattern: crease pattern of the sheet, as built.
+        facets: pairs of the numbers of a body and its facet.
+        origins: origins of all bodies, m; their axes are parallel to those of the pattern as built.
     """
     points: list[Point] = []
     plates: list[Plate] = []
@@ -45,64 +45,65 @@ def facet_plates(
 
 
 def corner_name(facet: int, vertex: int) -> str:
-    """What the point at a corner of a facet is called."""
+    """Return the name of the point at a corner of a facet."""
     return f"facet{facet}_vertex{vertex}"
 
 
 def plate_tendons(
     design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], add: AddPoint
 ) -> list[Tendon]:
-    """The tendons of a design, between places on its plates.
+    """Return the tendons of a design, between places on its plates.
 
     Args:
-        design: with its tendons.
-        pattern: of the sheet, as built.
-        links: its facets as a tree.
-        add: gives a place a point.
+        design: design with the tendons.
+        pattern: crease pattern of the sheet, as built.
+        links: facets of the sheet as a tree.
+        add: function that adds a point at a place.
     """
     tendons = []
-    for place, chosen in enumerate(design.tendon):
-        ends = tuple(place_on(pattern, getattr(chosen, key)) for key in ("from", "to"))
+    for number, section in enumerate(design.tendon):
+        ends = tuple(place_on(pattern, getattr(section, key)) for key in ("from", "to"))
         crossed = edges_between(links, ends[0].facet, ends[1].facet)
-        # creases that open let them go any way
+        # without a limit if creases open
         longest = np.inf if design.opens else _longest(pattern, (ends[0], ends[1]), crossed)
         tendons.append(
             Tendon(
-                name=chosen.name,
+                name=section.name,
                 role="tendon",
                 points=(
-                    add(f"tendon_{chosen.name}_from", "attachment", ends[0]),
-                    add(f"tendon_{chosen.name}_to", "attachment", ends[1]),
+                    add(f"tendon_{section.name}_from", "attachment", ends[0]),
+                    add(f"tendon_{section.name}_to", "attachment", ends[1]),
                 ),
-                law=tendon_law(chosen),
+                law=tendon_law(section),
                 longest=longest,
-                gauge_length=chosen.rest_length,
-                material=None if chosen.law is None else chosen.law.material,
-                key=f"tendon.{place}",
+                gauge_length=section.rest_length,
+                material=None if section.law is None else section.law.material,
+                key=f"tendon.{number}",
             )
         )
     return tendons
 
 
 def _longest(pattern: CreasePattern, ends: tuple[SheetPlace, SheetPlace], crossed: Sequence[int]) -> float:
-    """A length that the distance of two places cannot exceed, however the sheet folds.
+    """Compute an upper bound of the distance of two places in all folded states of a sheet.
 
-    A way over the sheet from one to the other, straight from crease to crease, is as long in every folded state: here
-    it goes where the straight line meets the creases, and is that line where it meets them all.
+    The bound is the length of a path over the sheet that is straight between creases, because folding does not change
+    this length. The path crosses each crease at its intersection with the straight line between the places, or at the
+    nearest end of the crease.
     """
     start, end = ends[0].position, ends[1].position
-    way = [start]
+    path = [start]
     for edge in crossed:
         tail, head = pattern.vertices_coords[pattern.edges_vertices[edge]]
         along, line = head - tail, end - start
         turn = line[0] * along[1] - line[1] * along[0]
         share = (line[0] * (start - tail)[1] - line[1] * (start - tail)[0]) / turn if turn else 0.5
-        way.append(tail + min(max(share, 0.0), 1.0) * along)
-    return float(np.linalg.norm(np.diff([*way, end], axis=0), axis=1).sum())
+        path.append(tail + min(max(share, 0.0), 1.0) * along)
+    return float(np.linalg.norm(np.diff([*path, end], axis=0), axis=1).sum())
 
 
 def largest_mass(design: SheetDesign, structure: Structure) -> float:
-    """Mass of the heaviest plate.
+    """Compute the mass of the heaviest plate.
 
     Raises:
         InputError: plates without a mass.

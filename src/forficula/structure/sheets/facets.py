@@ -1,4 +1,4 @@
-"""Facets between points of any bodies: the triangles that they are split into, and which hinges lie in them."""
+"""Facets between points of any bodies: their triangles, and groups of hinges by kind."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from forficula.arrays import Indices
 from forficula.structure.parts import GROUND
 from forficula.structure.structure import Structure
 
-BEND = "facet bend"  # role of what bends between two triangles that no crease is between
+BEND = "facet bend"  # role of a hinge between two triangles of the same facet
 
 
 def facet_triangles(structure: Structure) -> tuple[Indices, Indices]:
-    """The triangles of all facets, as flaps of hinges split them.
+    """Return the triangles of all facets, as the flaps of hinges define them.
 
     Returns:
         Points of the triangles, counterclockwise seen from the side to which valleys rise, (triangle, 3), facet by
-        facet; and the number of each one's facet, (triangle,). A facet at which nothing folds goes round its first
-        corner.
+        facet; and the number of the facet of each triangle, (triangle,). A facet without hinges is split into triangles
+        from its first corner.
     """
     flaps = [hinge.flaps for hinge in structure.hinges if hinge.flaps]
-    known = {frozenset(each): each for tail, head, left, *_ in flaps for each in [(tail, head, left)]}
-    known |= {frozenset(each): each for *_, tail, head, right in flaps for each in [(head, tail, right)]}
+    known = {frozenset(flap): flap for tail, head, left, *_ in flaps for flap in [(tail, head, left)]}
+    known |= {frozenset(flap): flap for *_, tail, head, right in flaps for flap in [(head, tail, right)]}
     at: dict[int, list[frozenset[int]]] = {}
     for corners in known:
         for corner in corners:
@@ -32,17 +32,17 @@ def facet_triangles(structure: Structure) -> tuple[Indices, Indices]:
     for number, facet in enumerate(structure.facets):
         points = {*facet.points, *facet.inside}
         near = {corners: known[corners] for point in points for corners in at.get(point, ())}
-        own = [each for corners, each in near.items() if corners <= points]
-        if len(own) != len(facet.points) + 2 * len(facet.inside) - 2:
+        split = [flap for corners, flap in near.items() if corners <= points]
+        if len(split) != len(facet.points) + 2 * len(facet.inside) - 2:
             first, *rest = facet.points
-            own = [(first, *pair) for pair in pairwise(rest)]
-        triangles += own
-        numbers += [number] * len(own)
+            split = [(first, *pair) for pair in pairwise(rest)]
+        triangles += split
+        numbers += [number] * len(split)
     return np.array(triangles, dtype=np.int64).reshape(-1, 3), np.array(numbers, dtype=np.int64)
 
 
 def hinge_groups(structure: Structure) -> dict[str, tuple[int, ...]]:
-    """Numbers of the hinges by what they are: "hinges" of bodies, "creases", and "facet bends" that are no creases."""
+    """Return the numbers of the hinges by kind: "hinges" of bodies, "creases", and "facet bends" within facets."""
     kinds = [
         "hinges" if hinge.flaps is None else "facet bends" if hinge.role == BEND else "creases"
         for hinge in structure.hinges
@@ -52,12 +52,12 @@ def hinge_groups(structure: Structure) -> dict[str, tuple[int, ...]]:
 
 
 def springs_name(structure: Structure) -> str:
-    """What springs between points are: "bars" of points that slide, "openings" of creases between plates."""
+    """Return the word for springs between points: "bars" of a sheet of nodes, "openings" of creases between plates."""
     return "openings" if structure.plates else "bars"
 
 
 def held_corners(structure: Structure) -> tuple[int, ...]:
-    """Numbers of the corners of facets that cannot go every way: those on the ground, or whose bodies do not slide."""
+    """Return the numbers of corners of facets that are on the ground or whose bodies cannot slide along all axes."""
     corners = sorted({point for facet in structure.facets for point in facet.points})
     hinged = {hinge.body for hinge in structure.hinges}
 

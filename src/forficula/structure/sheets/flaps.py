@@ -1,4 +1,4 @@
-"""Creases between two flaps: their angles, and the laws of their springs."""
+"""Creases between two flaps: their angles and the laws of their springs."""
 
 from __future__ import annotations
 
@@ -10,31 +10,32 @@ from forficula.pattern.geometry import cross, dot
 from forficula.structure.structure import Structure
 from forficula.structure.tree import built_points
 
-# by a crease's stiffness, or by the stiffest if it has none: that of its stops, if it is not given [chosen]. In runs a
-# stop of 1000 times gives way by 0.06 deg where the spring of the crease is 1 rad from rest; in statics by 6e-5 deg.
+# [chosen] stiffness of stops, if not given, relative to that of the crease, or of the stiffest crease if this one has
+# no spring: in runs and in statics. With the spring 1 rad from rest, a stop deflects by 0.06 deg in runs and by
+# 6e-5 deg in statics.
 _STOP, _RIGID = 1e3, 1e6
 
 
 def crease_numbers(structure: Structure) -> Indices:
-    """Numbers of the hinges that are creases, (crease,)."""
+    """Return the numbers of the hinges that are creases, (crease,)."""
     return np.array([number for number, hinge in enumerate(structure.hinges) if hinge.flaps], dtype=np.int64)
 
 
 def crease_flaps(structure: Structure) -> Indices:
-    """Points of the flaps of all creases, (crease, 6): tail, head and corner on the left, then on the right."""
+    """Return the points of the flaps of creases, (crease, 6): tail, head and corner on the left, then on the right."""
     return np.array([hinge.flaps for hinge in structure.hinges if hinge.flaps], dtype=np.int64).reshape(-1, 6)
 
 
 def flap_angles(corners: Array) -> Array:
-    """Fold angles from where the points of the flaps are: 0 flat, valley positive, from -pi to pi, rad, (...).
+    """Compute fold angles from the positions of the flaps: 0 flat, valley positive, from -pi to pi, rad, (...).
 
-    With the normals m and n of the left and the right flap and the unit vector e along the crease that is
-    atan2(e . (n x m), m . n).
+    The angle is atan2(e . (n x m), m . n) with the normals m and n of the left and the right flap and the unit vector
+    e along the crease.
 
     Args:
         corners: m, (..., 6, 3): tail, head and corner of the left flap, then of the right one.
     """
-    # coordinates first: several times as fast as along the last axis
+    # coordinates on the first axis: several times as fast as on the last one
     tail, head, left, right_tail, right_head, right = np.moveaxis(corners, (-2, -1), (0, 1))
     edge, right_edge = head - tail, right_head - right_tail
     along = edge + right_edge
@@ -44,24 +45,25 @@ def flap_angles(corners: Array) -> Array:
 
 
 def built_creases(structure: Structure) -> Array:
-    """Angles of the creases in the built shape, in their own senses, rad, (crease,)."""
+    """Compute the angles of the creases in the built shape, in their own senses, rad, (crease,)."""
     senses = np.array([hinge.sense for hinge in structure.hinges if hinge.flaps], dtype=np.int64)
     return np.asarray(senses * flap_angles(built_points(structure)[crease_flaps(structure)]))
 
 
 def crease_law(structure: Structure, creases: Indices, *, rigid_stops: bool = False) -> CreaseLaw:
-    """The law of the springs of creases, by the numbers of their hinges, in own senses, arrays (crease,).
+    """Return the law of the springs of creases, in the creases' own senses, with arrays (crease,).
 
     Args:
-        structure: whose creases they are.
-        creases: numbers of their hinges, (crease,).
-        rigid_stops: whether stops without a stiffness of their own are so stiff that they count as rigid, for statics.
+        structure: structure with the creases.
+        creases: numbers of the hinges of the creases, (crease,).
+        rigid_stops: whether stops without a given stiffness are practically rigid, for statics.
     """
     hinges = [structure.hinges[number] for number in creases]
     stiffness = np.array([hinge.stiffness for hinge in hinges])
-    chosen = (_RIGID if rigid_stops else _STOP) * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0))
+    defaults = (_RIGID if rigid_stops else _STOP) * np.where(stiffness > 0, stiffness, stiffness.max(initial=0.0))
     stops = [
-        own if hinge.stop_stiffness is None else hinge.stop_stiffness for hinge, own in zip(hinges, chosen, strict=True)
+        default if hinge.stop_stiffness is None else hinge.stop_stiffness
+        for hinge, default in zip(hinges, defaults, strict=True)
     ]
     return CreaseLaw(
         stiffness=stiffness,

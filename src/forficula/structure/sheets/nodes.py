@@ -1,4 +1,4 @@
-"""A sheet of nodes: bars or a membrane between them, springs in its creases, and bends along its diagonals."""
+"""The structure of a sheet that bends: nodes with bars or a membrane between them, and springs at creases and bends."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.sheets.sheet_nodes import SheetNodes, held_axes, node_of, sheet_nodes
 from forficula.structure.structure import Structure
 
-# rad; a crease this near to being folded onto itself as built is so in its own sense
+# rad, tolerance within which a crease at -180 deg as built counts as folded to 180 deg in its own sense
 _FOLDED_FLAT = 1e-6
 
 
 def node_structure(design: SheetDesign) -> Structure:
-    """Build a node at every vertex of a design's sheet, in the units of the design, and what lies between them.
+    """Build a sheet with a node at every vertex, in the units of its design.
 
     Raises:
         InputError: facets that cannot be split into triangles, or nodes without a mass.
@@ -62,7 +62,7 @@ def node_structure(design: SheetDesign) -> Structure:
     points = [Point(name=name, role="vertex", body=node, place=np.zeros(3)) for node, name in enumerate(nodes.names)]
 
     def point(name: str, text: str, ground: tuple[float, ...]) -> int:
-        """The point at a place, by its number: that of a node, or one on the ground."""
+        """Return the number of the point at a place: that of a node, or a new one on the ground."""
         if text.strip() != GROUND_PLACE:
             return node_of(sheet, nodes, text)
         points.append(Point(name=name, role="ground", body=GROUND, place=np.array(ground)))
@@ -97,17 +97,17 @@ def node_structure(design: SheetDesign) -> Structure:
 
 
 def _bodies(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tuple[Body, ...]:
-    """The nodes, each with a third of the mass of every triangle at it."""
+    """Return the bodies of the nodes, each with a third of the mass of every triangle that meets there."""
     triangles, facet = nodes.triangles, design.facet
     corners = np.array(triangles.faces_vertices)
     shares = (facet.density or 0.0) * (facet.thickness or 0.0) * _areas(triangles) / 3
     masses = np.zeros(len(nodes.names))
     np.add.at(masses, corners, shares[:, None])
     if not (masses > 0).all() or not np.isfinite(masses).all():
-        lost = int(np.argmin((masses > 0) & np.isfinite(masses)))
+        wrong = int(np.argmin((masses > 0) & np.isfinite(masses)))
         raise InputError(
-            f"facet.thickness and facet.density: need vertices with a mass > 0 and finite, got {masses[lost]:g} kg at"
-            f" vertex {nodes.vertices[lost]}, from {facet.thickness:g} m and {facet.density:g} kg/m^3"
+            f"facet.thickness and facet.density: need vertices with a mass > 0 and finite, got {masses[wrong]:g} kg at"
+            f" vertex {nodes.vertices[wrong]}, from {facet.thickness:g} m and {facet.density:g} kg/m^3"
         )
     held: dict[int, set[int]] = {}
     for support in design.support:
@@ -128,11 +128,11 @@ def _bodies(design: SheetDesign, sheet: CreasePattern, nodes: SheetNodes) -> tup
 
 
 def _springs(design: SheetDesign, nodes: SheetNodes) -> tuple[Spring, ...]:
-    """A bar along every edge and diagonal.
+    """Return a bar along every edge and diagonal.
 
-    A triangle of area S and thickness t gives its three bars the cross-section A = 2 S t / ((1 - nu) sum of lengths),
-    by which they store as much as the sheet where it is stretched evenly: E S t e^2 / (1 - nu) = E A e^2 / 2 times the
-    sum of lengths (Filipov, Liu, Tachi, Schenk and Paulino 2017, doi 10.1016/j.ijsolstr.2017.05.028).
+    A triangle of area S and thickness t gives its three bars the cross-section A = 2 S t / ((1 - nu) sum of lengths).
+    Under a uniform strain e the bars then store as much energy as the sheet: E S t e^2 / (1 - nu) equals E A e^2 / 2
+    times the sum of lengths (Filipov, Liu, Tachi, Schenk and Paulino 2017, doi 10.1016/j.ijsolstr.2017.05.028).
     """
     facet, triangles = design.facet, nodes.triangles
     ends = triangles.vertices_coords[triangles.edges_vertices]
@@ -163,15 +163,15 @@ def _springs(design: SheetDesign, nodes: SheetNodes) -> tuple[Spring, ...]:
 
 
 def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
-    """The creases in the order of their edges, then the bends along flat edges."""
+    """Return the creases in the order of their edges, then the bends along flat edges."""
     triangles, creases = nodes.triangles, creases_by_edge(design)
-    sheet = design.sheet  # found by all values of the design's pattern: once, not for every crease
+    sheet = design.sheet  # outside the loop, because the look-up hashes all values of the pattern
     coords = triangles.vertices_coords
     hinges: list[Hinge] = []
     bends: list[Hinge] = []
     for edge, tail, head, left, right in shared_edges(triangles):
         beside = (sum(triangles.faces_vertices[face]) - tail - head for face in (left, right))
-        flaps = [each for corner in beside for each in (tail, head, corner)]
+        flaps = [vertex for corner in beside for vertex in (tail, head, corner)]
         length = float(np.linalg.norm(coords[head] - coords[tail]))
         angle = float(flap_angles(coords[flaps]))
         points = (flaps[0], flaps[1], flaps[2], flaps[3], flaps[4], flaps[5])
@@ -201,7 +201,7 @@ def _hinges(design: SheetDesign, nodes: SheetNodes) -> tuple[Hinge, ...]:
 
 
 def _membrane(design: SheetDesign, triangles: CreasePattern) -> Membrane:
-    """An elastic sheet over all triangles."""
+    """Return an elastic sheet over all triangles."""
     facet, count = design.facet, len(triangles.vertices_coords)
     return Membrane(
         name="sheet",
@@ -222,29 +222,29 @@ def _membrane(design: SheetDesign, triangles: CreasePattern) -> Membrane:
 def _tendons(
     design: SheetDesign, triangles: CreasePattern, point: Callable[[str, str, tuple[float, ...]], int]
 ) -> tuple[Tendon, ...]:
-    """The tendons; between vertices none is longer than the way along edges, to the ground any may be."""
+    """Return the tendons; the length between vertices is limited by the path along edges, to the ground it is not."""
     tails, heads = triangles.edges_vertices.T
     coords = triangles.vertices_coords
     lengths = np.linalg.norm(coords[heads] - coords[tails], axis=1)
     graph = csr_array((lengths, (tails, heads)), shape=(len(coords), len(coords)))
     tendons = []
-    for number, chosen in enumerate(design.tendon):
+    for number, section in enumerate(design.tendon):
         start, end = (
-            point(f"tendon_{chosen.name}_{key}", getattr(chosen, key), chosen.ground) for key in ("from", "to")
+            point(f"tendon_{section.name}_{key}", getattr(section, key), section.ground) for key in ("from", "to")
         )
         if start == end:
             raise InputError(f"tendon.{number}.to: need another place than tendon.{number}.from, got the same node")
         on_ground = max(start, end) >= len(coords)
-        ways = dijkstra(graph, directed=False, indices=min(start, end))
+        paths = dijkstra(graph, directed=False, indices=min(start, end))
         tendons.append(
             Tendon(
-                name=chosen.name,
+                name=section.name,
                 role="tendon",
                 points=(start, end),
-                law=tendon_law(chosen),
-                longest=np.inf if on_ground else float(ways[max(start, end)]),
-                gauge_length=chosen.rest_length,
-                material=None if chosen.law is None else chosen.law.material,
+                law=tendon_law(section),
+                longest=np.inf if on_ground else float(paths[max(start, end)]),
+                gauge_length=section.rest_length,
+                material=None if section.law is None else section.law.material,
                 key=f"tendon.{number}",
             )
         )
@@ -252,12 +252,12 @@ def _tendons(
 
 
 def _areas(triangles: CreasePattern) -> Array:
-    """Areas of triangles, (triangle,)."""
+    """Compute the areas of triangles, (triangle,)."""
     return triangle_areas(triangles.vertices_coords[np.array(triangles.faces_vertices)])
 
 
 def imperfect(triangles: CreasePattern, imperfection: Imperfection) -> CreasePattern:
-    """Shift every vertex square to the sheet by a random way, normally distributed.
+    """Shift every vertex along the normal of the sheet by a normally distributed random distance.
 
     Args:
         triangles: a sheet of triangles.
@@ -269,5 +269,5 @@ def imperfect(triangles: CreasePattern, imperfection: Imperfection) -> CreasePat
     normals = np.zeros_like(coords)
     np.add.at(normals, corners, triangle_normals(coords[corners])[:, None])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
-    ways = imperfection.size * np.random.default_rng(imperfection.seed).normal(size=(len(coords), 1))
-    return dataclasses.replace(triangles, vertices_coords=coords + ways * normals)
+    shifts = imperfection.size * np.random.default_rng(imperfection.seed).normal(size=(len(coords), 1))
+    return dataclasses.replace(triangles, vertices_coords=coords + shifts * normals)

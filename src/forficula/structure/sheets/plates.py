@@ -1,4 +1,4 @@
-"""Rigid plates on the facets of a sheet: hinged in a tree, closed where creases make loops, sprung where these open."""
+"""The structure of a sheet of rigid plates: a tree of hinges, closures for loops, and springs at creases that open."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from forficula.structure.sheets.sheet_hinge import sheet_hinge
 from forficula.structure.sheets.sheet_measures import sheet_measures
 from forficula.structure.structure import Structure
 
-# of a spring along a crease: gaps grow evenly along it, so that Simpson's rule is exact for their squares
+# weights of the three springs along a crease: the gap varies linearly, so Simpson's rule is exact for its square
 _WEIGHTS = (1 / 6, 4 / 6, 1 / 6)
 OPENING = "opening"  # role of these springs
 
@@ -35,8 +35,8 @@ OPENING = "opening"  # role of these springs
 def plate_structure(design: SheetDesign) -> Structure:
     """Build a plate on every facet and a hinge at every crease of a design's sheet, in the units of the design.
 
-    A crease that closes a loop turns a copy of the facet on its right. Plates hang on one another by the creases that
-    do not open; what hangs on no plate that is held goes and turns freely.
+    A crease that closes a loop turns a copy of the facet on its right. Creases that do not open connect the plates. A
+    group of plates that is not connected to a held plate moves freely.
 
     Raises:
         InputError: plates without a mass.
@@ -44,14 +44,14 @@ def plate_structure(design: SheetDesign) -> Structure:
     design, pattern = design.settled(), design.sheet
     opening, held = opening_creases(design), design.held_facets
     links = facet_tree(pattern, held, opening)
-    number = {link.facet: place for place, link in enumerate(links) if not link.closes}
+    number = {link.facet: body for body, link in enumerate(links) if not link.closes}
     built = _built(pattern)
     origins = [_origin(pattern, link, free=link.parent is None and link.facet not in held) for link in links]
     points, plates = facet_plates(design, pattern, [(number[facet], facet) for facet in number], origins)
     hinges = _hinges(design, pattern, links, built)
 
     def add(name: str, role: str, place: SheetPlace) -> int:
-        """A point at a place, by its number."""
+        """Add a point at a place and return its number."""
         body = number[place.facet]
         points.append(Point(name=name, role=role, body=body, place=place.position - origins[body]))
         return len(points) - 1
@@ -80,27 +80,27 @@ def plate_structure(design: SheetDesign) -> Structure:
         appearance=Appearance(pattern=pattern),
     )
     if not structure.closures and not opening:
-        # in a loop no hinge moves alone
+        # a crossing needs a hinge that moves independently, which there is not in a loop
         tendons = [replace(tendon, crossing=tendon_crossing(structure, tendon.points)) for tendon in tendons]
     structure = replace(structure, tendons=tuple(tendons), mass=largest_mass(design, structure))
     return with_protocol(immersed(structure, design.medium, _panels(pattern, number)), design)
 
 
 def _panels(pattern: CreasePattern, number: Mapping[int, int]) -> list[Panel]:
-    """The facets in triangles."""
+    """Return the triangles of the facets."""
     split, parts = triangulated(pattern)
     return facet_panels(pattern, split, parts, [number[facet] for facet in range(len(pattern.faces_vertices))])
 
 
 def _built(pattern: CreasePattern) -> Array:
-    """By how much every crease is folded as built, rad, (edge,); facets along flat edges are one plate as they lie."""
+    """Compute the fold angle of every edge as built, rad, (edge,); 0 for flat edges, whose facets form one plate."""
     if is_unfolded(pattern):
         return np.zeros(len(pattern.edges_vertices))
     return np.where(np.array(pattern.edges_assignment) == "F", 0.0, built_fold_angles(pattern))
 
 
 def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
-    """Where a plate's axes begin: in an end of the crease that it hangs on, or in the middle if it hangs on nothing."""
+    """Return the origin of a plate: an end of the crease to its parent, or the mean of the corners of a free plate."""
     corners = list(pattern.faces_vertices[link.facet])
     if free:
         return np.asarray(pattern.vertices_coords[corners].mean(axis=0))
@@ -108,14 +108,14 @@ def _origin(pattern: CreasePattern, link: FacetLink, *, free: bool) -> Array:
 
 
 def _axis(pattern: CreasePattern, link: FacetLink) -> Array:
-    """Along the crease, its length, m: the plate on the right rises, a valley, about this."""
+    """Return the vector along a crease, m, about which a positive turn raises the plate on the right, as a valley."""
     return np.asarray(pattern.vertices_coords[link.tail] - pattern.vertices_coords[link.head])
 
 
 def _bodies(
     links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], held: Sequence[int]
 ) -> tuple[Body, ...]:
-    """The plates and the copies, all with axes parallel to those of the pattern as built."""
+    """Return the bodies of plates and copies, all with axes parallel to those of the pattern as built."""
     bodies = []
     for place, link in enumerate(links):
         parent = GROUND if link.parent is None else number[link.parent]
@@ -137,8 +137,8 @@ def _bodies(
 def _closures(
     links: Sequence[FacetLink], number: Mapping[int, int], origins: Sequence[Array], points: Sequence[Point]
 ) -> tuple[Closure, ...]:
-    """The copies, each on the plate that it is one of, by the crease that it hangs on."""
-    named = {point.name: place for place, point in enumerate(points)}
+    """Return the closures of loops: each copy moves with the plate of which it is a copy."""
+    named = {point.name: number for number, point in enumerate(points)}
     return tuple(
         Closure(
             name=f"closure{link.edge}",
@@ -156,7 +156,7 @@ def _closures(
 
 
 def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLink], built: Array) -> tuple[Hinge, ...]:
-    """The hinges, in the order of their bodies."""
+    """Return the hinges in the order of their bodies."""
     creases = creases_by_edge(design)
     hinges: list[Hinge] = []
     for body, link in enumerate(links):
@@ -171,24 +171,24 @@ def _hinges(design: SheetDesign, pattern: CreasePattern, links: Sequence[FacetLi
 
 
 def opening_creases(design: SheetDesign) -> frozenset[int]:
-    """Numbers of the edges at which rigid facets come apart."""
+    """Return the numbers of the edges whose creases open between rigid facets."""
     return frozenset(edge for edge, crease in creases_by_edge(design).items() if crease.extension is not None)
 
 
 def opening_parts(
     design: SheetDesign, pattern: CreasePattern, points: Sequence[Point], add: AddPoint, built: Array
 ) -> tuple[tuple[Spring, ...], tuple[Hinge, ...]]:
-    """The springs and the folds of creases that open.
+    """Return the springs and the hinges of creases that open.
 
     Args:
-        design: of the sheet.
-        pattern: alike.
-        points: of the corners of its plates, and others.
-        add: gives a place a point.
-        built: by how much every edge is folded as built, rad, (edge,).
+        design: design of the sheet.
+        pattern: crease pattern of the sheet.
+        points: points of the structure, among them the corners of the plates.
+        add: function that adds a point at a place.
+        built: fold angle of every edge as built, rad, (edge,).
 
     Returns:
-        Three springs a crease, each of no length; and the hinges.
+        Three springs for each crease, with a rest length of 0; and the hinges.
     """
     creases, opening = creases_by_edge(design), opening_creases(design)
     named = {point.name: number for number, point in enumerate(points)}
@@ -227,7 +227,7 @@ def opening_parts(
 
 
 def _flaps(pattern: CreasePattern, shared: SharedEdge, named: dict[str, int]) -> tuple[int, int, int, int, int, int]:
-    """Tail, head and the furthest corner of the facet on the left, and of that on the right."""
+    """Return tail, head and furthest corner of the facet on the left, then of the facet on the right."""
     tail, head = pattern.vertices_coords[[shared.tail, shared.head]]
     flaps = []
     for facet in (shared.left, shared.right):

@@ -1,4 +1,4 @@
-"""What a crease of a sheet is, however the sheet is built: its spring, stops and names."""
+"""The hinge of a crease, for sheets of plates and of nodes: its spring, stops and names."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from forficula.structure.parts import Hinge
 def sheet_hinge(
     design: SheetDesign, crease: Crease, pattern: CreasePattern, edge: int, *, length: float, folded: float
 ) -> Hinge:
-    """A crease that turns nothing yet: whoever builds it gives it a body or flaps.
+    """Return the hinge of a crease without a body or flaps, which the caller adds.
 
     Args:
-        design: settled.
-        crease: the values that this one has.
-        pattern: with its edge.
-        edge: its number.
-        length: over which its spring and damper act, in the design's units.
-        folded: its angle as built, in its own sense, rad.
+        design: design with all values settled.
+        crease: values of this crease.
+        pattern: crease pattern with the edge.
+        edge: number of the edge.
+        length: length over which the spring and the damper act, in the design's units.
+        folded: angle as built in the crease's own sense, rad.
     """
     lower, upper = stops(design, edge, crease)
     lock = crease.lock_angle if crease.law == "locking" else math.inf

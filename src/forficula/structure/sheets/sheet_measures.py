@@ -1,4 +1,4 @@
-"""What is watched of a sheet: fold angles, and distances between places on it."""
+"""Measures of a sheet: fold angles, and distances between places on the sheet."""
 
 from __future__ import annotations
 
@@ -15,35 +15,36 @@ def sheet_measures(
     hinges: Sequence[Hinge],
     point: Callable[[str, str, tuple[float, ...]], int],
 ) -> tuple[Measure, ...]:
-    """The measures of a design, after that of all its creases.
+    """Return the measure of all creases, then those of the design.
 
     Args:
-        design: of the sheet.
-        hinges: that were built.
-        point: number of the point at a place, by what to call it, the place as text, and where "ground" is.
+        design: design of the sheet.
+        hinges: hinges of the structure.
+        point: function that returns the number of the point at a place, given a name for the point, the place as text
+            and the position of "ground".
     """
     edges = hinges_by_edge(hinges)
     every = tuple(sorted(hinge for parts in edges.values() for hinge in parts))
     measures = [Measure(name="creases", kind="angle", hinges=every, signs=(1,) * len(every), label="fold angle")]
-    for watched in design.measure:
-        if watched.of is None:
+    for section in design.measure:
+        if section.of is None:
             start, end = (
-                point(f"measure_{watched.name}_{key}", getattr(watched, key), watched.ground) for key in ("from", "to")
+                point(f"measure_{section.name}_{key}", getattr(section, key), section.ground) for key in ("from", "to")
             )
-            measures.append(Measure(name=watched.name, kind="distance", points=(start, end), label=watched.name))
+            measures.append(Measure(name=section.name, kind="distance", points=(start, end), label=section.name))
         else:
-            creases = creases_of(design.sheet, watched.of, design.crease.group)
-            turned = tuple(hinge for edge in creases for hinge in edges[edge])
-            # a valley counts as positive
-            signs = tuple(hinges[hinge].sense for hinge in turned)
-            measures.append(Measure(name=watched.name, kind="angle", hinges=turned, signs=signs, label=watched.name))
+            creases = creases_of(design.sheet, section.of, design.crease.group)
+            measured = tuple(hinge for edge in creases for hinge in edges[edge])
+            # valleys are positive
+            signs = tuple(hinges[hinge].sense for hinge in measured)
+            measures.append(Measure(name=section.name, kind="angle", hinges=measured, signs=signs, label=section.name))
     return tuple(measures)
 
 
 def hinges_by_edge(hinges: Sequence[Hinge]) -> dict[int, list[int]]:
-    """Numbers of the hinges along every crease of a sheet, of which it has several where it is split."""
-    found: dict[int, list[int]] = {}
+    """Return the numbers of the hinges along every crease of a sheet; a split crease has several."""
+    numbers: dict[int, list[int]] = {}
     for number, hinge in enumerate(hinges):
         if hinge.edge >= 0:
-            found.setdefault(hinge.edge, []).append(number)
-    return found
+            numbers.setdefault(hinge.edge, []).append(number)
+    return numbers

@@ -1,4 +1,4 @@
-"""The nodes of a sheet that bends: one at every vertex, several at one where cuts let it come apart."""
+"""The nodes of a sheet that bends: one at every vertex, and several at a vertex where cuts separate facets."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ class SheetNodes(NamedTuple):
     """A sheet cut open and split into triangles.
 
     Attributes:
-        triangles: the pattern of triangles; the edges of the sheet keep their numbers.
-        parts: number of the facet that every triangle is part of, (triangle,).
-        edges: number of the edge that every edge is part of, (edge,).
+        triangles: pattern of the triangles; the edges of the sheet keep their numbers.
+        parts: number of the facet to which each triangle belongs, (triangle,).
+        edges: number of the sheet's edge to which each edge belongs, (edge,).
         facets: nodes around every facet.
-        inside: further nodes of every facet.
-        vertices: number of the sheet's vertex at each node, (node,); -1 at a place between vertices.
-        names: of the nodes.
-        places: the node at each place that is not written as a vertex, by its text.
+        inside: nodes inside every facet.
+        vertices: number of the sheet's vertex at each node, (node,); -1 for a node between vertices.
+        names: names of the nodes.
+        places: node at each place that is not written as a vertex, by the text of the place.
     """
 
     triangles: CreasePattern
@@ -41,7 +41,7 @@ class SheetNodes(NamedTuple):
 
 
 def sheet_nodes(design: SheetDesign) -> SheetNodes:
-    """Find the nodes of a sheet: its vertices, and the places on it where tendons, measures or forces are.
+    """Find the nodes of a sheet: its vertices, and the places of tendons, measures and forces.
 
     Raises:
         InputError: a facet that diagonals cannot split.
@@ -78,16 +78,16 @@ def sheet_nodes(design: SheetDesign) -> SheetNodes:
 
 
 def _places(design: SheetDesign) -> list[str]:
-    """The places of tendons, measures and forces that are not vertices, each once."""
+    """Return the places of tendons, measures and forces that are not vertices, without duplicates."""
     ends = [getattr(joined, end) for joined in (*design.tendon, *design.measure) for end in ("from", "to")]
     pushed = [text for drive in design.drive for text in places_of(drive)]
     written = (as_place(text) for text in (*ends, *pushed) if text is not None)
     return [text for text in dict.fromkeys(written) if text != GROUND_PLACE and not is_vertex(text)]
 
 
-def _around(triangles: CreasePattern, own: Flags, corners: tuple[int, ...]) -> tuple[int, ...]:
-    """The nodes around a facet: its corners, and those on its sides between them."""
-    sides = {side for face in np.flatnonzero(own).tolist() for side in face_sides(triangles.faces_vertices[face])}
+def _around(triangles: CreasePattern, in_facet: Flags, corners: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the nodes around a facet: its corners, and the nodes on its sides."""
+    sides = {side for face in np.flatnonzero(in_facet).tolist() for side in face_sides(triangles.faces_vertices[face])}
     following = {tail: head for tail, head in sides if (head, tail) not in sides}
     around = [corners[0]]
     while (node := following[around[-1]]) != corners[0]:
@@ -95,12 +95,12 @@ def _around(triangles: CreasePattern, own: Flags, corners: tuple[int, ...]) -> t
     return tuple(around)
 
 
-def _corners(triangles: CreasePattern, own: Flags) -> set[int]:
-    return {node for face in np.flatnonzero(own).tolist() for node in triangles.faces_vertices[face]}
+def _corners(triangles: CreasePattern, in_facet: Flags) -> set[int]:
+    return {node for face in np.flatnonzero(in_facet).tolist() for node in triangles.faces_vertices[face]}
 
 
 def node_of(sheet: CreasePattern, nodes: SheetNodes, text: str) -> int:
-    """The node at a place written as "vertex 4", where cuts meet as "vertex 4 of facet 2", or as "edge 12 at 0.5".
+    """Return the node at a place such as "vertex 4", "vertex 4 of facet 2" (where cuts meet) or "edge 12 at 0.5".
 
     Raises:
         InputError: there is no such vertex.
@@ -114,7 +114,7 @@ def node_of(sheet: CreasePattern, nodes: SheetNodes, text: str) -> int:
 
 
 def held_axes(sheet: CreasePattern, nodes: SheetNodes, text: str, axes: str | None) -> dict[int, set[int]]:
-    """The axes, 0 to 2, along which a support holds nodes, by their numbers."""
+    """Return the axes, 0 to 2, along which a support holds nodes, by the numbers of the nodes."""
     written = {"xyz".index(axis) for axis in axes or "xyz"}
     if text.strip().startswith("facet"):
         return dict.fromkeys(_corners(nodes.triangles, nodes.parts == facet_of(sheet, text)), written)
