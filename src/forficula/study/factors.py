@@ -244,7 +244,7 @@ def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int
 
 
 def _check_values(key: str, values: Sequence[object], model: type[Design]) -> None:
-    """Reject values that cannot be coordinates of a table, and equal values. Values out of bounds fail when they run."""
+    """Reject values that cannot be coordinates of a table, and equal values. Bounds are not checked here."""
     quantity = key_quantity(key, model)
     known: dict[object, object] = {}
     for value in values:
