@@ -46,7 +46,7 @@ class CrossSection:
 
     @cached_property
     def outline(self) -> Array:
-        """Outline from one edge of the flat to the other, relative to the centroid, m, (point, 2): along the flat, up."""
+        """Outline from one edge of the flat to the other, from the centroid, m, (point, 2): along it, up."""
         half = math.acos(FLAT)
         turns = math.pi / 2 + np.linspace(half, 2 * math.pi - half, _CORNERS)
         around: Array = self.diameter / 2 * np.column_stack([np.cos(turns), np.sin(turns)]) - [0.0, self.centre]
