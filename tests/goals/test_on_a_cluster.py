@@ -66,7 +66,7 @@ def identified(folder, cluster):
 
 
 @pytest.mark.parametrize("answer", [optimised, tolerated, identified])
-def test_a_cluster_answers_as_this_machine_does(answer, address, tmp_path):
+def test_a_cluster_gives_the_same_rows_as_this_machine(answer, address, tmp_path):
     chunks = []
     with dask_cluster(address) as cluster:
 

@@ -31,11 +31,11 @@ def test_every_tendon_of_a_wing_has_its_straps(made_section):
         ((0, 4), "for it crosses no hinge between two bars"),
     ],
 )
-def test_a_tendon_without_straps_is_told(made_section, bodies, why):
+def test_a_tendon_without_straps_is_reported(made_section, bodies, why):
     (check,) = tendon_checks(with_tendon(made_section, bodies))
     assert (check.ok, check.value, check.limit) == (False, 3.0, 4.0)
     assert f"no straps are made of another, {why}" in check.text
 
 
-def test_of_a_joint_alone_other_tendons_are_not_asked_for(made_joint):
+def test_a_single_joint_needs_no_straps_for_other_tendons(made_joint):
     assert list(tendon_checks(made_joint)) == []

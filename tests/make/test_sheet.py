@@ -98,7 +98,7 @@ def strip(cuts, **values):
 
 @pytest.mark.parametrize("name", NAMED)
 @pytest.mark.parametrize("kerf", ["0 mm", "0.4 mm"])
-def test_the_cutters_way_less_the_kerf_has_the_area_of_the_facets(name, kerf):
+def test_cutter_path_without_the_kerf_has_the_area_of_the_facets(name, kerf):
     sheet = sheet_of(name, ("kerf", kerf))
     (way,), (outline,) = (line.points for line in of_kind(sheet, "border")), sheet.outlines
     assert loop_area(outline) == pytest.approx(facets_area(load_design(name).sheet), rel=1e-7)
@@ -106,7 +106,7 @@ def test_the_cutters_way_less_the_kerf_has_the_area_of_the_facets(name, kerf):
     assert failed(sheet) == set()
 
 
-def test_a_fan_without_tendons_is_all_of_its_panels_but_for_the_knuckles_of_its_hinges():
+def test_sheet_of_a_fan_without_tendons_is_its_panels_minus_hinge_knuckles():
     sheet = cut_sheet(load_design("binder2025").with_values({"tendon": []}))
     lost = facets_area(sheet.pattern) - sum(map(loop_area, sheet.outlines))
     # 10 mm of knuckles of 5.6 mm, 0.4 mm clear and 1 mm of window around them, with round corners; of the outer veins
@@ -166,7 +166,7 @@ def test_a_band_through_the_air_needs_no_window():
     assert not sheet.holes  # it is clipped to two corners
 
 
-def test_a_tower_comes_apart_along_one_seam_and_keeps_the_lengths_of_its_edges():
+def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
     pattern, sheet = load_design("kresling-cell").sheet, sheet_of("kresling-cell")
     lengths = np.linalg.norm(np.diff(pattern.vertices_coords[pattern.edges_vertices], axis=1)[:, 0], axis=1)
     flat = sheet.pattern
@@ -184,7 +184,7 @@ def test_a_tower_comes_apart_along_one_seam_and_keeps_the_lengths_of_its_edges()
     assert sheet.size.min() == pytest.approx(height)
 
 
-def test_what_lies_on_itself_when_flat_is_refused():
+def test_a_pattern_that_overlaps_itself_when_flat_is_rejected():
     saddle = vertex_pattern(np.radians([100.0] * 4), 0.03)
     with pytest.raises(InputError, match="laid flat it lies on itself"):
         made(saddle)
@@ -203,7 +203,7 @@ def test_what_lies_on_itself_when_flat_is_refused():
         ("miura-sheet", "relief_hole", r"make\.relief_hole: leaves nothing of the sheet of .*; need less, got 10 cm"),
     ],
 )
-def test_what_leaves_nothing_of_the_sheet_is_refused_with_its_key(name, key, said):
+def test_a_value_that_leaves_nothing_of_the_sheet_is_rejected_with_its_key(name, key, said):
     with pytest.raises(InputError, match=said):
         sheet_of(name, (key, "100 mm"))
 
@@ -220,7 +220,7 @@ def test_score_lines_are_the_creases_and_lie_in_the_layers_of_their_letters():
 
 
 @pytest.mark.parametrize(("cut", "bridge"), [(3e-3, 1e-3), (2e-3, 2e-3), (7e-3, 0.5e-3)])
-def test_a_perforation_leaves_the_share_of_its_bridges_and_bridges_both_ends(cut, bridge):
+def test_a_perforation_has_the_right_fraction_of_bridges_and_bridged_ends(cut, bridge):
     sheet = sheet_of("letter-fold", ("crease_style", "perforation"), ("crease_cut", cut), ("crease_bridge", bridge))
     slits = [line.points for line in of_kind(sheet, "slit") if line.points[0, 0] < 0.12]
     ends = np.sort(np.array([points[:, 1] for points in slits]), axis=1)
@@ -330,7 +330,7 @@ def test_cuts_of_a_pattern_stay_closed_and_end_half_a_kerf_before_what_they_do_n
     assert np.sort(outer.points[:, 1]) == pytest.approx([0.0, 0.01 - 1e-4])
 
 
-def test_what_cannot_be_made_fails_its_check():
+def test_a_sheet_that_cannot_be_made_fails_its_check():
     apart = strip("CC")
     check = next(check for check in apart.checks if check.name == "one piece")
     assert (check.ok, check.value, check.text) == (

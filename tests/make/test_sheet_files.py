@@ -29,7 +29,7 @@ def extent(points):
 
 
 @pytest.mark.parametrize(("name", "values"), SHEETS)
-def test_a_reader_of_its_own_finds_millimetres_the_right_size_and_no_error(name, values, tmp_path):
+def test_an_independent_reader_finds_millimetres_and_the_right_size(name, values, tmp_path):
     sheet = sheet_of(name, values)
     write_sheet_dxf(sheet, tmp_path / "sheet.dxf")
     drawing = ezdxf.readfile(tmp_path / "sheet.dxf")
@@ -125,7 +125,7 @@ def test_the_same_design_gives_the_same_bytes_and_plain_letters(tmp_path):
     assert not re.search(rb"^ *-0(\.0*)?$", text, re.MULTILINE)
 
 
-def test_what_fails_stands_in_the_file(tmp_path):
+def test_failed_checks_are_in_the_file(tmp_path):
     sheet = sheet_of("letter-fold", {"make.crease_style": "perforation", "make.crease_bridge": "0.05 mm"})
     write_sheet_dxf(sheet, tmp_path / "sheet.dxf")
     texts = [text.dxf.text for text in ezdxf.readfile(tmp_path / "sheet.dxf").modelspace().query("TEXT")]

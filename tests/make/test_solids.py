@@ -22,7 +22,7 @@ def test_a_rod_has_the_volume_of_a_cylinder():
     assert solid_of(rod()).volume() == pytest.approx(math.pi / 4 * 4**2 * 50, rel=1e-9)
 
 
-def test_a_prism_has_the_volume_of_its_outline_by_its_height_about_its_middle():
+def test_a_prism_has_the_volume_area_times_height_centred_on_its_outline():
     triangle = np.array([[0.0, 0.0], [0.01, 0.0], [0.0, 0.02]])
     solid = solid_of(Prism(outline=triangle, origin=AT, frame=TURN, height=0.006))
     assert solid.volume() == pytest.approx(100 * 6, rel=1e-9)
@@ -31,7 +31,7 @@ def test_a_prism_has_the_volume_of_its_outline_by_its_height_about_its_middle():
     assert points[:, 2].max() == pytest.approx(0.003)
 
 
-def test_what_is_joined_cut_and_shared_adds_up():
+def test_volumes_of_union_difference_and_intersection_add_up():
     one = box((0, 0, 0), (0.02, 0.02, 0.02), np.zeros(3), np.eye(3))
     other = box((0.01, 0.01, 0.01), (0.03, 0.03, 0.03), np.zeros(3), np.eye(3))
     together, less, both = (

@@ -18,7 +18,7 @@ MISSING = 'Open Cascade is not there: pip install "forficula[step]", or make tes
 DEMANDED = "FORFICULA_STEP" in os.environ
 
 
-def test_what_is_missing_is_said(monkeypatch):
+def test_missing_open_cascade_is_reported(monkeypatch):
     monkeypatch.setitem(sys.modules, "OCP", None)
     monkeypatch.setitem(sys.modules, "OCP.STEPCAFControl", None)
     with pytest.raises(ff.InputError, match=r'pip install "forficula\[step\]"'):
@@ -47,7 +47,7 @@ def test_both_kernels_have_the_same_volumes(joint):
         assert part.volume == pytest.approx(shape_volume(shape), rel=1e-5)
 
 
-def test_both_kernels_have_the_same_gap_half_way(joint):
+def test_both_kernels_have_the_same_gap_in_the_middle_of_the_range(joint):
     frame, origin = turned(joint.joints[0], math.radians(-90))
     proximal, distal = joint.parts[:2]
     theirs = shape_gap(shape_of(proximal.solid), shape_of(moved(distal.solid, frame, origin)))

@@ -48,7 +48,7 @@ def test_a_strap_of_the_tendons_own_law_has_the_designs_area():
         ),
     ],
 )
-def test_what_no_strap_can_be_made_for_is_refused(values, said):
+def test_a_tendon_without_a_possible_strap_is_rejected(values, said):
     with pytest.raises(InputError, match=said):
         wing_strap(**values)
 

@@ -42,14 +42,14 @@ def test_the_section_of_a_bar_with_a_flat_has_the_moments_of_its_polygon():
     assert (found.out_of_sheet, found.in_sheet) == pytest.approx((along, across), rel=1e-6)
 
 
-def test_a_flat_takes_a_quarter_of_the_stiffness_of_a_bar():
+def test_a_flat_reduces_the_stiffness_of_a_bar_by_a_quarter():
     # Euler: 2 GPa, 5 mm, 11 cm: 50 N; the flat takes 24 per cent of the least second moment
     full = math.pi / 64 * 5e-3**4
     assert math.pi**2 * 2e9 * full / 0.11**2 == pytest.approx(50, abs=0.5)
     assert bar_section(5e-3).least / full == pytest.approx(0.74, abs=0.02)
 
 
-def test_a_peg_with_flats_bears_what_the_strips_that_are_left_of_it_bear(joint_of):
+def test_strength_of_a_peg_with_flats_equals_the_sum_over_its_strips(joint_of):
     joint = joint_of(**{"make.peg_diameter": "6 mm"}).joints[0]
     z = np.linspace(0.2e-3 - joint.standoff, joint.top - joint.standoff, 200001)
     strips = 2 / 3 * (3e-3**2 - z**2) ** 1.5
@@ -125,7 +125,7 @@ def test_a_stop_takes_the_moment_that_the_tendon_has_there_in_closed_form(joint_
     assert load.force == pytest.approx((load.by_tendon + 1.0) / 3.98e-3, rel=0.01)
 
 
-def test_what_is_left_of_pull_and_stop_is_on_the_pin(joint_of):
+def test_resultant_of_pull_and_stop_force_loads_the_pin(joint_of):
     parts = joint_of()
     told = {check.name: check for check in strength_checks(parts)}
     load = stop_load(parts.structure, parts.joints[0], parts.straps[0], "overbend")
@@ -133,7 +133,7 @@ def test_what_is_left_of_pull_and_stop_is_on_the_pin(joint_of):
     assert f"up to {load.on_pin:.1f} N" in told["shear of the pin"].text
 
 
-def test_straps_of_each_tendon_bear_what_their_own_material_does():
+def test_straps_of_each_tendon_have_the_strength_of_their_material():
     own = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
     parts = make_parts(load_design("binder2025").with_values(MADE | own), "section")
     told = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}

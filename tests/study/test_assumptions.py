@@ -65,7 +65,7 @@ def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_ot
             assert design_from_text(design_text(variant.design)).hash == variant.design.hash
 
 
-def test_what_a_design_already_assumes_is_turned_into_its_opposite():
+def test_an_assumption_that_a_design_makes_is_inverted():
     plain, built, joint = found_of("binder2025"), found_of("binder2025-built"), found_of("binder2025-joint")
     assert plain["medium"].label == "in air"
     assert built["medium"].label == "empty space"
@@ -116,7 +116,7 @@ def test_an_overdamped_hinge_takes_as_long_as_its_damping_and_a_rise_delays_it_b
     assert flapping.verdict.startswith("closed; none of ")
 
 
-def test_a_torque_that_rises_slower_than_everything_is_that_of_the_statics():
+def test_a_very_slow_torque_agrees_with_statics():
     stages = ff.load_design("binder2025-joint").si_tables()["protocol"]["stages"][:3]
     rise = {"hinge.damping": 1e-4, "protocol.rise": 0.0, "protocol.timestep": 2e-4, "protocol.stages": stages}
     design = ff.load_design("binder2025-joint").with_values(rise)
@@ -183,7 +183,7 @@ def test_a_change_counts_where_it_exceeds_two_percent_and_the_numerical_uncertai
     assert effect_of(run, a_run(Verdict.UNTRUSTED), {}) is Effect.UNKNOWN
 
 
-def test_the_table_is_read_as_it_was_written_and_is_what_its_schema_says(flapping, tmp_path):
+def test_table_is_read_back_and_matches_its_schema(flapping, tmp_path):
     save_assumptions(flapping, tmp_path / ASSUMPTIONS_FILE)
     assert load_assumptions(tmp_path / ASSUMPTIONS_FILE) == flapping
     content = json.loads((tmp_path / ASSUMPTIONS_FILE).read_text("utf-8"))
@@ -200,7 +200,7 @@ def test_the_table_is_a_dataset(flapping):
     assert table.attrs["says"] == flapping.verdict
 
 
-def test_known_are_assumptions_of_the_same_values_in_the_folder_of_the_run_or_beside_it(flapping, tmp_path):
+def test_known_assumptions_are_found_in_the_folder_of_the_run_or_beside_it(flapping, tmp_path):
     run, beside = tmp_path / "flap", tmp_path / "flap-assumptions"
     design = flapping.design
     assert known_assumptions(design, run) is None

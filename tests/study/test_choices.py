@@ -46,7 +46,7 @@ def lines(text):
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def test_every_value_stands_by_itself_and_the_base_once_however_its_values_are_written(alone):
+def test_every_value_is_one_choice_and_the_base_occurs_once(alone):
     study, _ = alone
     assert study.points == (
         {},
@@ -67,7 +67,7 @@ def test_a_grid_is_repeated_whole_at_every_choice(gridded):
     ] == [(damping, *tendon) for damping in dampings for tendon in tendons]
 
 
-def test_factors_are_a_grid_unless_the_study_says_otherwise(study_file):
+def test_factors_are_a_grid_by_default(study_file):
     rows = f"{DAMPING}\n{UNITS}"
     plain, named = (load_study(study_file(rows, head)) for head in ("", 'vary = "grid"'))
     assert len(plain.points) == 9
@@ -75,7 +75,7 @@ def test_factors_are_a_grid_unless_the_study_says_otherwise(study_file):
     assert plain.choices == ()
 
 
-def test_a_wing_of_a_choice_is_the_wing_that_is_run_alone_with_that_value(alone):
+def test_a_choice_gives_the_same_run_as_a_design_with_this_value(alone):
     study, table = alone
     for place, values in enumerate(study.points[:4]):
         outcome = ff.measure(ff.run(with_values(study.base, dict(values)), confirm=False))
@@ -86,7 +86,7 @@ def test_a_wing_of_a_choice_is_the_wing_that_is_run_alone_with_that_value(alone)
     assert np.isfinite(table["fold_work"].values[:4]).sum() > 1
 
 
-def test_a_value_with_which_no_wing_can_be_built_is_a_row(alone):
+def test_a_value_with_which_no_wing_can_be_built_has_a_row(alone):
     _, table = alone
     assert str(table["status"].values[4]).startswith("cannot be built: ")
 
@@ -131,14 +131,14 @@ def test_shards_of_choices_are_collected_and_nothing_is_left_to_do(tmp_path, alo
     assert estimate(study, tmp_path)[:2] == (5, 0)
 
 
-def test_the_choices_of_a_factor_stand_together_by_size_with_the_base_among_them(alone, gridded):
+def test_choices_of_a_factor_are_grouped_by_size_with_the_base(alone, gridded):
     _, table = alone
     groups = {group.factor: group.places for group in choice_groups(table)}
     assert groups == {"hinge_damping": (1, 0, 2), "pattern_units": (0, 3, 4)}
     assert [group.places for group in choice_groups(gridded[1])] == [(1, 0, 2)]
 
 
-def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
+def test_folded_and_opened_points_are_counted_at_every_choice(alone, gridded):
     _, table = alone
     assert count_first(table).tolist() == table["folded"].values.astype(int).tolist()
     assert count_all(table).tolist() == table["opened"].values.astype(int).tolist()
@@ -150,7 +150,7 @@ def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_out(gridded, tmp_path, capsys):
+def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_path, capsys):
     study, table, folder = gridded
     # three dampings, four tendons, two torques, and a release where one folds
     folds = int(np.isfinite(table["least_fold_torque"]).sum())
@@ -174,7 +174,7 @@ def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_ou
         assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
 
 
-def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, write_study_file, tmp_path):
+def test_folding_results_do_not_depend_on_the_search_for_opening(gridded, write_study_file, tmp_path):
     _, table, _ = gridded
     grid = TENDONS.removeprefix("[grid]\n")
     search = ONLY_FOLDING.replace("[]", '["90 N cm"]')
@@ -185,7 +185,7 @@ def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, 
     assert np.array_equal(both["fold_outcome"].values, table["outcome"].values[0])
 
 
-def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_path):
+def test_a_base_value_that_is_a_word_is_distinguished_from_numbers(tmp_path):
     path = tmp_path / "steps.toml"
     path.write_text(
         f'design = "binder2025"\n{ALONE}\nsettings.protocol.timestep = "auto"\n'
@@ -230,14 +230,14 @@ def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_pat
         ),
     ],
 )
-def test_what_cannot_be_varied_so_is_refused_in_one_line(study_file, head, tail, message):
+def test_invalid_choices_are_rejected_in_one_line(study_file, head, tail, message):
     with pytest.raises(InputError) as caught:
         load_study(study_file(DAMPING, head, tail))
     assert message in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
 
 
-def test_draws_are_not_varied_one_at_a_time(study_file):
+def test_distributions_are_not_varied_one_at_a_time(study_file):
     drawn = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
     with pytest.raises(InputError, match='vary: needs factors that are lists or ranges, got distributions with "one'):
         load_study(study_file(drawn, ALONE, "[sampling]\ncount = 3"))

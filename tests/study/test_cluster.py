@@ -138,7 +138,7 @@ def test_a_scheduler_that_is_gone_is_one_error_and_what_is_done_is_kept(cluster,
     assert 0 < len(read_rows(tmp_path / "out", study.base)) < len(study.points)
 
 
-def test_the_first_runs_are_done_here_and_tell_how_many_make_a_chunk(cluster, study, tmp_path, monkeypatch):
+def test_first_runs_are_local_and_determine_the_size_of_chunks(cluster, study, tmp_path, monkeypatch):
     sizes, submit = [], distributed.Client.submit
 
     def listen(self, run, texts, *arguments, **options):
@@ -153,7 +153,7 @@ def test_the_first_runs_are_done_here_and_tell_how_many_make_a_chunk(cluster, st
 
 
 @given(st.integers(1, 10_000), st.floats(1e-5, 30), st.integers(1, 100))
-def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs):
+def test_chunks_take_about_a_second_including_the_last(left, seconds, runs):
     pace = _Pace(runs=runs, seconds=runs * seconds)
     assume(left >= pace.runs_in(0.2))
     least = 0.2 / max(seconds, 1e-4)
@@ -165,7 +165,7 @@ def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs)
 
 
 @pytest.mark.parametrize("address", ["nonsense", "tcp://", "gopher://x:1"])
-def test_an_address_that_is_none_is_one_error(address):
+def test_an_invalid_address_is_one_error(address):
     with pytest.raises(InputError, match=r"^--dask: [^\n]*$"), dask_cluster(address):
         pass
 

@@ -61,7 +61,7 @@ def test_with_a_constant_ratio_the_order_is_that_of_the_textbook():
     assert fit.order == pytest.approx(math.log(4 / 1.3) / math.log(2), abs=1e-4)
 
 
-def test_times_that_scatter_tell_no_order_and_say_so():
+def test_scattered_times_give_no_order_and_a_reason():
     steps = np.array([0.5, 0.4, 0.3, 0.2, 0.1])
     fit = fit_order(steps, 60 - 4 * steps + np.array([0.5, -0.6, 0.5, -0.5, 0.4]))
     assert (fit.observed, fit.order) == (False, 1.0)
@@ -73,7 +73,7 @@ def test_times_that_scatter_tell_no_order_and_say_so():
     ("times", "reason"),
     [([5.0, 5.0, 5.0], "does not change"), ([5.0, 4.0], "three timesteps"), ([4.0, 5.0, 4.0], "scat")],
 )
-def test_times_without_an_order_say_why(times, reason):
+def test_times_without_an_order_have_a_reason(times, reason):
     fit = fit_order(np.array([0.4, 0.2, 0.1])[: len(times)], np.array(times))
     assert not fit.observed
     assert reason in fit.reason
@@ -95,7 +95,7 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     assert found.verdict.startswith("0.1 ms is fine: the fold time differs by ")
 
 
-def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
+def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hinge):
     # at 0.4 ms the hinge runs further than 10 deg into its stop
     steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
     found = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
@@ -136,7 +136,7 @@ def test_a_timestep_that_diverges_is_too_long(short):
     assert found.verdict.endswith("; at 0.2 ms it does not.")
 
 
-def test_a_coarse_timestep_that_diverges_does_not_spoil_the_own_one(short):
+def test_a_diverging_coarse_timestep_does_not_affect_the_own_one(short):
     found = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
     assert found.fine is not None
     assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in found.verdict
@@ -152,7 +152,7 @@ def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge
     assert "the outcome changes with the timestep" in found.verdict
 
 
-def test_the_reference_is_on_the_edge_where_the_bounds_enclose_what_is_allowed(short):
+def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
     steps = [4e-4, 3e-4, 2e-4, 1e-4]
     least, most = converge(short, TIMESTEP, steps), converge(short, TIMESTEP, steps, tolerance=1e-6)
     between = converge(short, TIMESTEP, steps, tolerance=_middle(least))
@@ -176,7 +176,7 @@ def test_a_wing_that_does_not_fold_cannot_be_judged(reference):
     assert np.isnan(found.transition_times["fold"]).all()
 
 
-def test_moduli_and_meshes_say_how_far_the_fold_time_moves(short):
+def test_moduli_and_meshes_report_the_change_of_the_fold_time(short):
     for key, values, name in ((YOUNGS_MODULUS, [2e6, 1e6], "2 MPa"), (MESH, [1, 2], "5 rows")):
         found = converge(short, key, values)
         move = 100 * (found.transition_times["fold"][1] / found.transition_times["fold"][0] - 1)
@@ -205,7 +205,7 @@ def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
         (MESH, "1 2 3", [1, 2, 3]),
     ],
 )
-def test_a_list_is_numbers_and_the_unit_that_follows(key, text, values):
+def test_numbers_without_a_unit_have_that_of_the_next_number(key, text, values):
     assert read_values(key, text) == pytest.approx(values, rel=1e-15)
 
 
@@ -231,7 +231,7 @@ def test_a_list_is_numbers_and_the_unit_that_follows(key, text, values):
         ("--meshes", "1 1000", "need whole numbers from 1 to 50"),
     ],
 )
-def test_a_bad_list_ends_with_1_and_one_line(tmp_path, monkeypatch, capsys, option, text, rule):
+def test_an_invalid_list_exits_with_1_and_one_line(tmp_path, monkeypatch, capsys, option, text, rule):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as caught:
         main(["converge", "binder2025", option, text])
@@ -243,7 +243,7 @@ def test_a_bad_list_ends_with_1_and_one_line(tmp_path, monkeypatch, capsys, opti
 
 
 @pytest.mark.parametrize("options", [[], ["--meshes", "1 2", "--moduli", "1 2 MPa"]])
-def test_one_question_at_a_time(capsys, options):
+def test_only_one_setting_is_varied_at_a_time(capsys, options):
     with pytest.raises(SystemExit) as caught:
         main(["converge", "binder2025", *options])
     assert caught.value.code == 1

@@ -67,7 +67,7 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     assert "cycle 1 is taken to be like cycle 2" in cycling.remarks[0]
 
 
-def test_a_longer_set_is_no_softening_of_the_spring_as_well():
+def test_residual_strain_does_not_also_soften_the_spring():
     def loading(strain, number):
         return 4.8e6 * (strain - 0.02 * math.log(number)).clip(0)
 
@@ -98,7 +98,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_a_wing_that_goes_on_folding_still_folds_after_a_hundred_cycles():
+def test_a_robust_wing_still_folds_after_a_hundred_cycles():
     fading = replace(FADING, rate=-1e-3, interval=(-2e-3, 0.0))
     cycling = run_cycles(folding(replace(LAW, stiffness_drift=fading)), 100)
     assert cycling.verdict == "still folds after 100 cycles"
@@ -107,7 +107,7 @@ def test_a_wing_that_goes_on_folding_still_folds_after_a_hundred_cycles():
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_cycles_that_take_turns_in_folding_are_said_to_be_on_an_edge(monkeypatch):
+def test_alternating_success_over_cycles_is_reported(monkeypatch):
     def taking_turns(designs):
         for number, row in enumerate(evaluate(designs), start=1):
             yield row | {"folded": number in (1, 2, 4)}
@@ -122,12 +122,12 @@ def test_cycles_that_take_turns_in_folding_are_said_to_be_on_an_edge(monkeypatch
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_cycles_of_tendons_with_branches_are_said_to_begin_at_rest():
+def test_rested_maxwell_branches_are_reported():
     law = replace(LAW, stiffness_drift=FADING, branches=(MaxwellBranch(modulus=1e6, time=50.0),))
     assert any("begins with tendons at rest" in remark for remark in run_cycles(folding(law), 1).remarks)
 
 
-def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():
+def test_a_wing_that_never_folds_is_reported():
     resting = {"protocol.stages": [SETTLE, FOLD | {"time_limit": 0.5}], "protocol.fold_torque": 0.0}
     design = with_values(folding(replace(LAW, stiffness_drift=FADING)), resting)
     cycling = run_cycles(design, 2)
@@ -135,7 +135,7 @@ def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():
     assert [run.margins["fold"] for run in cycling.runs] == [None, None]
 
 
-def test_a_wing_that_folds_and_never_opens_is_told_of_both():
+def test_a_wing_that_folds_but_never_opens_is_reported():
     unfold = {"name": "unfold", "drive": "unfold", "until": "opened", "hold": 0.0, "time_limit": 0.02}
     design = folding(replace(LAW, stiffness_drift=FADING))
     stages = {"protocol.stages": [SETTLE, FOLD, unfold], "protocol.unfold_torque": 1e-3}
@@ -160,13 +160,13 @@ def test_a_wing_that_folds_and_never_opens_is_told_of_both():
         ),
     ],
 )
-def test_tendons_that_do_not_change_are_told_with_the_reason(law, sentence):
+def test_unchanging_tendons_are_reported_with_the_reason(law, sentence):
     assert why_unchanged(folding(law)) == sentence
     with pytest.raises(InputError, match=sentence):
         run_cycles(folding(law), 100)
 
 
-def test_a_law_that_softens_after_its_first_stretch_does_so_from_the_second_cycle_on():
+def test_softening_after_the_first_stretch_applies_from_the_second_cycle():
     soft = OgdenRoxburgh(r=2.0, m=1e5)
     design = folding(replace(LAW, softening=soft))
     assert why_unchanged(design) == ""
@@ -196,7 +196,7 @@ def test_a_design_file_keeps_the_drift(tmp_path):
     assert later.residual_strain == pytest.approx(0.02 * (math.exp(-1 / 1.5) - math.exp(-6 / 1.5)))
 
 
-def test_counts_are_every_one_up_to_20_and_ten_a_decade_beyond():
+def test_cycles_are_all_up_to_20_and_ten_per_decade_beyond():
     assert cycle_counts(1) == (1,)
     assert cycle_counts(5) == (1, 2, 3, 4, 5)
     assert cycle_counts(21) == (*range(1, 21), 21)

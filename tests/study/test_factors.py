@@ -90,7 +90,7 @@ def test_an_integer_factor_takes_whole_numbers():
     assert read_factor("pattern.units", [1, 3], FanDesign).values == (1, 3)
 
 
-def test_a_list_is_taken_as_it_is_written():
+def test_a_list_keeps_its_values():
     factor = read_factor("tendon.stiffness", ["10 N/cm", "1500 N/m"], FanDesign)
     assert factor.values == ("10 N/cm", "1500 N/m")
     assert factor.dimension == "tendon_stiffness"
@@ -130,7 +130,7 @@ def test_laws_are_a_factor_by_their_names():
         ("", r'unknown key, got \["1 s"\]; allowed here: '),
     ],
 )
-def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):
+def test_an_invalid_factor_is_rejected_with_a_valid_example(key, message):
     with pytest.raises(InputError, match=f"^{key}: {message}"):
         read_factor(key, ["1 s"], FanDesign)
 
@@ -251,7 +251,7 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
         ({"distribution": "normal", "mean": "1 cm", "deviation": "0 cm"}, ".deviation: need > 0"),
     ],
 )
-def test_a_distribution_that_is_none_is_refused_with_its_parameter(given, message):
+def test_an_invalid_distribution_is_rejected_with_its_parameter(given, message):
     with pytest.raises(InputError) as caught:
         read_factor("tendon.rest_length", given, FanDesign)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")

@@ -27,7 +27,7 @@ def test_offsets_make_the_barrier_higher(compared):
     assert pair.made.holding_torque > 2 * pair.designed.holding_torque
 
 
-def test_what_no_longer_folds_is_blamed_on_the_offsets(compared):
+def test_offsets_are_reported_as_the_cause_of_a_lost_state(compared):
     assert compared.as_designed.holds("folded")
     assert compared.as_made.holds("folded") is False
     (blame, *_) = compared.blame
@@ -38,7 +38,7 @@ def test_what_no_longer_folds_is_blamed_on_the_offsets(compared):
     )
 
 
-def test_every_change_is_tried_alone_and_put_back(compared):
+def test_every_change_is_tried_alone_and_undone(compared):
     groups = compared.groups
     assert set(groups) == {"offsets", "stiffness", "masses"}
     tried = {trial.groups for trial in compared.trials}
@@ -47,7 +47,7 @@ def test_every_change_is_tried_alone_and_put_back(compared):
     )}  # fmt: skip
 
 
-def test_the_comparison_is_told_drawn_and_written_down(compared):
+def test_comparison_is_printed_drawn_and_saved(compared):
     told = "\n".join(made_lines(compared))
     assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in told
     assert compared.blame[0].text in told
@@ -61,7 +61,7 @@ def test_the_comparison_is_told_drawn_and_written_down(compared):
         draw_made(compared, hinge="fold9")
 
 
-def test_nothing_is_run_where_nobody_asks_for_it():
+def test_nothing_is_run_without_simulation():
     compared = made_comparison(make_parts("binder2025-joint"))
     assert (compared.trials, compared.blame) == ((), ())
     assert compared.as_made is None

@@ -120,12 +120,12 @@ def test_the_least_torques_are_the_first_steps_that_work():
     assert len(run) == 4 + 3 + 1
 
 
-def test_success_need_not_be_monotone_and_the_least_that_works_counts():
+def test_least_success_counts_even_if_success_is_not_monotone():
     result, _ = found(GRID, lambda torque: torque in (0.1, 0.3), lambda torque: torque == 0.2)
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.2)
 
 
-def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_row_that_says_so():
+def test_a_tendon_that_folds_with_a_small_but_not_the_large_torque_has_a_row_that_says_so():
     result, _ = found(GRID, lambda torque: torque >= 0.1, large="stuck at -134.6 deg")
     assert result["least_fold_torque"] == 0.1
     assert result["least_unfold_torque"] is None
@@ -142,7 +142,7 @@ def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_r
         (no_torque, "stuck at -134.6 deg", "stuck at -134.6 deg"),
     ],
 )
-def test_a_wing_whose_release_at_the_least_torque_fails_is_a_row_that_says_so(opens, large, after):
+def test_a_wing_whose_release_fails_has_a_row_that_says_so(opens, large, after):
     released = "did not stay folded"
     result, _ = found(GRID, lambda torque: torque >= 0.2, opens, large, released)
     assert result["least_fold_torque"] == 0.2
@@ -163,13 +163,13 @@ NUMBERS = (
         ("not to be trusted: the energy balance misses 12 %", "not to be trusted"),
     ],
 )
-def test_a_release_that_says_nothing_of_the_wing_leaves_the_point_without_numbers(released, word):
+def test_an_inconclusive_release_leaves_the_point_without_numbers(released, word):
     result, _ = found(GRID, lambda torque: torque >= 0.2, any_torque, released=released)
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["status"], result["outcome"], result["fold_outcome"]) == (released, word, word)
 
 
-def test_a_run_not_to_be_trusted_below_the_least_torque_that_folds_leaves_the_point_without_numbers():
+def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_without_numbers():
     result, run = found(GRID, lambda torque: torque >= 0.2, any_torque, untrusted=[0.1])
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["verdict"], result["outcome"]) == ("untrusted", "not to be trusted")
@@ -179,13 +179,13 @@ def test_a_run_not_to_be_trusted_below_the_least_torque_that_folds_leaves_the_po
     assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
 
 
-def test_a_run_not_to_be_trusted_above_the_least_torque_that_folds_does_no_harm_but_is_told_of():
+def test_an_unreliable_run_above_the_least_folding_torque_is_only_reported():
     result, _ = found(GRID, lambda torque: torque == 0.1, any_torque, untrusted=[0.3])
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.1)
     assert (result["verdict"], result["residual"]) == ("reached", 0.12)
 
 
-def test_an_opening_not_to_be_trusted_below_the_least_torque_that_opens_leaves_none():
+def test_an_unreliable_run_below_the_least_opening_torque_leaves_none():
     # 0.15 N m is tried for opening only, once 0.2 N m has opened
     result, _ = found(
         refined(1), lambda torque: torque >= 0.3, lambda torque: torque >= 0.2, untrusted=[(0.1 + 0.2) / 2]
@@ -275,7 +275,7 @@ def test_a_point_replaces_values_of_the_design():
     assert (design.tendon.stiffness, design.pattern.units) == (3300.0, 2)
 
 
-def test_a_search_that_names_no_torque_before_the_second_drive_takes_that_of_a_run():
+def test_default_torque_before_the_second_drive_is_that_of_a_run():
     own = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
     assert read_search("least-torques", {}, own).reference == pytest.approx(0.4)
     assert read_search("least-torques", {"fold_with": "500 N cm"}, own).reference == pytest.approx(5.0)

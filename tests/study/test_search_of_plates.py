@@ -57,7 +57,7 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
     assert titles["closed_hinge_energy"] == "springs' energy when closed"
 
 
-def test_two_ways_by_one_drive_are_not_asked_for_two_torques(searched, tmp_path):
+def test_two_transitions_by_one_drive_cannot_have_two_torques(searched, tmp_path):
     design = ff.load_design("letter-fold")
     stages = [stage.model_dump() for stage in design.protocol.stages]
     stages[3] |= {"drive": "close", "until": "creases > 120 deg"}
@@ -85,7 +85,7 @@ def test_the_least_value_of_a_letter_may_be_negative(searched):
         ('"1..3 N cm step 1"', '"3..1 N cm step 1"', "search.values: need a range that rises"),
     ],
 )
-def test_what_a_search_cannot_mean_is_refused_before_a_run(searched, old, new, message):
+def test_a_meaningless_search_is_rejected_before_a_run(searched, old, new, message):
     text = HEAD.replace("least-torques", "least-value")
     text += '[search]\nkey = "drive.close.value"\nvalues = "1..3 N cm step 1"\nstate = "closed"\n'
     assert old in text

@@ -34,7 +34,7 @@ def words(script, place, task="3"):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_job_runs_its_shard_whatever_the_names(tmp_path, name):
+def test_every_job_runs_its_shard_for_all_names(tmp_path, name):
     script = slurm_script(name, f"out/{name}", 8)
     assert accepts(script)
     assert words(script, tmp_path) == ["study", name, "--out", f"out/{name}", "--shard", "3/8"]
@@ -57,7 +57,7 @@ def test_no_jobs_and_too_many_are_refused(shards):
 
 
 @pytest.mark.parametrize("names", [("a\nrm -rf b.toml", "out"), ("a.toml", "out\necho b"), ("a.toml", "out\r")])
-def test_a_name_that_would_break_out_of_its_line_is_refused(names):
+def test_a_name_with_a_line_break_is_rejected(names):
     with pytest.raises(InputError, match="--slurm: need names on one line"):
         slurm_script(*names, 2)
 

@@ -48,7 +48,7 @@ def searched(tmp_path_factory, write_study_file):
     return study, run_study(study, tmp_path_factory.mktemp("searched") / "out")
 
 
-def test_the_columns_are_those_that_were_asked_for_in_si_with_units_in_their_names(searched):
+def test_columns_are_in_si_with_units_in_their_names(searched):
     study, table = searched
     text = table_csv(study, table)
     assert text.splitlines()[0].split(",")[: len(COLUMNS)] == COLUMNS
@@ -93,7 +93,7 @@ def test_a_tendons_energy_when_flat_is_that_of_its_length_beyond_rest(searched):
     assert table["flat_energy"].values == pytest.approx(expected.transpose(*table["flat_energy"].dims).values, rel=0.2)
 
 
-def test_coordinates_are_in_si_and_say_their_key_and_units(searched):
+def test_coordinates_are_in_si_with_key_and_units(searched):
     _, table = searched
     assert table["least_fold_torque"].dims == ("tendon_stiffness", "tendon_rest_length")
     attributes = table["tendon_rest_length"].attrs
@@ -108,7 +108,7 @@ def test_coordinates_are_in_si_and_say_their_key_and_units(searched):
     assert np.array_equal(table["folded_by_torque"], np.isfinite(table["fold_time_by_torque"]))
 
 
-def test_the_dataset_comes_back_from_its_file(searched, tmp_path):
+def test_dataset_is_read_back_from_its_file(searched, tmp_path):
     _, table = searched
     (tmp_path / "table.nc").write_bytes(table.to_netcdf(engine="h5netcdf"))
     with xr.open_dataset(tmp_path / "table.nc", engine="h5netcdf") as again:
@@ -131,7 +131,7 @@ def test_angles_are_in_degrees_and_whole_numbers_have_no_unit(tmp_path, study_fi
     assert table["pattern_sector_angle"].values == pytest.approx([math.radians(18), 0.3])
 
 
-def test_a_protocol_as_it_is_tells_whether_the_wing_folded_and_opened(tmp_path, study_file):
+def test_a_plain_run_reports_whether_the_wing_folded_and_opened(tmp_path, study_file):
     table = run_study(load_study(study_file('"tendon.rest_length" = ["5 cm", "9 cm"]')), tmp_path / "out")
     assert table["folded"].dtype == bool
     for number, status in enumerate(table["status"].values):
@@ -155,7 +155,7 @@ def test_words_and_lists_label_a_table_too(tmp_path, study_file, factor, labels)
     assert table.to_netcdf(engine="h5netcdf")
 
 
-def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_file):
+def test_automatic_and_given_timesteps_share_a_table(tmp_path, study_file):
     study = load_study(study_file('"protocol.timestep" = ["0.4 ms", "auto", "0.25 ms"]'))
     table = run_study(study, tmp_path / "out")
     # one word makes words of them all: an axis has no number for it

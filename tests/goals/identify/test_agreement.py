@@ -31,7 +31,7 @@ def looked_for(emulators, bounds, tolerances):
     return [AgreementWindow(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
 
 
-def test_planted_values_lie_in_ranges_that_are_far_narrower_than_what_was_believed(emulators):
+def test_planted_values_lie_in_ranges_much_narrower_than_the_priors(emulators):
     held, widths = [], []
     for seed in range(8):
         generator = np.random.default_rng([seed, 7])
@@ -47,7 +47,7 @@ def test_planted_values_lie_in_ranges_that_are_far_narrower_than_what_was_believ
     assert np.median(widths) < 0.2
 
 
-def test_where_no_sample_meets_both_facts_though_the_truth_does_values_between_them_are_not_excluded(
+def test_values_between_samples_are_not_excluded_if_no_sample_but_the_truth_meets_both_facts(
     samples, emulators
 ):
     exact = numbers(np.array([[0.43, 0.61]]))[0]
@@ -60,14 +60,14 @@ def test_where_no_sample_meets_both_facts_though_the_truth_does_values_between_t
     assert least_apart(looked_for(emulators, exact, within), (0, 0), 0) <= 1
 
 
-def test_two_facts_that_no_value_meets_are_many_standard_errors_apart(emulators):
+def test_contradicting_facts_deviate_by_many_standard_errors(emulators):
     # the longest time with the most energy: a soft tendon has the one, a stiff one the other
     far = looked_for(emulators, [numbers(np.array([[0.0, 1.0]]))[0, 0], 2.0], [0.02, 0.02])
     assert agreement(far, (0, 0), 0).apart > 3
     assert least_apart(far, (0, 0), 0) > 3
 
 
-def test_the_share_that_meets_a_fact_is_that_of_the_closed_form(samples):
+def test_fraction_of_priors_that_meets_a_fact_equals_closed_form(samples):
     emulator = fit_emulator(samples, samples[:, 0])
     found = agreement([AgreementWindow(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
     assert found.share == pytest.approx(0.1, rel=0.2)
@@ -80,7 +80,7 @@ def test_the_share_that_meets_a_fact_is_that_of_the_closed_form(samples):
     assert below.errors.tolist() == [0]
 
 
-def test_choices_are_known_at_their_middles_only(samples):
+def test_choices_snap_to_the_middle_of_their_part(samples):
     middles = snapped(samples, (2, 0))
     assert set(middles[:, 0].tolist()) == {0.25, 0.75}
     assert (middles[:, 1] == samples[:, 1]).all()
@@ -90,7 +90,7 @@ def test_choices_are_known_at_their_middles_only(samples):
     assert found.share == pytest.approx(0.5, rel=0.2)
 
 
-def test_standard_errors_hold_values_that_were_not_run_also_where_the_quantity_jumps():
+def test_standard_errors_cover_unseen_values_even_at_a_jump():
     held = []
     for seed in range(4):
         points, elsewhere = latin_points(2, 64, seed), np.random.default_rng([seed, 1]).random((200, 2))
@@ -109,7 +109,7 @@ def test_a_smooth_quantity_is_predicted_far_better_than_it_scatters():
     assert np.mean(np.abs(values[1] - mean) <= 2 * error) >= 0.9
 
 
-def test_of_too_few_samples_there_is_no_emulator():
+def test_too_few_samples_give_no_emulator():
     assert least_samples(15) == 34
     assert fit_emulator(latin_points(15, 32, 0), np.zeros(32)) is None
     # of what does not vary there is

@@ -35,7 +35,7 @@ def halves(placed=()):
     return met, [()] * 40 + list(placed)
 
 
-def test_facts_exclude_one_another_only_where_each_is_met_and_samples_that_were_placed_to_meet_both_do_not():
+def test_facts_exclude_one_another_only_if_each_is_met_and_placed_samples_miss_both_together():
     met, targets = halves(placed=[(0, 1)])
     pair = conjunction((0, 1), evidence(met, targets=targets))
     assert pair.verdict is Together.EXCLUDED
@@ -51,7 +51,7 @@ def test_facts_exclude_one_another_only_where_each_is_met_and_samples_that_were_
     assert conjunction((0, 1), evidence(met, targets=targets)).verdict is Together.PLACED
 
 
-def test_facts_that_are_met_by_too_few_tell_nothing_of_whether_they_exclude_one_another():
+def test_rarely_met_facts_give_no_verdict_on_exclusion():
     met, targets = halves(placed=[(0, 2)])
     pair = conjunction((0, 2), evidence(met, targets=targets))
     assert pair.verdict is Together.RARE
@@ -86,7 +86,7 @@ def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():
     assert pair.verdict is Together.NEARLY
 
 
-def test_samples_that_do_not_tell_are_not_counted_and_widen_the_bound():
+def test_inconclusive_samples_are_not_counted_and_widen_the_bound():
     met, targets = halves(placed=[(0, 1)])
     tells = np.ones_like(met)
     # of 4 that meet fact 0 it is open whether they meet fact 1; of 4 that meet fact 1, whether they meet fact 3
@@ -98,7 +98,7 @@ def test_samples_that_do_not_tell_are_not_counted_and_widen_the_bound():
     assert conjunction((0, 3), evidence(met, tells=tells, targets=targets)).most == pytest.approx(largest_share(0, 40))
 
 
-def test_every_three_facts_of_which_any_two_are_met_are_told_with_whether_they_were_tried():
+def test_unmet_triples_of_facts_are_listed_with_the_number_of_placed_samples():
     met = np.repeat(np.array([[1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=bool), 6, axis=0)
     (three,) = triples_of(evidence(met))
     assert (three.facts, three.alone, three.verdict) == ((0, 1, 2), (12, 12, 12), Together.UNTRIED)
@@ -107,14 +107,14 @@ def test_every_three_facts_of_which_any_two_are_met_are_told_with_whether_they_w
     assert (three.verdict, three.tried) == (Together.EXCLUDED, 1)
 
 
-def test_the_smallest_sets_that_no_sample_meets_leave_out_what_follows_from_them():
+def test_smallest_unmet_sets_contain_no_larger_implied_sets():
     # any two of facts 0, 1 and 2, never all three; fact 3 never
     met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [1, 0, 1, 0]], dtype=bool)
     assert smallest_unmet(met) == [(3,), (0, 1, 2)]
     assert smallest_unmet(np.ones((1, 4), dtype=bool)) == []
 
 
-def test_what_is_looked_for_is_what_no_sample_met():
+def test_targets_are_sets_of_facts_that_no_sample_met():
     met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], dtype=bool)
     assert open_targets(met) == [(0, 1, 2, 3), (3,), (0, 2)]
     assert open_targets(np.ones((2, 3), dtype=bool)) == []
@@ -122,7 +122,7 @@ def test_what_is_looked_for_is_what_no_sample_met():
     assert open_targets(np.array([[1, 1, 0, 1], [0, 1, 1, 1], [1, 0, 1, 1]], dtype=bool)) == [(0, 1, 2, 3), (0, 1, 2)]
 
 
-def test_placed_samples_stay_in_the_cube_and_gather_where_a_target_is_near():
+def test_placed_samples_stay_in_the_cube_and_concentrate_near_the_target():
     generator = np.random.default_rng(0)
     shares = generator.random((64, 3))
     # the facts are met at the corner where all shares are 1
@@ -134,11 +134,11 @@ def test_placed_samples_stay_in_the_cube_and_gather_where_a_target_is_near():
     assert misses(excess, (0, 1))[-16:].mean() < 0.3 * misses(excess, (0, 1))[:64].mean()
 
 
-def test_samples_that_could_not_run_are_infinitely_far():
+def test_samples_that_could_not_run_have_infinite_distance():
     assert misses(np.array([[0.0, np.nan], [0.0, 0.0]]), (0, 1)).tolist() == [np.inf, 0]
 
 
-def test_what_agrees_is_the_nearest_tenth_where_hardly_any_meets_everything():
+def test_nearest_tenth_agrees_if_hardly_any_sample_meets_all_facts():
     excess = np.linspace(0, 4, 50)[:, None] * [1, 1]
     met = excess == 0
     placed = np.arange(50) < 2

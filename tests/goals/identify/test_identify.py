@@ -66,7 +66,7 @@ def looked_for():
 
 
 @pytest.mark.parametrize(("overbend", "damping"), HIDDEN)
-def test_hidden_values_are_found_again_by_what_they_bring_about(looked_for, overbend, damping):
+def test_hidden_values_are_identified_from_their_effects(looked_for, overbend, damping):
     own = 2 * HIDDEN.index((overbend, damping))
     met = looked_for.sel(sample=looked_for.met.isel(fact=[own, own + 1]).all("fact"))
     assert 3 <= met.sizes["sample"] < 64
@@ -83,7 +83,7 @@ def contradicted():
     return observed([count_fact("many", at_least=40), count_fact("few", at_most=30)], samples=64, directed=32)
 
 
-def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contradicted):
+def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     result = contradicted
     assert result.met.any("sample").all()
     assert int(result.met_together[0, 1]) == int(result.met_together_placed[0, 1]) == 0
@@ -97,7 +97,7 @@ def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contra
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
 
-def test_facts_that_every_sample_meets_tell_the_prior_back():
+def test_facts_that_every_sample_meets_return_the_prior():
     result = observed([count_fact("some", at_least=0), time_fact("ever", at_most="1 s")], samples=64, directed=32)
     assert result.met.all()
     assert result.agrees.all()
@@ -108,7 +108,7 @@ def test_facts_that_every_sample_meets_tell_the_prior_back():
         assert np.histogram(share.values, bins=16, range=(0, 1))[0].tolist() == [4] * 16
 
 
-def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
+def test_placed_samples_refute_an_accidental_exclusion():
     # one corner of what is believed: both facts leave a band of each unknown, which few drawn samples hit
     count, time = what_it_does(planted(2.2, 3e-4))
     facts = [
@@ -133,7 +133,7 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     assert float(placed.together_share_high[0, 1]) == float(drawn.together_share_high[0, 1])
 
 
-def test_a_value_among_choices_is_found_by_what_it_does():
+def test_a_hidden_choice_is_identified_from_its_effect():
     unknown = {"tendon.distal_attachment": ["4 cm", "5 cm", "5.5 cm"], **UNKNOWN}
     hidden = planted(3.0, 1e-3).with_values({"tendon.distal_attachment": "4 cm"})
     time = row_of(hidden)["fold_time_s"]
@@ -146,7 +146,7 @@ def test_a_value_among_choices_is_found_by_what_it_does():
     assert {each.key: each.agrees for each in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
 
 
-def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way():
+def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
     def silent(runs):
         rows = assess(runs)
         for run, row in zip(runs, rows, strict=True):
@@ -194,7 +194,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
         ("least at", {"at": {"tendon.rest_length": "8 cm"}}, False, False),
     ],
 )
-def test_a_number_of_runs_of_which_one_does_not_tell_is_met_or_missed_only_where_that_one_cannot_matter(
+def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(
     statistic, asked, met, tells
 ):
     fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
@@ -209,7 +209,7 @@ def test_a_number_of_runs_of_which_one_does_not_tell_is_met_or_missed_only_where
         assert (float(result.met_share_low[0]), float(result.met_share_high[0])) == (0.0, 1.0)
 
 
-def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_holds():
+def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success():
     def silent(runs):
         found = assess(runs)
         for run, row in zip(runs, found, strict=True):
@@ -233,7 +233,7 @@ def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_hold
     assert told(equals="40 N cm") == [[False, False], [True, True]]
 
 
-def test_what_exclusion_rests_on_is_told_with_its_numbers(contradicted):
+def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
     many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
     told = together_sentences(contradicted)
     assert "Exclude one another, as far as samples tell" in told[-2]
@@ -242,7 +242,7 @@ def test_what_exclusion_rests_on_is_told_with_its_numbers(contradicted):
     assert int(contradicted.tried_together[0, 1]) == 32
 
 
-def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing():
+def test_a_sample_without_a_valid_design_is_reported_and_not_counted():
     unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "5 cm", "high": "15 cm"}, **UNKNOWN}
     result = observed([count_fact("some", at_least=0)], samples=32, unknown=unknown)
     missing = result.status.values != "ran"
@@ -254,7 +254,7 @@ def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing
     assert not result.agrees.values[missing].any()
 
 
-def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
+def test_names_with_brackets_are_unchanged_in_the_table(capsys):
     print_identification(observed([count_fact("b [red]/[9 cm]", at_least=0)], samples=1))
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
@@ -264,7 +264,7 @@ def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
     assert "One sample meets the fact." in said
 
 
-def test_where_nothing_can_be_built_the_reason_is_told():
+def test_reason_is_reported_if_no_sample_can_be_built():
     unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "12 cm", "high": "15 cm"}}
     result = observed([count_fact("some", at_least=0)], samples=4, directed=4, unknown=unknown)
     assert result.attrs["could_not_run"] == 4

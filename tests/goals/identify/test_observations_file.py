@@ -22,7 +22,7 @@ def tables(**fact):
     return {"design": "binder2025", "unknown": UNKNOWN, "fact": [fact]}
 
 
-def test_named_observations_are_the_papers_lost_values():
+def test_named_observations_have_the_values_that_the_paper_does_not_report():
     assert named_observations() == ["binder2025-lost"]
     seen = load_observations("binder2025-lost")
     keys = [prior.key for prior in seen.priors]
@@ -44,7 +44,7 @@ def test_named_observations_are_the_papers_lost_values():
             assert prior.distribution.first <= now <= prior.distribution.second
 
 
-def test_what_is_unknown_is_not_set_too():
+def test_an_unknown_key_must_not_be_under_settings():
     with pytest.raises(InputError, match=r"^unknown\.hinge\.overbend: is under \[settings\], too; need it in one"):
         observations_of({**tables(**TIME), "settings": {"hinge.overbend": "3 deg"}})
 
@@ -59,7 +59,7 @@ def test_what_is_unknown_is_not_set_too():
         (["1 deg", "2 deg", "3 deg", "4 deg"], "2 deg"),
     ],
 )
-def test_a_quarter_of_what_is_believed_lies_below_the_value_at_a_quarter(believed, quarter):
+def test_value_at_a_quarter_is_the_lower_quartile_of_the_prior(believed, quarter):
     (prior,) = observations_of({**tables(**TIME), "unknown": {"hinge.overbend": believed}}).priors
     assert values_at([prior], [0.25]) == {"hinge.overbend": quarter}
 
@@ -118,7 +118,7 @@ def test_facts_need_names_of_their_own():
         observations_of({**tables(**TIME), "fact": [TIME, TIME]})
 
 
-def test_every_key_of_a_file_is_told():
+def test_every_key_of_an_observations_file_is_listed():
     told = {fact.key for fact in key_facts("", ObservationsFile)}
     assert {"unknown.KEY", "fact.0.quantity", "fact.0.least.key", "sampling.directed"} <= told
     assert all(fact.meaning and fact.allowed for fact in key_facts("fact", ObservationsFile))
@@ -146,7 +146,7 @@ def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
         ({"over": {"tendon.7.stiffness": ["4 N/cm"]}}, "need one of 0, 1 or 2 after tendon"),
     ],
 )
-def test_a_fact_that_no_run_could_answer_is_refused(change, says):
+def test_a_fact_that_no_run_can_decide_is_rejected(change, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**TIME, **change))
     assert says in str(error.value)
@@ -163,13 +163,13 @@ def test_a_fact_that_no_run_could_answer_is_refused(change, says):
         (["-1 N/cm", "4 N/cm"], "unknown.tendon.stiffness: need >= 0, got -1 N/cm"),
     ],
 )
-def test_what_is_believed_must_be_what_a_design_may_have(believed, says):
+def test_priors_must_lie_within_the_bounds_of_their_keys(believed, says):
     with pytest.raises(InputError) as error:
         observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}})
     assert says in str(error.value)
 
 
-def test_a_normal_belief_may_have_a_tail_that_no_design_has():
+def test_a_normal_prior_may_extend_beyond_the_bounds_of_its_key():
     believed = {"distribution": "normal", "mean": "1 N/cm", "deviation": "4 N/cm"}
     assert observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}}).priors
 
@@ -185,7 +185,7 @@ def test_a_normal_belief_may_have_a_tail_that_no_design_has():
         ),
     ],
 )  # fmt: skip
-def test_what_is_unknown_is_no_condition_of_a_fact(fact, says):
+def test_an_unknown_key_cannot_be_a_condition_of_a_fact(fact, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**fact))
     assert says in str(error.value)

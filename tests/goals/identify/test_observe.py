@@ -82,7 +82,7 @@ def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
 
 @pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg"])
 @pytest.mark.parametrize("statistic", ["least", "largest", "mean"])
-def test_least_torques_by_halving_are_those_by_trying_all_and_bound_the_closed_form(overbend, statistic):
+def test_least_torques_by_bisection_equal_those_of_a_full_scan_and_bound_the_closed_form(overbend, statistic):
     tried, many = found(overbend, **{**LEAST, "statistic": statistic})
     halved, few = found(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
     assert halved == tried
@@ -93,20 +93,20 @@ def test_least_torques_by_halving_are_those_by_trying_all_and_bound_the_closed_f
     assert halved.value == pytest.approx(exact)
 
 
-def test_the_least_of_all_least_torques_is_looked_for_where_it_may_be():
+def test_only_conditions_that_may_have_the_least_torque_of_all_are_searched():
     _, everywhere = found(**{**LEAST, "statistic": "largest", "least": {**LEAST["least"], "monotone": True}})
     _, where_it_may_be = found(**{**LEAST, "statistic": "least", "least": {**LEAST["least"], "monotone": True}})
     assert len(where_it_may_be) < len(everywhere)
 
 
-def test_where_none_is_enough_the_least_torque_is_a_step_above_all():
+def test_least_torque_is_one_step_above_all_if_none_succeeds():
     least = {**LEAST["least"], "values": "1..3 N cm step 1"}
     result, _ = found("8 deg", **{**LEAST, "least": least, "over": {"tendon.rest_length": "0..2 cm step 1"}})
     assert result.value == pytest.approx(0.04)
     assert result.distance == pytest.approx(0.16)
 
 
-def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
+def test_deviation_of_a_position_is_the_difference_of_its_number_to_the_least():
     fact = {
         "name": "fastest",
         "quantity": "fold_time",
@@ -125,7 +125,7 @@ def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
     assert (never.distance, never.met) == (1.0, False)
 
 
-def test_two_statistics_are_held_against_each_other():
+def test_two_statistics_can_be_compared():
     by_length = {
         "name": "long ones fold rather than short ones",
         "quantity": "folded",
@@ -168,7 +168,7 @@ def test_sums_of_quantities_and_runs_that_do_not_count():
     assert nothing.value == 7.0
 
 
-def test_what_runs_does_not_depend_on_what_else_is_known():
+def test_requested_runs_do_not_depend_on_other_known_rows():
     fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
     fact |= {"rising": ["tendon.rest_length"], "falling": ["tendon.stiffness"]}
 
@@ -190,7 +190,7 @@ def test_what_runs_does_not_depend_on_what_else_is_known():
     assert len(ran) < 60
 
 
-def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run():
+def test_every_condition_is_run_if_the_far_corner_has_another_boundary():
     # the softest and longest tendons do not fold, as the paper has it: a band folds, and no staircase
     def band(runs):
         rows = assess(runs)
@@ -206,7 +206,7 @@ def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run()
     assert len(ran) == 60
 
 
-def test_what_runs_tell_has_the_names_that_goals_have():
+def test_row_quantities_have_the_names_of_goal_quantities():
     design = load_design("force-clasp")
     told = row_quantities(design)
     asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}

@@ -54,7 +54,7 @@ class KilledError(Exception):
     """Stands for a process that ends at once."""
 
 
-def test_hidden_values_of_a_sheet_are_found_by_its_times(result):
+def test_hidden_values_of_a_sheet_are_identified_from_its_times(result):
     near = result.isel(sample=int(np.argmin(result.scaled_distance.sum("fact").values)))
     spread = np.ptp(result.value.values, axis=0)
     # what comes nearest is off by a small part of what the samples differ by
@@ -63,7 +63,7 @@ def test_hidden_values_of_a_sheet_are_found_by_its_times(result):
     assert float(near.tendon_left_stiffness) == pytest.approx(50, rel=0.2)
 
 
-def test_killed_and_taken_up_again_it_comes_to_the_same(planted, result, tmp_path):
+def test_an_interrupted_identification_gives_the_same_result(planted, result, tmp_path):
     # among the drawn samples, twice, and among the placed ones
     for stop in (5, 5, 15):
         left = [stop]
@@ -115,7 +115,7 @@ IDENTIFY = "identify(load_observations(sys.argv[1]), sys.argv[2])"
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 @pytest.mark.usefixtures("undrawn")
-def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(tmp_path):
+def test_command_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp_path):
     file, whole, out = tmp_path / "seen.toml", tmp_path / "whole", tmp_path / "killed"
     save_design(load_design("letter-fold", QUICK), tmp_path / "letter.toml")
     file.write_text(SEEN, "utf-8")
@@ -140,7 +140,7 @@ def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(t
     assert len(keys) == len(set(keys)) == tables[0].attrs["runs"]
 
 
-def test_another_design_s_rows_are_refused(planted, tmp_path):
+def test_rows_of_another_design_are_rejected(planted, tmp_path):
     (tmp_path / "journal.jsonl").write_text(
         json.dumps({"written_by": {"schema": 0, "design": "other", "design_hash": "0"}}) + "\n", "utf-8"
     )
@@ -149,7 +149,7 @@ def test_another_design_s_rows_are_refused(planted, tmp_path):
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_figures_tell_what_they_show(result, width):
+def test_figures_have_alternative_texts(result, width):
     told = {name: description(draw(width)) for name, draw in identify_drawings(result).items()}
     assert told.keys() == {"facts", "together", "unknowns", "pairs"}
     assert "closes as seen" in told["facts"]
@@ -157,7 +157,7 @@ def test_figures_tell_what_they_show(result, width):
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
+def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     file = tmp_path / "seen.toml"
     file.write_text(
         'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
@@ -197,7 +197,7 @@ def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     assert "never closes" in (tmp_path / "facts.svg").read_text("utf-8")
 
 
-def test_a_dry_run_says_how_many_runs_there_are(tmp_path, capsys):
+def test_dry_run_reports_the_number_of_runs(tmp_path, capsys):
     file = tmp_path / "seen.toml"
     file.write_text(
         'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'

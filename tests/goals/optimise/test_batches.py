@@ -58,7 +58,7 @@ def many_valleys(x):
         (two_curved_limits, 2, 3 * math.sqrt(0.05), 160),
     ],
 )
-def test_an_optimum_on_its_limits_is_met_to_a_thousandth(problem, dimension, least, count, seed):
+def test_an_optimum_on_its_limits_is_found_to_a_thousandth(problem, dimension, least, count, seed):
     best, *_ = best_ranked(searched(problem, [Axis()] * dimension, count, seed=seed), 1)
     assert best.feasible
     assert best.objectives[0] == pytest.approx(least, abs=1e-3)
@@ -86,7 +86,7 @@ def test_steps_and_choices_are_found_beside_a_continuous_axis():
     assert best.point[0] == pytest.approx(0.25, abs=1e-3)
 
 
-def test_a_space_of_few_places_is_looked_through_once():
+def test_a_space_of_few_points_is_enumerated_once():
     axes = [Axis(levels=3), Axis(levels=4, ordered=False)]
     trials = searched(lambda x: ([x.sum()], []), axes, 1000)
     assert len(trials) == 12
@@ -143,7 +143,7 @@ def test_a_front_of_three_objectives_lies_on_its_sphere():
     assert (values @ directions.T).max(axis=0).min() > math.cos(math.radians(12))
 
 
-def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
+def test_infeasible_limits_are_reported_with_their_relaxations():
     """Two discs 0.4 apart with radii of 0.1: what meets one misses the other by 0.3 - 0.1."""
 
     def discs(x):
@@ -165,7 +165,7 @@ def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
     assert nearest_trial(searches[0]).violation == pytest.approx(0.2, abs=2e-3)
 
 
-def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
+def test_limits_behind_an_infeasible_limit_are_not_reported_as_missed():
     ruled_out = [Trial(point=(x,), objectives=(math.nan,), margins=(x - 0.5, math.nan)) for x in (0.1, 0.3)]
     cheap, dear = relaxations(ruled_out)
     assert (cheap.best, cheap.unseen) == (-0.2, -0.2)
@@ -176,7 +176,7 @@ def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
     assert (cheap.best, cheap.unseen, dear.alone) == (0.4, -0.2, -0.1)
 
 
-def test_limits_that_were_not_looked_at_rank_behind_those_that_failed():
+def test_unevaluated_limits_rank_behind_missed_ones():
     near = Trial(point=(0.1,), objectives=(1.0,), margins=(0.5, -0.9))
     ruled_out = Trial(point=(0.2,), objectives=(math.nan,), margins=(-0.01, math.nan))
     short = Trial(point=(0.3,), objectives=(0.5,), margins=(0.1, 0.1), surplus=-0.2)
@@ -201,7 +201,7 @@ print(json.dumps(asked))
 """
 
 
-def test_what_was_told_alone_decides_what_is_asked_in_any_process():
+def test_proposed_points_depend_only_on_the_trials_in_every_process():
     trials = searched(sphere, MIXED, 176, seed=3)
     told = [
         [(trial.point, trial.objectives[0], trial.margins[0]) for trial in trials[first : first + 16]]
@@ -219,13 +219,13 @@ def test_what_was_told_alone_decides_what_is_asked_in_any_process():
     assert asked == [trial.point for trial in trials]
 
 
-def test_another_seed_asks_for_other_points():
+def test_another_seed_proposes_other_points():
     assert {trial.point for trial in searched(sphere, MIXED, 16, seed=1)}.isdisjoint(
         trial.point for trial in searched(sphere, MIXED, 16, seed=2)
     )
 
 
-def test_places_are_the_middles_of_their_parts():
+def test_levels_are_the_middles_of_their_parts():
     axes = (Axis(levels=4), Axis(levels=3, ordered=False), Axis())
     assert placed(axes, np.array([[1.0, 0.34, 1.2], [0.0, 0.0, -0.1]])) == [
         (0.875, 0.5, 1.0),

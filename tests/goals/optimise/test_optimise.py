@@ -52,7 +52,7 @@ def peak(rest_length):
     return -found.fun
 
 
-def test_the_closed_form_here_is_that_of_the_joint():
+def test_closed_form_of_this_test_is_that_of_the_joint():
     told_values = static_values(JOINT, ["hinges"])
     assert 5e-6 * moment(STOP, 0.06) == pytest.approx(told_values["hinge_holding_torque"], rel=1e-3)
     assert 5e-6 * peak(0.06) == pytest.approx(told_values["hinge_opening_torque"], rel=1e-3)
@@ -84,7 +84,7 @@ def test_the_lightest_joint_that_holds_and_opens_lies_on_both_limits(lightest):
     assert found.table["mass"][found.table["feasible"]].min() == found.table["mass"][found.table["best"]].item()
 
 
-def test_a_planted_joint_is_found_again_from_its_outcomes(tmp_path):
+def test_a_planted_joint_is_found_from_its_outcomes(tmp_path):
     planted = JOINT.with_values({AREA: "7.3 mm^2", LENGTH: "5.15 cm"})
     seen = static_values(planted, ["hinges"])
     goal = goal_of(
@@ -131,7 +131,7 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     assert not table["feasible"].values[[each in unasked for each in inside.candidates]].any()
 
 
-def test_what_cannot_be_met_is_told_with_what_would_have_to_give(tmp_path):
+def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -157,7 +157,7 @@ class StoppedError(Exception):
     pass
 
 
-def test_a_search_that_is_stopped_three_times_comes_to_the_same(tmp_path):
+def test_three_interruptions_do_not_change_a_search(tmp_path):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     whole = optimise_goal(goal, tmp_path / "whole")
     total = len((tmp_path / "whole" / "journal.jsonl").read_text().splitlines())
@@ -186,7 +186,7 @@ class OtherPoints(ParabolaSearch):
         return [tuple(round(1 - share, 6) for share in point) for point in super().ask()]
 
 
-def test_a_search_that_is_taken_up_elsewhere_tries_the_points_of_its_journal(tmp_path, monkeypatch):
+def test_a_search_continued_elsewhere_tries_the_points_of_its_journal(tmp_path, monkeypatch):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     whole = optimise_goal(goal, tmp_path)
     monkeypatch.setattr("forficula.goals.optimise.optimise.ParabolaSearch", OtherPoints)
@@ -194,7 +194,7 @@ def test_a_search_that_is_taken_up_elsewhere_tries_the_points_of_its_journal(tmp
     assert not optimise_goal(goal, tmp_path / "anew").table.identical(whole.table)
 
 
-def test_shards_of_a_search_try_the_points_that_the_first_one_asked(tmp_path):
+def test_shards_of_a_search_try_the_points_of_the_first_shard(tmp_path):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     with ThreadPoolExecutor(1) as executor:
         first = executor.submit(optimise_goal, goal, tmp_path, shard=(1, 2))
@@ -205,7 +205,7 @@ def test_shards_of_a_search_try_the_points_that_the_first_one_asked(tmp_path):
     assert len(keys) == len(set(keys)) == 2
 
 
-def test_a_front_of_two_objectives_is_a_row_of_designs(tmp_path):
+def test_two_objectives_give_a_front_of_designs(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -223,7 +223,7 @@ def test_a_front_of_two_objectives_is_a_row_of_designs(tmp_path):
     assert 2 <= len(found.best) <= 12
 
 
-def test_a_run_that_is_ruled_out_by_statics_is_spared(tmp_path):
+def test_designs_ruled_out_by_statics_are_not_run(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -250,7 +250,7 @@ def test_another_designs_folder_is_refused(tmp_path):
         optimise_goal(goal_of(STATICS | {"design": JOINT.with_values({"vein.diameter": "6 mm"})}), tmp_path)
 
 
-def test_an_optimum_at_a_bound_of_what_may_vary_says_so(lightest, tmp_path):
+def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path):
     """Of one area the force grows as the tendon is made shorter: the shortest holds hardest."""
     goal = {
         "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "6 cm", "high": "9 cm"}},
@@ -272,7 +272,7 @@ def test_an_optimum_at_a_bound_of_what_may_vary_says_so(lightest, tmp_path):
     assert not [each for each in told(lightest) if "at the edge of what may vary" in each]
 
 
-def test_what_does_not_hold_when_it_is_verified_is_not_said_to_meet_the_goal(tmp_path):
+def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
     """Eight neighbours of 200 tell little: of the best by them some have too few fresh ones that work."""
     few = {
         "search": {"runs": 56, "batch": 8, "neighbours": 8},

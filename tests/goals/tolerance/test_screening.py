@@ -57,7 +57,7 @@ def test_the_strongest_of_25_factors_are_kept_in_every_repetition(function, stro
         assert strongest <= set(screened(function, seed).kept)
 
 
-def test_of_a_margin_with_a_step_the_strongest_are_kept_where_eight_rows_of_each_lose_them():
+def test_strongest_factors_of_a_margin_with_a_step_are_kept():
     found = [screened(step, seed) for seed in range(REPETITIONS)]
     kept = np.mean([np.isin(range(4), each.kept) for each in found], axis=0)
     ranked = np.mean([np.isin(range(4), np.argsort(-each.effects)[:KEPT]) for each in found], axis=0)
@@ -67,7 +67,7 @@ def test_of_a_margin_with_a_step_the_strongest_are_kept_where_eight_rows_of_each
     assert ranked[1:].mean() < 0.85
 
 
-def test_factors_that_decide_nothing_are_resolved_in_no_more_than_one_of_twenty_tables():
+def test_factors_without_effect_are_significant_in_at_most_one_of_twenty_tables():
     """Two decide, one of them more than the other; 23 do not."""
     false, repetitions = 0, 60
     for seed in range(repetitions):
@@ -80,7 +80,7 @@ def test_factors_that_decide_nothing_are_resolved_in_no_more_than_one_of_twenty_
     assert false / repetitions <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / repetitions)
 
 
-def test_a_result_that_does_not_vary_has_no_deciding_factor():
+def test_a_constant_result_has_no_important_factor():
     shares, resolved = deciding_factors(two_samples(4, 32, 0)[0], np.full(32, 0.7), 0)
     assert not shares.any()
     assert not resolved.any()
