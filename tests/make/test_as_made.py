@@ -94,7 +94,7 @@ def test_the_file_gives_the_same_design(made_joint, made, tmp_path):
 def test_parts_that_stop_before_the_folded_angle_are_rejected(joint_of):
     parts = joint_of(**{"protocol.folded_angle": "179 deg", "make.anchors": "as designed",
                         "tendon.proximal_attachment": "5.5 cm", "tendon.distal_attachment": "5.5 cm"})  # fmt: skip
-    with pytest.raises(InputError, match=r"as made, it is no design that can be run: .*folded_angle"):
+    with pytest.raises(InputError, match=r"the design as made cannot be run: .*folded_angle"):
         as_made(parts)
 
 

@@ -27,14 +27,14 @@ def test_every_tendon_of_a_wing_has_its_straps(made_section):
     ("bodies", "why"),
     [
         # the bars of the first vein, and the proximal ones of two veins, which no joint is between
-        ((0, 1), "for fold0 has those of tendon0"),
-        ((0, 4), "for it crosses no hinge between two bars"),
+        ((0, 1), "because fold0 has pegs for tendon0"),
+        ((0, 4), "because it crosses no hinge between two bars"),
     ],
 )
 def test_a_tendon_without_straps_is_reported(made_section, bodies, why):
     (check,) = tendon_checks(with_tendon(made_section, bodies))
     assert (check.ok, check.value, check.limit) == (False, 3.0, 4.0)
-    assert f"no straps are made of another, {why}" in check.text
+    assert f"no straps are made for another, {why}" in check.text
 
 
 def test_a_single_joint_needs_no_straps_for_other_tendons(made_joint):

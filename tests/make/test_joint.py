@@ -115,7 +115,7 @@ def test_a_check_without_a_strength_is_skipped_with_a_reason(joint_of):
 
 
 def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
-    with pytest.raises(InputError, match=r"make.hinge_width: no room for three knuckles: need >= 2.4 mm"):
+    with pytest.raises(InputError, match=r"make.hinge_width: no space for three knuckles: need >= 2.4 mm"):
         joint_of(**{"make.hinge_width": "2 mm"})
 
 

@@ -174,7 +174,7 @@ def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
     assert len(laid) == len(lengths) + 1
     assert laid[: len(lengths)] == pytest.approx(lengths)
     assert sheet.notes == (
-        "laid flat the sheet is open along crease 7 of the pattern: join the edges that have one number",
+        "the flat sheet is open along crease 7 of the pattern: join the edges with the same number",
     )
     assert [label.text for label in sheet.labels] == ["1", "1"]
     # six parallelograms in a row: the least rectangle is as high as a triangle
@@ -306,7 +306,7 @@ def test_where_the_membrane_of_a_fan_begins_is_marked():
     ends = np.concatenate([line.points for line in of_kind(sheet, "edge")])
     assert {line.layer for line in of_kind(sheet, "edge")} == {"mark"}
     assert np.linalg.norm(ends - (hub + 0.3 * (ring - hub)), axis=1).min() < 1e-7
-    assert sheet.notes[0].startswith("the membrane that is computed leaves 4.4")
+    assert sheet.notes[0].startswith("the membrane in the model leaves 4.4")
 
 
 @pytest.mark.parametrize("style", ["perforation", "lattice"])
@@ -336,7 +336,7 @@ def test_a_sheet_that_cannot_be_made_fails_its_check():
     assert (check.ok, check.value, check.text) == (
         False,
         2,
-        "the sheet falls into 2 pieces; see its cuts, windows and slits",
+        "the sheet falls into 2 pieces; check its cuts, windows and slits",
     )
     # windows that take all of the membrane beside the middle vein
     wide = sheet_of("binder2025", ("window", "6 mm"))

@@ -81,7 +81,7 @@ def test_the_drawing_is_in_true_size_and_a_group_is_a_layer(name, values, tmp_pa
     dashed = {shape.get("stroke-dasharray") for shape in shapes} - {None}
     assert bool(dashed) == (sheet.style == "score")
     told = root.find(f"{SVG}desc").text
-    assert "lines make up for a cutter 0.1 mm wide (kerf)" in told
+    assert "lines compensate for a cutter 0.1 mm wide (kerf)" in told
     assert all(f"layer {name}: " in told for name in groups)
 
 

@@ -118,7 +118,7 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
         kept.append(row["key"])
         cluster.scale(0)
 
-    words = r"^--dask: the scheduler at tcp://\S+ has had no workers for 1 s; the same command goes on where it stood$"
+    words = r"^--dask: the scheduler at tcp://\S+ has had no workers for 1 s; the same command continues where it stopped$"
     with dask_cluster(cluster.scheduler_address) as workers, pytest.raises(InputError, match=words):
         ff.run_study(study, tmp_path / "out", cluster=workers, progress=send_home)
     assert 0 < len(kept) < len(study.points)

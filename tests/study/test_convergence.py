@@ -92,7 +92,7 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     assert found.orders["fold"].order == pytest.approx(1, abs=0.1)
     assert found.orders["fold"].limit == pytest.approx(exact, rel=1e-3)
     assert found.fine
-    assert found.verdict.startswith("0.1 ms is fine: the fold time differs by ")
+    assert found.verdict.startswith("0.1 ms is short enough: the fold time differs by ")
 
 
 def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hinge):
@@ -132,8 +132,8 @@ def test_progress_counts_the_runs_whatever_meshes_they_have(short):
 def test_a_timestep_that_diverges_is_too_long(short):
     found = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
     assert found.fine is False
-    assert found.verdict.startswith("5 ms is too long: it diverged at t = ")
-    assert found.verdict.endswith("; at 0.2 ms it does not.")
+    assert found.verdict.startswith("5 ms is too long: the run diverged at t = ")
+    assert found.verdict.endswith("; the run at 0.2 ms does not diverge.")
 
 
 def test_a_diverging_coarse_timestep_does_not_affect_the_own_one(short):
@@ -157,7 +157,7 @@ def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
     least, most = converge(short, TIMESTEP, steps), converge(short, TIMESTEP, steps, tolerance=1e-6)
     between = converge(short, TIMESTEP, steps, tolerance=_middle(least))
     assert (most.fine, between.fine) == (False, None)
-    assert between.verdict.startswith("0.2 ms is on the edge: ")
+    assert between.verdict.startswith("0.2 ms is borderline: ")
 
 
 def _middle(found):
@@ -212,8 +212,8 @@ def test_numbers_without_a_unit_have_that_of_the_next_number(key, text, values):
 @pytest.mark.parametrize(
     ("option", "text", "rule"),
     [
-        ("--timesteps", "", "need two values at least"),
-        ("--timesteps", "0.2 ms", "need two values at least"),
+        ("--timesteps", "", "need at least two values"),
+        ("--timesteps", "0.2 ms", "need at least two values"),
         ("--timesteps", "0.2 -0.1 ms", "need values > 0"),
         ("--timesteps", "0.2 0 ms", "need values > 0"),
         ("--timesteps", "0.2 0.1", "the unit is missing"),

@@ -64,7 +64,7 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     # the first cycle was left out of the data
     assert energy[0] == energy[1]
     assert [run.measured for run in cycling.runs] == [False, True, True, True, True]
-    assert "cycle 1 is taken to be like cycle 2" in cycling.remarks[0]
+    assert "cycle 1 is assumed to be like cycle 2" in cycling.remarks[0]
 
 
 def test_residual_strain_does_not_also_soften_the_spring():
@@ -89,7 +89,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
     assert cycling.verdict.startswith(
         f"folds up to cycle {first - 1}; at cycle {first}: at its goal for too short a time"
     )
-    assert "cycles beyond 4 are extrapolated: the tests saw cycles 1 to 4" in cycling.remarks
+    assert "cycles beyond 4 are extrapolated: the tests contain cycles 1 to 4" in cycling.remarks
     assert [run.measured for run in cycling.runs] == [n <= 4 for n in range(1, 13)]
     # a softer tendon yields to a smaller torque
     margins = [run.margins["fold"] for run in cycling.runs]
@@ -118,7 +118,7 @@ def test_alternating_success_over_cycles_is_reported(monkeypatch):
     assert cycling.verdict.endswith("; some later cycles do")
     assert not any("at rest" in remark for remark in cycling.remarks)
     (remark,) = [remark for remark in cycling.remarks if "edge" in remark]
-    assert remark.startswith("from cycle 3 to 5 it is on an edge")
+    assert remark.startswith("between cycles 3 and 5 success alternates")
 
 
 @pytest.mark.usefixtures("without_statics")
@@ -151,12 +151,12 @@ def test_a_wing_that_folds_but_never_opens_is_reported():
     [
         (
             None,
-            "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first",
+            "the design has no tendon.law that says how cycles change its tendons: every cycle is like the first",
         ),
-        (LAW, "the law of rubber has no drift, so nothing tells how cycles change it: every cycle is the first"),
+        (LAW, "the law of rubber has no drift that says how cycles change it: every cycle is like the first"),
         (
             replace(LAW, stiffness_drift=NO_DRIFT),
-            "the tests of rubber, cycles 2 to 5, show no drift: every cycle is the first",
+            "the tests of rubber, cycles 2 to 5, show no drift: every cycle is like the first",
         ),
     ],
 )

@@ -131,7 +131,7 @@ def test_name_of_the_design_does_not_matter(tmp_path):
 @pytest.mark.parametrize("signature", ["", '{"written_by": 3}\n', '{"written_by": {"schema": 1, "des\n'])
 def test_rows_that_do_not_say_which_versions_wrote_them_are_refused(tmp_path, signature):
     (tmp_path / "journal.jsonl").write_text(signature + '{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"journal\.jsonl: holds rows that do not say which versions wrote them; take"):
+    with pytest.raises(InputError, match=r"journal\.jsonl: has rows without the versions that wrote them; choose"):
         read_rows(tmp_path, DESIGN)
 
 
@@ -244,7 +244,7 @@ def test_a_damaged_row_is_reported_and_run_again(tmp_path, whole_study, capsys, 
     again = []
     assert run_study(study, tmp_path, progress=lambda *each: again.append(each)).identical(table)
     assert len(again) == 1
-    said = f"warning: {damaged}: 1 damaged row is left out; runs that are missing are done again\n"
+    said = f"warning: {damaged}: 1 damaged row is skipped; missing runs are repeated\n"
     assert capsys.readouterr().err == said
     assert json.loads(lines_of(damaged)[-1]) == json.loads(first)
 
@@ -268,7 +268,7 @@ def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_pa
     rewrite(tmp_path / "journal.jsonl", schema=1)
     with (tmp_path / "journal.jsonl").open("a") as file:
         file.write('{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"other versions: schema 1 there, 5 now; take another folder for --out"):
+    with pytest.raises(InputError, match=r"other versions: schema 1 in the file, 5 now; choose another folder with --out"):
         read_rows(tmp_path, DESIGN)
 
 
@@ -279,7 +279,7 @@ def test_a_study_that_another_process_runs_is_rejected_but_its_shard_is_not(tmp_
                 append(tmp_path, [], shard)
             append(tmp_path, [{"key": "2-b", "status": "folded"}], (1, 3))
             journal.append({"key": "2-a", "status": "folded"})
-        said = f"another process is running {what} there; wait for it, or take another folder"
+        said = f"another process is running {what} in this folder; wait for it, or choose another folder"
         assert str(caught.value).partition(": ")[2] == said
         append(tmp_path, [], shard)
     assert set(read_rows(tmp_path, DESIGN)) == {"2-a", "2-b"}
@@ -297,7 +297,7 @@ def test_the_second_start_of_a_running_study_is_rejected_at_once(tmp_path, study
         with pytest.raises(SystemExit) as ended:
             main(["study", str(path), "--keep", "0", "--out", str(out)])
         first.send_signal(signal.SIGCONT)
-        said = "another process is running this study there; wait for it, or take another folder"
+        said = "another process is running this study in this folder; wait for it, or choose another folder"
         assert capsys.readouterr().err == f"forficula: {out / 'journal.jsonl'}: {said}\n"
         assert ended.value.code == 1
     assert first.returncode == 0

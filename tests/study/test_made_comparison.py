@@ -33,8 +33,8 @@ def test_offsets_are_reported_as_the_cause_of_a_lost_state(compared):
     (blame, *_) = compared.blame
     assert (blame.state, blame.alone, blame.mends) == ("folded", ("offsets",), ("offsets",))
     assert blame.text == (
-        'as made it does not come to "folded", as designed it does: the offsets as made would do for that alone, and'
-        " with the offsets put back as designed it does."
+        'the design reaches "folded" as designed, but not as made: the offsets as made would alone prevent this, and it'
+        " is reached again with the offsets as designed."
     )
 
 

@@ -81,7 +81,7 @@ def test_longer_draws_begin_with_the_shorter_ones():
         ),
         (tables(quantity="folded"), "fact 0: name: is missing; give it"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
-        (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),
+        (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of quantities with one unit, got J and s"),
         (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),
         (tables(**{**TIME, "at_most": "5 J"}), 'at_most: .*"5 J"'),
         (tables(**{**TIME, "at_most": 5}), "at_most: the unit is missing"),
@@ -93,7 +93,7 @@ def test_longer_draws_begin_with_the_shorter_ones():
         (tables(**PLACE, at={"tendon.stiffnes": "10 N/cm"}), "at: need .*tendon.stiffness"),
         (tables(name="n", quantity="least value", equals="1 N cm"), '"least value" needs a table least'),
         (tables(name="n", quantity="least value", least={**LEAST, "values": ["2 N cm", "1 N cm"]}), "values that rise"),
-        (tables(name="n", quantity="folded", equals=1), 'equals: has no place beside statistic = "all"'),
+        (tables(name="n", quantity="folded", equals=1), 'equals: is not allowed with statistic = "all"'),
         (tables(**count_fact("n", equals=1, rising=["tendon.length"])), "rising: need"),
         (tables(**count_fact("n", equals="1 s")), 'equals: need a number, got "1 s"'),
         (

@@ -46,7 +46,7 @@ def test_the_search_uses_results_only_after_filling_the_space(axes, batch):
 
 def test_a_search_that_ends_before_it_uses_results_says_so(tmp_path):
     few = goal(runs=16, batch=16)
-    said = "its 16 designs do no more than fill the space evenly: a search that learns from them begins after 32"
+    said = "all 16 designs only fill the space evenly: the search begins to use results after 32"
     assert filling_text(few).startswith(said)
     assert told(optimise_goal(few, tmp_path))[-1].startswith(said)
     assert filling_text(goal(runs=32, batch=8)) is not None

@@ -150,7 +150,7 @@ def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
     assert -1 < missing[1] <= -(8 * ratio / 20 - 1) + 1e-3
     text = "\n".join(told(found))
     assert "none of 48 designs meets every limit" in text
-    assert "hinge_opening_torque <= 20 N cm: where all others are met it is missed by" in text
+    assert "hinge_opening_torque <= 20 N cm: of the designs that meet all other limits, the best misses it by" in text
 
 
 class StoppedError(Exception):

@@ -38,7 +38,7 @@ def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_pa
         assert (folder / name).exists()
     again = called("tolerance", "letter.toml", *FEW, "--keep", "1")
     assert "replaces the tolerance of letter-fold there; the rows stay" in again.err
-    assert "letter-fold: It works in" in again.out
+    assert "letter-fold: The design works in" in again.out
     assert json.loads((folder / "tolerance.json").read_text("utf-8")) == told
 
 

@@ -117,7 +117,7 @@ def _decides(result: Tolerance) -> list[str]:
         what = (
             f"None of the {result.probability.works} conclusive designs fails: no tolerance needs to be tightened."
             if result.probability.works
-            else "None of them works: change the design before its tolerances."
+            else "None of the designs works: change the design before its tolerances."
         )
         return [f"{what} What matters most is {which}: it {decides}.", *_unresolved(result), *_rest(result)]
     sentence = f"Tighten {which}, first. It {decides}{_gained(result, factor)}."
