@@ -1,4 +1,4 @@
-"""Rows of designs: each worked out once, the same whoever does it."""
+"""Rows of designs are computed once and do not depend on the process that computes them."""
 
 import json
 import threading

@@ -1,4 +1,4 @@
-"""What the three commands that answer goals have in common: what they plan, and whose folder they write to."""
+"""Properties that the three commands on goals share: dry runs, and folders of other goals."""
 
 import json
 from contextlib import suppress
@@ -45,7 +45,7 @@ def called(tmp_path, monkeypatch, capsys):
         (tmp_path / f"seen-{name}.toml").write_text(SEEN, "utf-8")
 
     def call(*arguments):
-        # a command that has nothing to complain of ends without a status, or with 0
+        # a successful command ends without a status, or with 0
         with suppress(SystemExit):
             main(arguments)
         return capsys.readouterr()

@@ -1,4 +1,4 @@
-"""Goal files: what they say, and what is wrong with them."""
+"""Goal files: content and errors."""
 
 import pytest
 

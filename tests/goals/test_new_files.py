@@ -1,4 +1,4 @@
-"""A goal or observations file to start from can be answered as it is, and what it has behind # is right, too."""
+"""New goal and observations files can be run unchanged, and their commented lines are valid."""
 
 import pytest
 

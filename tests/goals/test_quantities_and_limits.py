@@ -1,4 +1,4 @@
-"""What goals are set by: quantities by name, limits, what may vary, and tolerances."""
+"""Input of goals: quantities, limits, parameters, and tolerances."""
 
 import math
 
@@ -35,8 +35,8 @@ def test_static_quantities_are_those_of_the_landscape():
     (hinge,) = landscape.tendons
     assert values["hinge_barrier"] == pytest.approx(hinge.barrier, rel=1e-12)
     assert values["hinge_holding_torque"] == pytest.approx(hinge.holding_torque, rel=1e-12)
-    assert values["slow_fold"] == pytest.approx(landscape.least_torques["fold"], rel=0.02)  # to 1 % each
-    # two rods of petg of 5.5 mm, 22 cm together, and a tendon
+    assert values["slow_fold"] == pytest.approx(landscape.least_torques["fold"], rel=0.02)  # each to 1 %
+    # two PETG rods of 5.5 mm diameter, 22 cm in total, and a tendon
     assert values["mass"] == pytest.approx(1270 * math.pi * 0.00275**2 * 0.22 + 1200 * 5e-6 * 0.06, rel=1e-9)
 
 
@@ -133,10 +133,10 @@ def test_default_tolerance_is_ten_per_cent_on_every_positive_number():
     keys = {each.key for each in deviations}
     assert {"pattern.hub_radius", "tendon.stiffness", "hinge.armature", "membrane.margin"} <= keys
     assert not any(key.startswith(("protocol", "make")) for key in keys)
-    assert "tendon.proximal_offset" not in keys  # which is 0
+    assert "tendon.proximal_offset" not in keys  # this value is 0
     off = WING.with_values(off_values(WING, deviations, [1.0] * len(deviations)))
     assert off.tendons[0].stiffness == pytest.approx(1.1 * 1000)
-    assert off.hinge.fold_limit == WING.hinge.fold_limit  # no more than the key allows
+    assert off.hinge.fold_limit == WING.hinge.fold_limit  # limited by the bounds of the key
 
 
 @given(share=st.floats(0.01, 0.5), offsets=st.lists(st.floats(-1, 1), min_size=2, max_size=2))
@@ -202,9 +202,9 @@ def test_energy_of_a_state_is_all_stored_energy_and_that_of_tendons_has_its_own_
     length = math.sqrt(0.03**2 + 0.04**2 + 2 * 0.03 * 0.04 * math.cos(math.radians(60)))
     assert band == pytest.approx(800 / 2 * (length - 0.05) ** 2, rel=0.06)
     hinge, film = row["closed_hinge_energy_J"], row["closed_spring_energy_J"]
-    assert hinge == pytest.approx(0.01 * math.radians(30) ** 2, rel=0.25)  # and what its stop stores
+    assert hinge == pytest.approx(0.01 * math.radians(30) ** 2, rel=0.25)  # plus the energy of its stop
     assert whole == pytest.approx(band + hinge + film, rel=1e-12)
     assert "all stored" in known["closed_energy"].meaning
-    # membranes are in no row of a sparse record
+    # sparse records do not contain the energy of membranes
     assert quantities_of(WING)["flat_energy"].source == "record"
     assert quantities_of(WING)["flat_tendon_energy"].source == "run"

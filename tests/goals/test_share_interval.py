@@ -1,4 +1,4 @@
-"""How often the intervals of shares hold them, by the binomial distribution itself."""
+"""Coverage of binomial intervals, computed from the binomial distribution."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def test_one_sided_bound_is_exceeded_in_at_most_one_of_twenty_cases():
 def test_zero_successes_give_the_rule_of_three(count):
     high = largest_share(0, count)
     assert high == pytest.approx(3 / count, rel=0.06)
-    # the largest share of which none at all comes in one of twenty
+    # proportion for which zero successes have a probability of one in twenty
     assert (1 - high) ** count == pytest.approx(0.05)
 
 

@@ -1,4 +1,4 @@
-"""Goals that come with the package: they begin within their ranges, and closed forms agree with what they ask."""
+"""Named goals start within their ranges, and closed forms agree with their requirements."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")
 
 
 def neighbours(goal, design, count=64):
-    """Designs within a goal's tolerances about one."""
+    """Designs within a goal's tolerances of a design."""
     offsets = neighbour_offsets(goal, count, seed=1)
     return [design.with_values(off_values(design, goal.deviations, each.tolist())) for each in offsets]
 

@@ -1,4 +1,4 @@
-"""What is made flows back: the design as made has the pegs, stops, masses and inertias that are measured on solids."""
+"""The design as made has the pegs, stops, masses and inertias that are measured on solids."""
 
 import math
 
@@ -49,7 +49,7 @@ def test_colliding_pegs_stop_a_joint_before_its_stop():
 
 def test_parts_of_the_design_as_made_agree_with_it(made):
     parts = make_parts(made, "joint")
-    # straps of whole layers have shorter pegs, which weigh less
+    # straps of whole layers have shorter pegs, which are lighter
     assert {each.group for each in changes(parts, as_made(parts))} <= {"masses"}
 
 

@@ -20,7 +20,7 @@ NARROW = ("--set", "make.crease_style=perforation", "--set", "make.crease_bridge
 
 @pytest.fixture
 def call(capsys, tmp_path, monkeypatch):
-    """Call the command line, which must end with a status, and return what it wrote."""
+    """Call the command line, which must exit with a status, and return its output."""
     monkeypatch.chdir(tmp_path)
 
     def call(*arguments, expected=0):

@@ -1,4 +1,4 @@
-"""Files of parts, as readers that are not ours take them."""
+"""Files of parts, as independent programs read them."""
 
 import csv
 import io
@@ -38,9 +38,9 @@ from tests.make.readers import (
 )
 
 CHECK = Check(name="stop", part="fold0", ok=True, value=np.pi, limit=float("nan"), unit="rad", text="it holds")
-# of what is rounded to 0.1 um
+# tolerance for values that are rounded to 0.1 um
 ROUNDED = 1e-4
-# writes the joint where it is told to
+# writes the joint to a given path
 WRITE = """\
 import sys
 from pathlib import Path
@@ -165,7 +165,7 @@ def test_a_bill_has_masses_from_densities_with_sources(joint, folder):
     table = list(csv.DictReader(io.StringIO((folder / "bill.csv").read_text())))
     assert [row["part"] for row in table] == list(rows)
     assert float(table[0]["mass_g"]) == rows["proximal0"]["mass_g"]
-    # what its design names no material for
+    # part for which the design names no material
     assert (table[-1]["part"], table[-1]["material"], table[-1]["mass_g"]) == ("sheet", "", "")
 
 
@@ -234,6 +234,6 @@ def test_halves_printed_in_place_are_one_piece_and_fuse_if_too_close(joint_of, i
         assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
         (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
     assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
-    # faces from the clearance around the knuckles on, 3 deg apart
+    # faces outside of the clearance around the knuckles, 3 deg apart
     assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
     assert "they fuse" in found["3 deg"].text

@@ -1,4 +1,4 @@
-"""A joint goes through its range and stops where the design says; what cannot be made is told."""
+"""A joint moves through its range and stops where the design says; parts that cannot be made are reported."""
 
 import math
 from dataclasses import replace
@@ -39,7 +39,7 @@ def test_a_displaced_stop_is_detected(made_joint):
     joint = made_joint.joints[0]
     off = replace(joint, upper=joint.upper + math.radians(0.5))
     checks = {check.name: check.ok for check in range_checks(replace(made_joint, joints=(off,)))}
-    # its faces are where they are to be, but its parts are those of the other
+    # the layout has the stops of the design, but the parts are those of another one
     assert checks["overlap over the range"] is False
 
 

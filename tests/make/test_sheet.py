@@ -30,13 +30,13 @@ def sheet_of(name, *values):
 
 
 def facets_area(pattern):
-    """Of facets in space, by triangles from their first corner: what laying them flat must not change, m^2."""
+    """Area of facets in space, by triangles from their first corner, m^2; it must not change when laid flat."""
     corners = [pattern.vertices_coords[list(face)] for face in pattern.faces_vertices]
     return sum(np.linalg.norm(np.cross(each[1:-1] - each[0], each[2:] - each[0]).sum(axis=0)) / 2 for each in corners)
 
 
 def offset_area(loop, distance):
-    """The area within a polygon moved outwards by a distance with sharp corners, in closed form, m^2."""
+    """Area of a polygon that is offset outwards by a distance with sharp corners, in closed form, m^2."""
     sides = np.roll(loop, -1, axis=0) - loop
     before = np.roll(sides, 1, axis=0)
     cross = before[:, 0] * sides[:, 1] - before[:, 1] * sides[:, 0]
@@ -69,7 +69,7 @@ def holed(tmp_path, **values):
 
 
 def made(pattern, **values):
-    """The sheet of a pattern, by how it is made."""
+    """The sheet of a pattern, with options of its section make."""
     rest = {"tendon": [], "protocol.stages": [stage()]}
     return cut_sheet(sheet_design(pattern, rest | {f"make.{key}": value for key, value in values.items()}))
 
@@ -109,8 +109,8 @@ def test_cutter_path_without_the_kerf_has_the_area_of_the_facets(name, kerf):
 def test_sheet_of_a_fan_without_tendons_is_its_panels_minus_hinge_knuckles():
     sheet = cut_sheet(load_design("binder2025").with_values({"tendon": []}))
     lost = facets_area(sheet.pattern) - sum(map(loop_area, sheet.outlines))
-    # 10 mm of knuckles of 5.6 mm, 0.4 mm clear and 1 mm of window around them, with round corners; of the outer veins
-    # the half that is on the sheet
+    # 10 mm of knuckles of 5.6 mm, 0.4 mm clearance and 1 mm of window around them, with round corners; of the outer veins
+    # only the half that is on the sheet
     window = 12e-3 * 8.4e-3 - (4 - math.pi) * 1e-3**2
     assert lost == pytest.approx(2 * window, rel=2e-3)
 
@@ -124,7 +124,7 @@ def test_a_hole_of_a_file_stays_as_large_as_it_is_drawn_and_a_margin_is_around_t
     assert ways == {"border": pytest.approx(0.0604**2), "hole": pytest.approx(-(0.0196**2))}
     wider = holed(tmp_path, margin="5 mm")
     assert sorted(map(loop_area, wider.outlines)) == pytest.approx([-4e-4, 0.07**2])
-    # a crease that ended at the corner runs on to the new one, and none into the hole
+    # a crease that ended at the corner continues to the new corner, and none into the hole
     lengths = [np.linalg.norm(np.diff(line.points, axis=0)) for line in of_kind(wider, "crease")]
     assert lengths == pytest.approx([25e-3 * math.sqrt(2)] * 4)
 
@@ -152,10 +152,10 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
         ends = built_points(structure_of(load_design("letter-fold")))[list(tendon.points), :2]
         for end in ends:
             assert min(np.linalg.norm(hole.place - end) for hole in sheet.holes) < 1e-12
-        # the slot ends a peg's diameter, of the sheet between the two, before the hole
+        # the slot ends a peg's diameter of sheet before the hole
         for peg, other in (ends, ends[::-1]):
             gap = distance_to_sides(sides_of(windows), peg) - 2.5e-3
-            assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's way is half a kerf within
+            assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's path is half a kerf inside
             assert area_of(windows ^ region_of([(peg + other) / 2 + 1e-4 * np.eye(3, 2)])) > 0
     assert failed(sheet) == set()
 
@@ -163,7 +163,7 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
 def test_a_band_through_the_air_needs_no_window():
     sheet = sheet_of("bistable-clasp")
     assert not of_kind(sheet, "window")
-    assert not sheet.holes  # it is clipped to two corners
+    assert not sheet.holes  # it is attached to two corners by clips
 
 
 def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
@@ -173,11 +173,9 @@ def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
     laid = np.linalg.norm(np.diff(flat.vertices_coords[flat.edges_vertices], axis=1)[:, 0], axis=1)
     assert len(laid) == len(lengths) + 1
     assert laid[: len(lengths)] == pytest.approx(lengths)
-    assert sheet.notes == (
-        "the flat sheet is open along crease 7 of the pattern: join the edges with the same number",
-    )
+    assert sheet.notes == ("the flat sheet is open along crease 7 of the pattern: join the edges with the same number",)
     assert [label.text for label in sheet.labels] == ["1", "1"]
-    # six parallelograms in a row: the least rectangle is as high as a triangle
+    # six parallelograms in a row: the smallest rectangle is as high as a triangle
     side, mountain, valley = 0.03, lengths[0], lengths[1]
     half = (side + mountain + valley) / 2
     height = 2 * math.sqrt(half * (half - side) * (half - mountain) * (half - valley)) / side
@@ -224,7 +222,7 @@ def test_a_perforation_has_the_right_fraction_of_bridges_and_bridged_ends(cut, b
     sheet = sheet_of("letter-fold", ("crease_style", "perforation"), ("crease_cut", cut), ("crease_bridge", bridge))
     slits = [line.points for line in of_kind(sheet, "slit") if line.points[0, 0] < 0.12]
     ends = np.sort(np.array([points[:, 1] for points in slits]), axis=1)
-    # the cutter takes half of its kerf beyond both ends of its way
+    # the cutter removes half of its kerf beyond both ends of its path
     gone = (ends[:, 1] - ends[:, 0] + sheet.kerf).sum()
     assert gone / len(slits) == pytest.approx(cut)
     length = 0.21
@@ -255,16 +253,16 @@ def test_rows_of_a_lattice_lie_at_its_pitch_and_bridges_of_one_beside_cuts_of_th
     for one, other in pairwise(places):
         below, cuts = np.array(sorted(map(tuple, rows[one]))), np.array(sorted(map(tuple, rows[other])))
         bridges = (below[1:, 0] + below[:-1, 1]) / 2
-        bridges = bridges[np.diff(below[:, 0]) < 5e-3]  # not those across the slot of the tendon
+        bridges = bridges[np.diff(below[:, 0]) < 5e-3]  # except those across the slot of the tendon
         inside = bridges[(bridges > cuts[0, 0]) & (bridges < cuts[-1, 1])]
         assert all(((cuts[:, 0] < place) & (place < cuts[:, 1])).any() for place in inside)
 
 
 def crossing(one, other):
-    """Whether two straight lines meet."""
+    """Whether two line segments intersect."""
 
     def side(start, end, place):
-        # slits of one row lie in line but for rounding
+        # slits of one row are collinear up to rounding
         across = (end[0] - start[0]) * (place[1] - start[1]) - (end[1] - start[1]) * (place[0] - start[0])
         return np.sign(round(across, 12))
 
@@ -285,7 +283,7 @@ def test_no_slit_meets_another_one_or_a_hole_or_the_border(gaps, style, hole):
     sheet = made(vertex_pattern(sectors, 0.03, "VMMMMM"[: len(gaps)]), **chosen)
     slits = [line.points for line in of_kind(sheet, "slit")]
     assert len(slits) > 2 * len(gaps)
-    # a bridge is left everywhere but for the two halves of the kerf
+    # a bridge remains everywhere, up to the two halves of the kerf
     sides = sides_of(region_of(sheet.outlines))
     for points in slits:
         along = (points[1] - points[0]) / np.linalg.norm(points[1] - points[0])
@@ -315,7 +313,7 @@ def test_no_slit_runs_into_a_window_or_out_of_a_fan(style):
     sides = sides_of(region_of(sheet.outlines))
     slits = [line.points for line in of_kind(sheet, "slit")]
     assert min(distance_to_sides(sides, tip) for points in slits for tip in points) >= 1.5e-3
-    # and in between there is sheet
+    # there is sheet in between
     middles = [points.mean(axis=0) for points in slits]
     solid = region_of(sheet.outlines)
     assert all(area_of(region_of([middle + 1e-4 * np.eye(3, 2)]) ^ solid) > 0 for middle in middles)
@@ -338,7 +336,7 @@ def test_a_sheet_that_cannot_be_made_fails_its_check():
         2,
         "the sheet falls into 2 pieces; check its cuts, windows and slits",
     )
-    # windows that take all of the membrane beside the middle vein
+    # windows that remove all of the membrane beside the middle vein
     wide = sheet_of("binder2025", ("window", "6 mm"))
     assert {"strips", "windows"} & failed(wide)
     narrow = sheet_of("letter-fold", ("crease_style", "perforation"), ("crease_bridge", "0.3 mm"), ("kerf", "0.4 mm"))

@@ -49,7 +49,7 @@ def test_an_independent_reader_finds_millimetres_and_the_right_size(name, values
     assert [hole.dxf.radius for hole in space.query("CIRCLE")] == pytest.approx(
         [1e3 * hole.diameter / 2 for hole in sheet.holes], abs=1e-6
     )
-    # the legend lies beneath
+    # the legend is below the sheet
     assert max(text.dxf.insert.y for text in space.query('TEXT[layer=="NOTE"]')) < corners[0, 1]
 
 
@@ -77,7 +77,7 @@ def test_the_drawing_is_in_true_size_and_a_group_is_a_layer(name, values, tmp_pa
         "MOUNTAIN": "#ff0000",
         "VALLEY": "#0000ff",
     }.items()
-    # what is cut through is drawn through
+    # lines that are cut through are solid
     dashed = {shape.get("stroke-dasharray") for shape in shapes} - {None}
     assert bool(dashed) == (sheet.style == "score")
     told = root.find(f"{SVG}desc").text
@@ -119,7 +119,7 @@ def test_the_same_design_gives_the_same_bytes_and_plain_letters(tmp_path):
     for ending in ("dxf", "svg"):
         assert (tmp_path / f"0.{ending}").read_bytes() == (tmp_path / f"1.{ending}").read_bytes()
     text = (tmp_path / "0.dxf").read_bytes()
-    assert b"@ 2000-01-01T" in text  # the date that ezdxf leaves is not that of today
+    assert b"@ 2000-01-01T" in text  # a fixed date, not today's
     assert text.isascii()
     assert b"Fl\\U+00FCgel" in text
     assert not re.search(rb"^ *-0(\.0*)?$", text, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""Who touches whom is found where and when it is planted, and what roots go through in closed form."""
+"""Planted collisions are found at their position and time, and angles of roots agree with closed forms."""
 
 import math
 from dataclasses import replace
@@ -70,7 +70,7 @@ def test_selected_rows_are_as_different_as_possible(reference_run):
 def test_a_planted_collision_is_found_when_it_happens(parts):
     record = record_of(parts, {"sweep0": math.radians(40)})
     found = touches(parts, record)
-    # without culling, pieces and steps: the whole vein swept into the others, row by row
+    # without culling, pieces and steps: the whole vein against the others, row by row
     origin = parts.structure.bodies[0].position
     others = [half(parts, body) for body in (2, 3)]
     moving = [half(parts, body) for body in (0, 1)]
@@ -103,7 +103,7 @@ def test_nothing_touches_where_nothing_moves(parts):
 def test_overlaps_as_built_are_reported(parts, made_section):
     (check,) = built_checks(parts)
     assert (check.ok, check.value) == (True, 0.0)
-    # straps of the design's own length, on pegs far out: those of neighbours meet
+    # straps of the design's own length, on distant pegs: those of neighbours collide
     (check,) = built_checks(made_section)
     assert check.ok is False
     assert "proximal0 and proximal2 (0.37" in check.text

@@ -1,4 +1,4 @@
-"""Assumptions of a design, changed one at a time: which apply, what each does, and what is known before a run."""
+"""Assumptions of a design, changed one at a time: which apply, their effects, and results known without a run."""
 
 import json
 from dataclasses import replace
@@ -40,7 +40,7 @@ APPLY = {
     "letter-fold": OF_BENDING | {"stiffer stops", "softer stops"},
     "bistable-clasp": OF_BENDING,
     "kresling-cell": OF_BENDING,
-    # its timestep is "auto", which a run of the assumptions finds first
+    # its timestep is "auto", which is determined first
     "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium"},
 }
 
@@ -59,7 +59,7 @@ def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_ot
     found = found_of(name)
     assert {each for each, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
     assert all(reason.strip() for reason in found.values() if isinstance(reason, str))
-    # each changed design is one that a file can hold
+    # each changed design can be written to a file
     for variant in found.values():
         if isinstance(variant, Variant):
             assert design_from_text(design_text(variant.design)).hash == variant.design.hash
@@ -76,7 +76,7 @@ def test_an_assumption_that_a_design_makes_is_inverted():
     assert built["tendon mass"].design.tendon.mass == 0.0
     # 3.1 mm: the radius of a bar of 5 mm and half of a thick strap
     assert plain["tendon height"].design.tendon.proximal_offset == pytest.approx(3.1e-3)
-    # a twentieth of the 50 and the 10 N cm that fold
+    # a twentieth of the 50 and the 10 N cm for folding
     assert plain["dry friction"].design.hinge.friction == 0.025
     assert joint["dry friction"].design.hinge.friction == 0.005
     assert joint["tendon height"].design.tendon.distal_offset == 0.0
@@ -219,7 +219,7 @@ def test_known_assumptions_are_found_in_the_folder_of_the_run_or_beside_it(flapp
 
 
 def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_values(tmp_path):
-    """Where this fails: `forficula assumptions NAME`, and copy assumptions.json to study/measured/NAME.json."""
+    """If this fails: run `forficula assumptions NAME` and copy assumptions.json to study/measured/NAME.json."""
     for measured in measured_assumptions():
         assert measured.design.hash == ff.load_design(measured.design.name).hash
     assert known_assumptions(ff.load_design("binder2025"), tmp_path) is not None

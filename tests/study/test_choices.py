@@ -1,4 +1,4 @@
-"""Studies that vary their factors one at a time, around the base, by themselves or with a grid at each choice."""
+"""Studies that vary their factors one at a time, around the base, alone or with a grid at each choice."""
 
 import csv
 import io
@@ -18,9 +18,9 @@ from forficula.study.running.kept_runs import runs_to_keep
 from forficula.study.search import point_design
 
 ALONE = 'vary = "one-at-a-time"'
-# the second is what binder2025 has, in other words
+# the second equals the value of binder2025, written differently
 DAMPING = '"hinge.damping" = ["1e-4 N m s/rad", "0.001 N m s/rad", "1e-2 N m s/rad"]'
-UNITS = '"pattern.units" = [1, 2, 30]'  # the last is no wing
+UNITS = '"pattern.units" = [1, 2, 30]'  # the last value gives no valid wing
 TENDONS = '[grid]\n"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 ONLY_FOLDING = '[search]\nfold_torques = ["10 N cm", "50 N cm"]\nunfold_torques = []'
 
@@ -35,7 +35,7 @@ def alone(tmp_path_factory, write_study_file):
 
 @pytest.fixture(scope="module")
 def gridded(tmp_path_factory, write_study_file):
-    """A search for the torques that fold, over tendons at each choice, its table and its folder."""
+    """A search for folding torques over tendons at each choice, its table and its folder."""
     folder = tmp_path_factory.mktemp("gridded")
     head, tail = f'{ALONE}\nask = "least-torques"', f"{TENDONS}\n{ONLY_FOLDING}"
     study = load_study(write_study_file(folder / "gridded.toml", DAMPING, head, tail))
@@ -80,7 +80,7 @@ def test_a_choice_gives_the_same_run_as_a_design_with_this_value(alone):
     for place, values in enumerate(study.points[:4]):
         outcome = ff.measure(ff.run(with_values(study.base, dict(values)), confirm=False))
         assert table["status"].values[place] == outcome.status
-        # of a run that is not to be trusted there are no numbers
+        # an unreliable run has no numbers
         work = outcome.transitions["fold"].work if outcome.verdict.tells else np.nan
         assert np.array_equal(table["fold_work"].values[place], work, equal_nan=True)
     assert np.isfinite(table["fold_work"].values[:4]).sum() > 1
@@ -124,7 +124,7 @@ def test_the_table_of_a_grid_at_each_choice_has_both_as_dimensions(gridded):
 
 def test_shards_of_choices_are_collected_and_nothing_is_left_to_do(tmp_path, alone):
     study, table = alone
-    assert estimate(study, tmp_path)[:2] == (5, 4)  # the wing that cannot be built takes no run
+    assert estimate(study, tmp_path)[:2] == (5, 4)  # the invalid wing needs no run
     assert run_study(study, tmp_path, shard=(1, 2)) is None
     run_study(study, tmp_path, shard=(2, 2))
     assert collect(study, tmp_path).identical(table)
@@ -152,7 +152,7 @@ def test_folded_and_opened_points_are_counted_at_every_choice(alone, gridded):
 @pytest.mark.usefixtures("undrawn")
 def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_path, capsys):
     study, table, folder = gridded
-    # three dampings, four tendons, two torques, and a release where one folds
+    # three dampings, four tendons, two torques, and a release for each that folds
     folds = int(np.isfinite(table["least_fold_torque"]).sum())
     assert len((folder / "journal.jsonl").read_text().splitlines()) - 1 == 24 + folds
     assert not {name for name in table if "unfold" in name or "opened" in name or "reference" in name}
@@ -251,6 +251,6 @@ def test_the_named_study_has_the_papers_tendons_at_every_value_that_had_to_be_ch
         assert [dict(point) for point in study.points[60 * place : 60 * (place + 1)]] == [
             {**choice, **tendon} for tendon in tendons
         ]
-    # of every factor the base's own value is there, too, and so is no choice of its own
+    # the base's value of every factor is in the list, and is not repeated as a choice
     assert len(study.choices) == 1 + sum(len(factor.values) - 1 for factor in study.factors)
     assert max(study.search.first.values) == 0.5

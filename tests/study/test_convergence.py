@@ -24,12 +24,12 @@ FOLD = STAGE | {"name": "fold", "drive": "fold", "until": "folded", "time_limit"
 
 @pytest.fixture(scope="module")
 def short(reference):
-    """The reference design, folded after little settling, and let be."""
+    """The reference design, folded after a short settling, and released."""
     return with_values(reference, {"protocol.stages": [SETTLE, FOLD]})
 
 
 def hinges(one_hinge, steps, settle, duration=0.2):
-    """Wings of one hinge that swings by itself through the stages of a folding, one for each timestep."""
+    """Wings of one hinge that moves freely through the stages of a folding, one for each timestep."""
     wings = []
     for step in steps:
         wing = one_hinge(timestep=step, duration=duration).wing
@@ -49,7 +49,7 @@ def test_a_planted_order_and_limit_are_found_whatever_the_timesteps(order, share
     limit, steps = 0.06, np.array(tenths) * 1e-5
     fit = fit_order(steps, limit * (1 + share * (steps / steps.max()) ** order))
     assert fit.observed
-    # the search ends within 1e-6; a misfit this flat is known to the root of rounding, about 1e-8 of the change
+    # the search ends within 1e-6; such a flat misfit is known to the root of rounding, about 1e-8 of the change
     assert fit.order == pytest.approx(order, abs=1e-2)
     assert fit.limit == pytest.approx(limit, rel=1e-3)
     assert fit.time(steps) == pytest.approx(limit * (1 + share * (steps / steps.max()) ** order), rel=1e-6)
@@ -96,7 +96,7 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
 
 
 def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hinge):
-    # at 0.4 ms the hinge runs further than 10 deg into its stop
+    # at 0.4 ms the hinge moves further than 10 deg into its stop
     steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
     found = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
     assert found.fine is False
@@ -110,7 +110,7 @@ def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
     assert found.own == 2e-4
     for step, time in zip(found.values, found.transition_times["fold"], strict=True):
         steps = time / step
-        assert abs(steps - round(steps)) > 1e-3  # not a multiple of it
+        assert abs(steps - round(steps)) > 1e-3  # not a multiple of the step
     assert abs(found.transition_times["fold"][0] / found.transition_times["fold"][1] - 1) < 0.2
     assert found.orders["fold"] is not None
     assert not found.orders["fold"].observed
@@ -144,7 +144,7 @@ def test_a_diverging_coarse_timestep_does_not_affect_the_own_one(short):
 
 
 def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge):
-    # one wing is given no time to fold, as if the timestep had kept it from folding
+    # one wing has no time to fold, as if the timestep had prevented folding
     late = hinges(one_hinge, [2e-4], 4e-3)
     early = hinges(one_hinge, [1e-4], 4e-3, duration=0.005)
     found = compare_models([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
@@ -161,7 +161,7 @@ def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
 
 
 def _middle(found):
-    """Half way between the bounds of the difference from the limit, where no order can be told."""
+    """The middle between the bounds of the difference from the limit, if no order is observed."""
     times, fit = found.transition_times["fold"], found.orders["fold"]
     assert not fit.observed
     far, near = abs(times[2] - fit.limit), abs(times[2] - times[3])

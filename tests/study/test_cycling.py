@@ -1,4 +1,4 @@
-"""Wings over cycles: what the law's drift makes of the tendons, and at which cycle the wing stops folding."""
+"""Wings over cycles: effect of the law's drift on the tendons, and the cycle at which the wing stops folding."""
 
 import math
 from dataclasses import replace
@@ -36,9 +36,9 @@ def folding(law: MaterialLaw | None, **values):
 
 @pytest.fixture
 def without_statics(monkeypatch):
-    """Leave out the least slow torques, by which nothing but margins is told."""
+    """Skip the least slow torques, on which only margins depend."""
     unknown = "forficula.study.cycling.least_slow_torques"
-    # of folding and unfolding
+    # for folding and unfolding
     monkeypatch.setattr(unknown, lambda designs: (np.full(len(designs), np.nan),) * 2)
 
 
@@ -59,9 +59,9 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     settings = {"tendon.law": str(tmp_path / "law.toml"), "tendon.area": "18.75 mm^2"}
     cycling = run_cycles(with_values(load_design("binder2025", settings), {"protocol.stages": [SETTLE, FOLD]}), 5)
     energy = [run.row["flat_energy_J"] for run in cycling.runs]
-    # the overbend holds the flat wing, so its tendons keep their length but for the compliance of the stops
+    # the overbend holds the flat wing, so its tendons keep their length except for the compliance of the stops
     assert [each / energy[1] for each in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
-    # the first cycle was left out of the data
+    # the data do not contain the first cycle
     assert energy[0] == energy[1]
     assert [run.measured for run in cycling.runs] == [False, True, True, True, True]
     assert "cycle 1 is assumed to be like cycle 2" in cycling.remarks[0]
@@ -74,7 +74,7 @@ def test_residual_strain_does_not_also_soften_the_spring():
     found = characterise([cyclic_test(loading, samples=400)], name="rubber", forms=family_forms("linear"))
     longer, stiffness = found.law.residual_strain_drift, found.law.stiffness_drift
     assert longer.rate == pytest.approx(0.02, rel=0.02)
-    # counted from no set, the peak stress falls by 1.8 %
+    # relative to no residual strain, the peak stress falls by 1.8 %
     assert abs(stiffness.change(5)[0] - 1) < 1e-3
 
 
@@ -142,7 +142,7 @@ def test_a_wing_that_folds_but_never_opens_is_reported():
     cycling = run_cycles(with_values(design, stages), 2)
     assert cycling.verdict == "opens at none of the 2 cycles; still folds after 2 cycles"
     assert cycling.first_failure is None
-    # so small a torque opens slowly neither
+    # such a small torque does not open the wing slowly either
     assert all(run.margins["unfold"] is None or run.margins["unfold"] < 1 for run in cycling.runs)
 
 
@@ -174,7 +174,7 @@ def test_softening_after_the_first_stretch_applies_from_the_second_cycle():
     assert first.hash == design.hash
     assert second.hash == third.hash
     law, peak = second.tendon.law, built_strains(structure_of(design)).max()
-    # Ogden and Roxburgh 1999; a cubic follows to 5 % of the largest stress
+    # Ogden and Roxburgh 1999; a cubic deviates by at most 5 % of the largest stress
     half, top = (
         law.linear_modulus * e + law.quadratic_modulus * e**2 + law.cubic_modulus * e**3 for e in (peak / 2, peak)
     )
@@ -190,7 +190,7 @@ def test_a_design_file_keeps_the_drift(tmp_path):
     assert design.tendon.law.material == law
     (tmp_path / "wing.toml").write_text(design_text(design), "utf-8")
     assert load_design(tmp_path / "wing.toml").hash == design.hash
-    # as it is at a cycle, it drifts no more
+    # the law at a cycle does not drift further
     later = design_at_cycle(design, 7).tendon.law
     assert (later.stiffness_drift, later.residual_strain_drift) == (None, None)
     assert later.residual_strain == pytest.approx(0.02 * (math.exp(-1 / 1.5) - math.exp(-6 / 1.5)))

@@ -1,4 +1,4 @@
-"""Torques that are tried one after another until one opens leave the same rows as all of them at once."""
+"""Torques that are tried one after another until one opens give the same rows as all of them at once."""
 
 import json
 import math
@@ -79,11 +79,13 @@ KEYS = (
 @settings(max_examples=60)
 @given(st.dictionaries(st.sampled_from(KEYS), st.floats(-300, 300).map(lambda power: 10.0**power), max_size=2))
 @example({"pattern.distal_length": 378.25949135728735})  # blows up in its first step
-@example({"membrane.thickness": 1e228, "vein.density": 1e-76})  # its energies are beyond numbers
+@example({"membrane.thickness": 1e228, "vein.density": 1e-76})  # its energies overflow
 @example({"protocol.unfold_torque": 1e300})
 @example({"protocol.window": 1e308})
 @example({"membrane.youngs_modulus": 1e300, "vein.density": 1e-300})
-@example({"pattern.proximal_length": 1.0, "membrane.margin": 1e-17})  # a margin narrower than a place has digits
+@example(
+    {"pattern.proximal_length": 1.0, "membrane.margin": 1e-17}
+)  # a margin narrower than the resolution of a coordinate
 def test_every_allowed_number_gives_one_row_of_plain_numbers(values):
     try:
         design = with_values(SHORT, values)
@@ -145,7 +147,7 @@ def test_a_batch_beyond_memory_runs_in_halves_and_a_single_wing_beyond_memory_is
     )
 
 
-# 100 units in so many bytes more than the program itself takes
+# 100 units with this many bytes more than the program itself needs
 LIMITED = """
 import resource, sys
 import scipy.optimize, xarray

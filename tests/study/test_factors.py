@@ -194,7 +194,7 @@ def drawn(name, method, count, seed=0):
 @pytest.mark.parametrize("method", ["random", "sobol"])
 def test_drawn_values_follow_their_distribution(name, method):
     values = drawn(name, method, 256)
-    # Kolmogorov and Smirnov: 1.95 / sqrt(n) is exceeded once in a thousand times; Sobol points are far closer
+    # Kolmogorov and Smirnov: 1.95 / sqrt(n) is exceeded once in a thousand cases; Sobol points are much closer
     limit = 1.95 / 16 if method == "random" else 2 / 256
     assert stats.kstest(values, DISTRIBUTIONS[name][1].cdf).statistic < limit
 
@@ -208,7 +208,7 @@ def test_quantiles_are_those_of_the_closed_forms(share, low, width):
     }
     assert quantile["uniform"] == pytest.approx(low + share * width, rel=1e-12)
     assert quantile["log-uniform"] == pytest.approx(low * (high / low) ** share, rel=1e-12)
-    # the share below a value of a normal distribution: (1 + erf(z / sqrt 2)) / 2, ill conditioned in its tails
+    # cumulative normal distribution: (1 + erf(z / sqrt 2)) / 2, ill conditioned in its tails
     below = 0.5 * math.erfc(-(quantile["normal"] - low) / width / math.sqrt(2))
     assert below == pytest.approx(share, rel=1e-8)
 

@@ -24,7 +24,7 @@ RUN = "import sys\nfrom forficula.study import load_study, run_study\nrun_study(
 
 @contextmanager
 def files_of_at_most(size):
-    """Have this process write files of so many bytes only: to it, the disk is full."""
+    """Limit the size of files of this process, as if the disk were full."""
     import resource
 
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -42,7 +42,7 @@ def append(folder, rows, shard=(1, 1)):
 
 
 def rewrite(path, **changes):
-    """Have a journal say that another design or other versions wrote it."""
+    """Change the signature of a journal to another design or other versions."""
     first, *rows = path.read_text().splitlines()
     signature = json.loads(first)
     signature["written_by"] |= changes
@@ -113,7 +113,7 @@ def test_a_shard_that_other_versions_computed_is_refused_with_what_differs(tmp_p
     for number in (1, 2):
         run_study(study, out, shard=(number, 2))
     collect(study, out)
-    # as if copied in from another machine
+    # as if copied from another machine
     rewrite(out / "journal-2-of-2.jsonl", **{name: "0.0.1"})
     expected = rf"journal-2-of-2\.jsonl: .*versions: {name} 0\.0\.1 there, \S+ now; "
     for start in (run_study, collect):
@@ -204,7 +204,7 @@ def lines_of(path):
 
 
 def changed(line, change):
-    """A row with other contents, its checksum as it was: as a hand or another program leaves it."""
+    """A row with other contents and the old checksum, as if edited by hand or by another program."""
     return json.dumps(change(json.loads(line))).encode()
 
 
@@ -268,7 +268,9 @@ def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_pa
     rewrite(tmp_path / "journal.jsonl", schema=1)
     with (tmp_path / "journal.jsonl").open("a") as file:
         file.write('{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"other versions: schema 1 in the file, 5 now; choose another folder with --out"):
+    with pytest.raises(
+        InputError, match=r"other versions: schema 1 in the file, 5 now; choose another folder with --out"
+    ):
         read_rows(tmp_path, DESIGN)
 
 

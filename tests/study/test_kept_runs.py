@@ -1,4 +1,4 @@
-"""Runs kept of a study: their outcomes are the table's, to the bit, and killing does not harm them."""
+"""Kept runs of a study have the outcomes of the table, bitwise, and survive interruptions."""
 
 import json
 import shutil
@@ -18,13 +18,13 @@ from tests.forks import forks
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "6 cm"]'
 SEARCH = '[search]\nfold_with = "50 N cm"\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 20"'
-# the last is no wing
+# the last value gives no valid wing
 PLAIN = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"pattern.units" = [1, 30]'
 
 
 @pytest.fixture(scope="module")
 def searched(tmp_path_factory, write_study_file):
-    """A search of which all runs are kept: the study, its table, its folder, what was kept, by name."""
+    """A search whose runs are all kept: the study, its table, its folder, kept runs by name."""
     folder = tmp_path_factory.mktemp("searched")
     path = write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH)
     study = load_study(path)
@@ -34,7 +34,7 @@ def searched(tmp_path_factory, write_study_file):
 
 @pytest.fixture(scope="module")
 def plain_once(tmp_path_factory, write_study_file):
-    """A study of plain runs, its file, its table and its folder, of which no run is kept."""
+    """A study of plain runs, its file, its table and its folder, without kept runs."""
     path = write_study_file(tmp_path_factory.mktemp("plain") / "small.toml", PLAIN)
     study = load_study(path)
     return study, path, run_study(study, path.parent / "out"), path.parent / "out"
@@ -54,7 +54,7 @@ def value(table, name, point):
 
 
 def again(study, table, folder):
-    """What is kept, by name, and how many runs that took."""
+    """Kept runs by name, and the number of runs that they needed."""
     seen = []
     runs = kept_runs(runs_to_keep(study, table), folder, progress=lambda done, needed, _: seen.append((done, needed)))
     return {each.folder: each for each in runs}, seen
@@ -107,7 +107,7 @@ def test_largest_torque_is_kept_if_none_works(searched):
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
         assert run.outcome.transitions["fold"].strength == study.search.first.values[-1]
-        # the row names the torque, too
+        # the row contains the torque, too
         assert table["status"].values.ravel()[point].startswith(f"{run.outcome.status} (fold with ")
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
@@ -220,7 +220,7 @@ def test_an_interrupted_call_continues(plain, tmp_path):
         name: repr(each.outcome) for name, each in whole.items()
     }
     assert names(folder) == ["1", "3"]
-    # nothing hidden is left, neither there nor in the folders of the runs
+    # no hidden files are left, neither in this folder nor in the folders of the runs
     assert list(folder.rglob(".*")) == []
 
 
@@ -255,7 +255,7 @@ def test_two_processes_that_keep_runs_in_one_folder_wait_for_each_other(plain):
     study, table, folder = plain
     first = kept_runs(runs_to_keep(study, table), folder)
     next(first)
-    # it wants none of those runs
+    # this call needs none of the existing runs
     script = (
         "import sys\n"
         "from forficula.study.running.kept_runs import kept_runs\n"
@@ -265,7 +265,7 @@ def test_two_processes_that_keep_runs_in_one_folder_wait_for_each_other(plain):
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as second, closing(first):
         assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"
         assert len(names(folder)) >= 1
-        # as long as the first one is at work: the second one removes them right after that
+        # while the first process works; the second one removes them right after it
         assert [names(folder) for _ in first] == [["1", "3"]]
         assert second.communicate()[1] == ""
     assert second.returncode == 0

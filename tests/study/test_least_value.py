@@ -1,4 +1,4 @@
-"""The least value of any key that reaches a state is what single runs say."""
+"""The least value of any key that reaches a state agrees with single runs."""
 
 import csv
 import io
@@ -15,7 +15,7 @@ from forficula.study import load_study, run_study, table_csv
 from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 
 LENGTHS = '"tendon.rest_length" = ["5 cm", "9 cm"]'
-# lengths and a membrane whose wings open, or fail to, at half the timestep, too; of others single runs are undecided
+# lengths and a membrane whose wings open, or fail to, at half the timestep, too; other single runs are undecided
 DECIDED = '"tendon.rest_length" = ["6 cm", "9 cm"]\n"membrane.youngs_modulus" = ["0.2 MPa"]'
 STIFFNESS = '[search]\nkey = "tendon.stiffness"\nvalues = "2..20 N/cm step 6"'
 
@@ -30,7 +30,7 @@ def single(study, point, key, value):
 
 
 def first_that_works(study, point, key, values, state):
-    """The least value whose run reaches a state, and its outcome; nan and None where one says nothing before."""
+    """The least value whose run reaches a state, and its outcome; nan and None after an inconclusive run."""
     for value in values:
         outcome = single(study, point, key, value)
         if not outcome.verdict.tells:
@@ -107,7 +107,7 @@ def test_least_torque_is_a_special_case_of_least_value(study_file, tmp_path):
 
 
 def test_dependent_values_follow_a_changed_value(study_file, tmp_path):
-    # a stiffness that is given takes the place of the law
+    # a given stiffness replaces the law
     law = '[settings.tendon]\nlaw = "tpu-82a"\narea = "12.5 mm^2"'
     path = study_file(LENGTHS, 'ask = "least-value"', STIFFNESS)
     path.write_text(path.read_text("utf-8") + f"\n{law}\n", "utf-8")

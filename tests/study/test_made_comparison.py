@@ -1,4 +1,4 @@
-"""What the parts make of a design, and which of their changes keeps it from folding."""
+"""Comparison of a design with its made parts, and the changes that prevent folding."""
 
 import json
 
@@ -15,7 +15,7 @@ from forficula.study.made_comparison import made_comparison
 
 @pytest.fixture(scope="module")
 def compared():
-    # folds as designed; with pegs on the bars, 3 mm off the hinges, its barrier is ten times as high
+    # folds as designed; with pegs on the bars, 3 mm away from the hinges, its barrier is ten times as high
     values = {"tendon.rest_length": "5 cm", "make.anchors": "on the bars"}
     return made_comparison(make_parts(load_design("binder2025").with_values(values), "joint"), simulate=True)
 

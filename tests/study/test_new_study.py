@@ -1,4 +1,4 @@
-"""A study file to start from runs as it is, and what it has behind # is right, too."""
+"""A new study file can be run unchanged, and its commented lines are valid."""
 
 import re
 import tomllib

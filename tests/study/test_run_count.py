@@ -17,7 +17,7 @@ def test_torques_above_the_least_opening_torque_count_as_completed():
     count.count(row("a20", opened=True))
     assert numbers(count) == (7, 9)
     count.count(row("b10"))
-    # run all the same, where another machine had it
+    # counted as if another machine had run it
     count.count(row("a40"))
     assert numbers(count) == (8, 9)
 
@@ -48,7 +48,7 @@ def test_later_points_count_as_needed_from_the_start():
     count = RunCount(done=0, later=5)
     assert numbers(count) == (0, 5)
     count.reach(3, done=1)
-    # of three points one is done, one is no wing, and one has a run
+    # of three points one is completed, one is no valid wing, and one has a run
     count.plan([["a"]])
     assert numbers(count) == (2, 5)
     count.count(row("a"))

@@ -24,12 +24,12 @@ from tests.show.study.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 LEAST_TORQUES = 'ask = "least-torques"'
-# every factor compiles another model, and the last two points are no wings
+# every factor needs another model, and the last two points are no valid wings
 MIXED = '"pattern.units" = [1, 2, 30]\n"pattern.hub_radius" = ["1.5 cm", "1.8 cm"]'
 
 
 def keys(folder):
-    """The keys of the rows in all journals, in their order, and how many lines are torn."""
+    """The keys of the rows in all journals, in their order, and the number of truncated lines."""
     found, torn = [], 0
     for path in sorted(folder.glob("journal*.jsonl")):
         for line in path.read_bytes().split(b"\n"):
@@ -46,7 +46,7 @@ def by_key(rows):
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory):
-    """Run a study without disturbance, once; its table and its folder, by the text of the study."""
+    """Run a study without interruption, once; its table and its folder, by the text of the study."""
     done = {}
 
     def run(path):
@@ -61,7 +61,7 @@ def undisturbed(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def whole(undisturbed):
-    """The table of a study that nothing disturbs."""
+    """The table of an uninterrupted study."""
     return lambda path: undisturbed(path)[0]
 
 
@@ -85,7 +85,7 @@ def test_rows_have_the_same_bits_in_any_order(study_file):
 
 @pytest.mark.parametrize("batch", [1, 5])
 def test_a_search_gives_the_same_bits_whatever_shares_a_batch(tmp_path, study_file, whole, batch):
-    # coarse steps do not bear the 500 N cm that others are folded with
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"\nrefinements = 1'
     path = study_file('"tendon.stiffness" = ["10 N/cm", "20 N/cm"]', head=LEAST_TORQUES, tail=search)
@@ -112,7 +112,7 @@ def test_progress_counts_the_runs_up_to_all_of_them(tmp_path, study_file):
 
 @pytest.mark.parametrize("batch", [5, 1024])
 def test_number_of_needed_runs_never_shrinks_and_is_reached(tmp_path, study_file, batch):
-    # coarse steps do not bear the 500 N cm that others are folded with
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 10"\nrefinements = 1'
     study, seen = load_study(study_file(TENDONS, LEAST_TORQUES, search)), []
@@ -121,7 +121,7 @@ def test_number_of_needed_runs_never_shrinks_and_is_reached(tmp_path, study_file
     assert list(needed) == sorted(needed)
     assert list(done) == sorted(done)
     assert done[-1] == needed[-1]
-    # some wings open before the largest torque: what they do without is done without being run
+    # some wings open before the largest torque: runs no longer needed count as completed
     assert any(row["opened"] for row in rows)
     assert len(rows) < done[-1]
 
@@ -181,7 +181,7 @@ def test_finer_torques_reuse_the_runs_of_the_coarse_ones(tmp_path, study_file):
     after = keys(tmp_path)[0]
     assert len(after) == len(set(after))
     assert before < set(after)
-    # 10 and 30 N cm, and the release at what is now the least, if it is another
+    # 10 and 30 N cm, and the release at the new least torque, if it changed
     assert len(after) - len(before) in (2, 3)
 
 
@@ -191,7 +191,7 @@ def test_points_without_a_valid_wing_have_a_status_in_a_complete_table(tmp_path,
     status = table["status"].transpose("pattern_units", "pattern_hub_radius").values
     assert [text.startswith("cannot be built: binder2025: pattern.units: ") for text in status[2]] == [True, True]
     assert not any("cannot" in text for text in status[:2].ravel())
-    # at so coarse a step some of the others are not to be trusted
+    # at such a coarse step some of the others are unreliable
     silent = ~np.isin(table["verdict"].values, ["reached", "moving", "stuck", "not held"])
     assert (table["verdict"].values == "not built").sum() == 2
     assert (table["flat_energy"].isnull().values == silent).all()
@@ -245,7 +245,7 @@ def test_shards_joined_are_the_undivided_study(tmp_path, study_file, whole, coun
 
 
 def test_shards_of_a_search_joined_are_the_undivided_study(tmp_path, study_file, whole):
-    # coarse steps do not bear the 500 N cm that others are folded with
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = ["100 N cm"]\nrefinements = 2'
     path = study_file(TENDONS, LEAST_TORQUES, search)
@@ -280,7 +280,7 @@ def test_table_does_not_depend_on_the_location_of_the_study(tmp_path, study_file
     assert once.identical(twice)
 
 
-# enough runs, and long enough, that a kill finds some done and some not
+# enough runs of sufficient length, so that a kill finds some completed and some not
 MANY = """
 "tendon.stiffness" = "10..40 N/cm step 10"
 "tendon.rest_length" = ["5 cm", "9 cm"]
@@ -301,7 +301,7 @@ def test_a_study_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp
     size = (folder / "journal.jsonl").stat().st_size
     out, killed, done = tmp_path / "killed", 0, 0
     journal, imports = out / "journal.jsonl", "from forficula.study import load_study, run_study"
-    # without what the command line does before and after, which takes longer than these runs do
+    # without the start and end of the command line, which take longer than these runs
     with forks(imports, "run_study(load_study(sys.argv[1]), sys.argv[2])", path, out) as kill_once:
         for share in sorted(moments.random() for _ in range(2)):
             least = max(share * size, done + 1)
@@ -328,7 +328,7 @@ def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_p
     journal = tmp_path / "out" / "journal.jsonl"
     command = [sys.executable, "-m", "forficula", "study", path, "--out", journal.parent, "--keep", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        # who writes it, and a row at least
+        # the signature, and at least one row
         while not (journal.exists() and journal.stat().st_size >= 600):
             assert process.poll() is None
             time.sleep(1e-3)

@@ -1,4 +1,4 @@
-"""Timesteps that are left open are found by halving, and what is found depends on the design alone."""
+"""Automatic timesteps are found by halving, and the result depends only on the design."""
 
 import dataclasses
 import itertools
@@ -62,7 +62,7 @@ def test_design_file_of_a_run_has_the_automatic_timestep(tmp_path, monkeypatch, 
     settings = [f"--set={key}={value}" for key, value in (limit | {"protocol.timestep": "auto"}).items()]
     with pytest.raises(SystemExit) as ended:
         main(["run", "binder2025", *settings, "--out", "there"])
-    # on its way still when its time is over
+    # still moving when its time limit ends
     assert ended.value.code == 2
     assert "still moving" in capsys.readouterr().out
     kept = ff.load_design(tmp_path / "there" / "design.toml")
@@ -72,11 +72,11 @@ def test_design_file_of_a_run_has_the_automatic_timestep(tmp_path, monkeypatch, 
 
 def test_a_design_whose_first_timestep_diverges_ends_reliable(monkeypatch):
     tried, design = [], auto(membrane__youngs_modulus="30 MPa", protocol__fold_torque="200 N cm")
-    # as where the estimate is far too long
+    # as if the estimate were much too long
     estimate = float(with_timestep(design).protocol.timestep)
     longer = with_values(design, {"protocol.timestep": 16 * estimate})
     monkeypatch.setattr(runs, "with_timestep", lambda each: longer if each.protocol.timestep == "auto" else each)
-    # so much longer, so many more halvings
+    # longer by this factor, hence more halvings
     monkeypatch.setattr(runs, "_HALVINGS", runs._HALVINGS + 4)
     monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
     outcome = measure(run(design))
@@ -100,7 +100,7 @@ def test_the_timestep_is_accepted_when_the_outcome_is_stable(monkeypatch):
 
 
 def test_a_run_whose_outcome_never_stabilises_is_reported_as_unreliable(monkeypatch):
-    """A wing that folds at every second timestep, as if it stood on an edge."""
+    """A wing that folds at every second timestep, as if it were at a boundary between outcomes."""
     number = [0]
 
     def flips(record):
@@ -111,7 +111,7 @@ def test_a_run_whose_outcome_never_stabilises_is_reported_as_unreliable(monkeypa
         return dataclasses.replace(outcome, ending=dataclasses.replace(outcome.ending, verdict=Verdict.STUCK))
 
     monkeypatch.setattr(runs, "measure", flips)
-    # with few and long steps it is quick
+    # few and long steps, so that it is quick
     monkeypatch.setattr(runs, "_HALVINGS", 3)
     ((_, record),) = run_each([DESIGNS[0]])
     outcome = measure(record)

@@ -58,7 +58,7 @@ ENDINGS = {
 
 
 def answer(status, **numbers):
-    """A row as a run leaves it."""
+    """A row as from a run."""
     ending = ENDINGS.get(status) or Ending(
         verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(float(status.split()[2])), residual=1e-3
     )
@@ -78,7 +78,7 @@ def answer(status, **numbers):
 
 
 def answers(design, folds, opens, large="folded", released="folded", untrusted=()):
-    """The row that a run of a design would give, by what is planted."""
+    """The row that a run of a planted design would give."""
     protocol = design.protocol
     torque, opening = protocol.fold_torque, protocol.unfold_torque
     if torque != GRID.reference:
@@ -99,7 +99,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
 
 
 def found(search, folds, opens=no_torque, large="folded", released="folded", untrusted=()):
-    """Ask until nothing is missing, and return what was found and every design that had to run."""
+    """Repeat until nothing is missing, and return the result and every design that had to run."""
     rows, run = {}, []
     while missing := [item for item in search_designs(DESIGN, search, rows).items() if item[0] not in rows]:
         for key, each in missing:
@@ -175,7 +175,7 @@ def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_witho
     assert (result["verdict"], result["outcome"]) == ("untrusted", "not to be trusted")
     assert result["status"] == "not to be trusted: the energy balance misses 12 %"
     assert (result["residual"], result["reference_outcome"]) == (0.12, "")
-    # it is not known with which torque to go on
+    # the torque for the next transition is unknown
     assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
 
 
@@ -186,7 +186,7 @@ def test_an_unreliable_run_above_the_least_folding_torque_is_only_reported():
 
 
 def test_an_unreliable_run_below_the_least_opening_torque_leaves_none():
-    # 0.15 N m is tried for opening only, once 0.2 N m has opened
+    # 0.15 N m is tried for opening only after 0.2 N m has opened
     result, _ = found(
         refined(1), lambda torque: torque >= 0.3, lambda torque: torque >= 0.2, untrusted=[(0.1 + 0.2) / 2]
     )
@@ -237,9 +237,9 @@ def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stage
 def test_bisection_halves_the_step_below_the_least_torque_that_works(barrier, times):
     result, _ = found(refined(times), lambda torque: torque >= barrier, lambda torque: torque >= barrier)
     width = 0.1 / 2**times
-    # rounding of the middles
+    # up to rounding of the middles
     assert barrier <= result["least_fold_torque"] <= barrier + width * (1 + 1e-9)
-    # the first step has none below it to bisect
+    # there is no step below the first value to bisect
     assert barrier <= result["least_unfold_torque"] <= max(0.1, barrier + width * (1 + 1e-9))
 
 

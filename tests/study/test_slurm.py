@@ -13,13 +13,13 @@ NAMES = ["study.toml", "my study.toml", "it's $HOME.toml", 'a "b" `c`;d.toml', "
 
 
 def accepts(script):
-    """Whether bash reads a script without complaint."""
+    """Whether bash parses a script without errors."""
     done = subprocess.run(["bash", "-n"], input=script, capture_output=True, text=True, check=False)
     return done.returncode == 0 and not done.stderr
 
 
 def words(script, place, task="3"):
-    """The words of the command that a job runs."""
+    """The words of the command of a job."""
     shown = script.replace("\nforficula study", "\nprintf '%s\\n' study")
     done = subprocess.run(
         ["bash"],
@@ -46,7 +46,7 @@ def test_the_array_has_one_job_a_shard():
     assert script.startswith("#!/bin/bash\n")
     assert "#SBATCH --array=1-12\n" in script
     assert "forficula study binder2025-search --out out/search --collect" in script
-    # directives end where the first command starts
+    # directives must precede the first command
     assert script.rindex("#SBATCH") < script.index("\nforficula study")
 
 

@@ -1,4 +1,4 @@
-"""Which wings fold and open under slowly growing torques, and where a simulation differs."""
+"""Wings that fold and open under slowly growing torques, and differences to a simulation."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def test_a_study_without_torques_has_no_static_map(study_file):
 
 
 def simulated(statics, folds, opens):
-    """A table as a search for the least torques leaves it."""
+    """A table as from a search for the least torques."""
     shape = statics["status"].shape
     return xarray.Dataset(
         {
@@ -151,7 +151,7 @@ def test_cells_that_differ_are_named(statics):
     assert less.values.ravel().tolist()[:3] == [ONLY_SIMULATED, BOTH_LESS, BOTH_LESS]
     opens = compare_maps(statics, found, "least_unfold_torque").values.ravel().tolist()
     assert opens[:2] == [ONLY_SIMULATED, ONLY_STATIC]
-    # nothing was opened where nothing folded
+    # opening was not tried without folding
     assert opens[2:] == [NOT_SIMULATED] * 4
 
 
@@ -168,7 +168,7 @@ def test_a_table_with_other_factors_is_refused(statics):
 
 
 def test_values_of_a_range_match_those_of_a_study():
-    """Both read their factors the same way, so every wing of the paper's search is found."""
+    """Both read their factors in the same way, so every wing of the paper's search is found."""
     study = load_study("binder2025-search")
     over = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
     assert map_study(load_design("binder2025"), over).points == study.points

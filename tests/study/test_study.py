@@ -23,7 +23,7 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     folding = [design.protocol for design in designs.values()]
     assert [protocol.fold_torque for protocol in folding] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
     assert {protocol.stages[-1].drive for protocol in folding} == {"fold"}
-    # once the wing is known to fold it is released, and opened from the wing folded with 500 N cm
+    # a wing that folds is released, and opened from the wing folded with 500 N cm
     known = {key: {"verdict": "reached", "folded": True} for key in designs}
     wanted = [each.protocol for each in search_designs(study.base, study.search, known).values()]
     release, *opening = wanted[len(folding) :]

@@ -11,7 +11,7 @@ from forficula.design import with_values
 from forficula.show.study.maps import map_drawings
 from forficula.study import load_study, run_study, table_csv
 
-# the issue that asked for the table: these first, and in this order
+# the first columns of a table, in this order
 COLUMNS = [
     "tendon_stiffness_N_per_m",
     "tendon_rest_length_m",
@@ -36,7 +36,7 @@ def lines(text):
 
 @pytest.fixture(scope="module")
 def searched(tmp_path_factory, write_study_file):
-    """A study of four tendons, of which some fold and some open, and its table."""
+    """A study of four tendons, some of which fold and some open, and its table."""
     study = load_study(
         write_study_file(
             tmp_path_factory.mktemp("searched") / "small.toml",
@@ -100,7 +100,7 @@ def test_coordinates_are_in_si_with_key_and_units(searched):
     assert (attributes["units"], attributes["display"], attributes["key"]) == ("m", "cm", "tendon.rest_length")
     assert table["fold_torque"].values == pytest.approx([0.1, 0.5])
     assert table["fold_work"].attrs["units"] == "J"
-    # a run that failed has them, too
+    # a failed run has them, too
     assert table["fold_work"].attrs["long_name"] == "work of folding, done or not"
     assert table["flat_energy"].attrs["long_name"] == "energy of the tendons, flat"
     assert table["folded_energy"].attrs["long_name"] == "energy of the tendons, folded, or where folding ended"
@@ -158,7 +158,7 @@ def test_words_and_lists_label_a_table_too(tmp_path, study_file, factor, labels)
 def test_automatic_and_given_timesteps_share_a_table(tmp_path, study_file):
     study = load_study(study_file('"protocol.timestep" = ["0.4 ms", "auto", "0.25 ms"]'))
     table = run_study(study, tmp_path / "out")
-    # one word makes words of them all: an axis has no number for it
+    # a single word makes all values words, because an axis has no number for it
     assert table["protocol_timestep"].values.tolist() == ["0.4 ms", "auto", "0.25 ms"]
     assert "units" not in table["protocol_timestep"].attrs
     rows = lines(table_csv(study, table))

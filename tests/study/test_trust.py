@@ -1,4 +1,4 @@
-"""Studies with wings whose timestep is too long: nothing of these is told as a number, in tables, files and maps."""
+"""Studies with wings whose timestep is too long: tables, files and maps contain no numbers of these."""
 
 import csv
 import io
@@ -14,9 +14,9 @@ from forficula.show.study.maps import draw_first_times, draw_work_maps, missing_
 from forficula.study import load_study, run_study, table_csv
 from tests.show.study.test_maps import legend, panels
 
-# softer ones than 2 MPa fold; the membrane of 20 MPa is too stiff for 0.2 ms, that of 60 MPa blows up
+# below 2 MPa the wing folds; 20 MPa is too stiff for 0.2 ms, and 60 MPa diverges
 FACTORS = '"membrane.youngs_modulus" = ["1 MPa", "2 MPa", "20 MPa", "60 MPa"]\n"tendon.rest_length" = ["7 cm", "9 cm"]'
-# what the short protocol allows itself
+# the residual limit of the short protocol
 COARSE = (
     'protocol.timestep = "0.4 ms"\nstops.time_constant = "2 ms"\n'
     "protocol.least_hold = 0.0\nprotocol.residual_limit = 0.02"
@@ -70,7 +70,7 @@ def test_every_row_of_the_journal_has_a_status_a_verdict_and_a_residual(either):
     for row in rows:
         assert row["status"]
         assert (row["verdict"] in SILENT) == (row["folded"] is None)
-        # of what is undecided only the state that the two runs disagree on is not known
+        # for an undecided run, only the state on which the two runs disagree is unknown
         assert (row["verdict"] in (*SILENT, "undecided")) == (None in (row["folded"], row["opened"]))
         if row["verdict"] in SILENT:
             assert {row[name] for name in row if name.endswith(("_J", "_time_s", "angle_deg"))} == {None}

@@ -21,7 +21,7 @@ from forficula.names import near_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
 
 DEFAULT_SHARE = 0.1
-SIZE = 'share such as "10 %", or as in a design'
+SIZE = 'percentage such as "10 %", or as in a design'
 # sections with the load, the measurements, and values that parts do not have
 _NOT_BUILT = ("protocol", "drive", "measure", "support", "make", "stops")
 # range of validity of a law, which changes no run

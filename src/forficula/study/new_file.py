@@ -57,7 +57,9 @@ def write_new_file(path: str | os.PathLike[str], file: FileKind[Any], kind: str 
         "state": transitions[0].state,
         **file.texts(design),
     }
-    about = f"{file.model.about}, forficula keys --kind {kind} those of the design. Lines behind # are optional"
+    about = (
+        f"{file.model.about}, forficula keys --kind {kind} those of the design. Lines that begin with # are optional"
+    )
     write_text(path, "\n".join([*_comment(about), *_lines(file.model, texts)]) + "\n")
 
 

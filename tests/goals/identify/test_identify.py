@@ -1,4 +1,4 @@
-"""Values that are hidden are found again by what they bring about, and facts that exclude one another are told."""
+"""Hidden values are identified from their effects, and mutually exclusive facts are reported."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from forficula.goals.identify.result import build_result
 from forficula.show.goals.identify_text import agrees_sentences, print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
-# less than any overbend
+# below the smallest overbend
 SETTINGS = {"protocol.initial_overbend": "0 deg"}
 UNKNOWN = {
     "hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"},
@@ -21,7 +21,7 @@ UNKNOWN = {
 
 
 def observed(facts, samples=64, directed=0, unknown=UNKNOWN, rows=assess):
-    """The result of observations of the reference wing."""
+    """Result of observations of the reference wing."""
     tables = {
         "name": "planted",
         "design": "binder2025",
@@ -41,7 +41,7 @@ def planted(overbend, damping):
 
 
 def what_it_does(hidden):
-    """How many of the paper's tendons fold with 50 N cm, and how long the reference takes, s."""
+    """The number of the paper's tendons that fold with 50 N cm, and the fold time of the reference, s."""
     folds = [
         row_of(hidden.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * l0}))["folded"]
         for k in range(1, 7)
@@ -56,7 +56,7 @@ HIDDEN = [(3.0, 1e-3), (5.5, 4e-3), (2.2, 3e-4)]
 
 @pytest.fixture(scope="module")
 def looked_for():
-    """What each of the hidden values brings about, looked for among the same samples: two facts for each."""
+    """Effects of each hidden value, searched among the same samples: two facts for each value."""
     facts = []
     for hidden in HIDDEN:
         count, time = what_it_does(planted(*hidden))
@@ -70,10 +70,10 @@ def test_hidden_values_are_identified_from_their_effects(looked_for, overbend, d
     own = 2 * HIDDEN.index((overbend, damping))
     met = looked_for.sel(sample=looked_for.met.isel(fact=[own, own + 1]).all("fact"))
     assert 3 <= met.sizes["sample"] < 64
-    # five tendons more or fewer fold within a third of the overbend; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
+    # within a third of the overbend the count changes by five; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
     np.testing.assert_allclose(np.degrees(met.hinge_overbend), overbend, rtol=1 / 3)
     np.testing.assert_allclose(met.hinge_damping, damping, atol=0.44e-3)
-    # and what agrees lies around what was hidden
+    # the agreeing range contains the hidden value
     assert float(np.degrees(met.hinge_overbend).mean()) == pytest.approx(overbend, rel=0.1)
 
 
@@ -88,7 +88,7 @@ def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     assert result.met.any("sample").all()
     assert int(result.met_together[0, 1]) == int(result.met_together_placed[0, 1]) == 0
     assert result.together.values[0, 1] == Together.EXCLUDED
-    # none of 64: less than 3 / 64 of the priors, as the rule of three has it
+    # none of 64: less than 3 / 64 of the priors, by the rule of three
     assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
@@ -101,15 +101,15 @@ def test_facts_that_every_sample_meets_return_the_prior():
     result = observed([count_fact("some", at_least=0), time_fact("ever", at_most="1 s")], samples=64, directed=32)
     assert result.met.all()
     assert result.agrees.all()
-    # nothing is left to refute, so no sample is placed
+    # no sample is placed, because there is nothing to refute
     assert result.sizes["sample"] == result.attrs["drawn"] == 64
-    # a scrambled Sobol sequence has as many points in every sixteenth
+    # a scrambled Sobol sequence has equally many points in every sixteenth
     for share in (result.hinge_overbend_share, result.hinge_damping_share):
         assert np.histogram(share.values, bins=16, range=(0, 1))[0].tolist() == [4] * 16
 
 
 def test_placed_samples_refute_an_accidental_exclusion():
-    # one corner of what is believed: both facts leave a band of each unknown, which few drawn samples hit
+    # one corner of the priors: both facts leave a narrow band of each unknown, which few drawn samples reach
     count, time = what_it_does(planted(2.2, 3e-4))
     facts = [
         count_fact("count", equals=count, tolerance=1),
@@ -118,7 +118,7 @@ def test_placed_samples_refute_an_accidental_exclusion():
     drawn = observed(facts, samples=64)
     assert int(drawn.met_together[0, 1]) == 0
     assert drawn.together.values[0, 1] != Together.EXCLUDED
-    # though the hidden values meet both
+    # although the hidden values meet both
     assert (
         "No sample meets all 2 facts, but samples are too few to say that no values do" in together_sentences(drawn)[0]
     )
@@ -128,7 +128,7 @@ def test_placed_samples_refute_an_accidental_exclusion():
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
-    # what was placed says nothing of how likely values are
+    # placed samples are not used for the likelihood of values
     assert not placed.agrees.sel(sample=placed.directed).any()
     assert float(placed.together_share_high[0, 1]) == float(drawn.together_share_high[0, 1])
 
@@ -165,7 +165,7 @@ def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
 
 
 def silent_at(length):
-    """Rows of which those with one resting length do not tell."""
+    """Rows in which the runs with one resting length are inconclusive."""
 
     def rows(runs):
         found = assess(runs)
@@ -183,7 +183,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
 @pytest.mark.parametrize(
     ("statistic", "asked", "met", "tells"),
     [
-        # the run that tells has its 11.5 ms and more: the least is at most that, the largest at least
+        # the conclusive run takes 11.5 ms or more: the least is at most this, the largest at least
         ("least", {"at_most": "1 s"}, True, True),
         ("least", {"at_least": "1 s"}, False, True),
         ("least", {"at_least": "1 ms"}, False, False),
@@ -194,9 +194,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
         ("least at", {"at": {"tendon.rest_length": "8 cm"}}, False, False),
     ],
 )
-def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(
-    statistic, asked, met, tells
-):
+def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(statistic, asked, met, tells):
     fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
@@ -205,7 +203,7 @@ def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_ma
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
     if not tells:
-        # four of four may meet it, or none
+        # four of four may meet the fact, or none
         assert (float(result.met_share_low[0]), float(result.met_share_high[0])) == (0.0, 1.0)
 
 
@@ -226,7 +224,7 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
         result = observed([{**asked, **bound}], samples=2, unknown=unknown, rows=silent)
         return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
 
-    # 10 N cm are enough at 3 deg; at 8 deg 20 may be, and 30 are
+    # 10 N cm suffice at 3 deg; at 8 deg 20 N cm may, and 30 N cm do
     assert told(at_most="30 N cm") == [[True, True], [True, True]]
     assert told(equals="30 N cm") == [[False, False], [True, False]]
     assert told(at_least="20 N cm") == [[False, True], [True, True]]
@@ -259,7 +257,7 @@ def test_names_with_brackets_are_unchanged_in_the_table(capsys):
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
-    # of a single sample nothing follows for the values beside it
+    # a single sample gives no range between samples
     assert "Too few samples to say what agrees: 1 ran" in said
     assert "One sample meets the fact." in said
 

@@ -1,4 +1,4 @@
-"""Observations in files: what they may hold, and what errors say."""
+"""Observations files: allowed content, and errors."""
 
 import pytest
 
@@ -26,7 +26,7 @@ def test_named_observations_have_the_values_that_the_paper_does_not_report():
     assert named_observations() == ["binder2025-lost"]
     seen = load_observations("binder2025-lost")
     keys = [prior.key for prior in seen.priors]
-    # lengths, angles, masses and damping are lost; stiffness, resting length and overbend are not
+    # the paper does not report lengths, angles, masses and damping, but stiffness, resting length and overbend
     assert {"pattern.hub_radius", "vein.diameter", "pattern.tangent", "hinge.damping"} <= set(keys)
     assert not {"tendon.stiffness", "tendon.rest_length", "hinge.overbend"} & set(keys)
     asked = {fact.name: asked_text(fact) for fact in seen.facts}
@@ -35,7 +35,7 @@ def test_named_observations_have_the_values_that_the_paper_does_not_report():
     assert asked["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"
     assert asked["unfolding costs twice"] == "at least 2 fold_work"
     assert asked["32 of 60 fold"] == "32 within 2"
-    # the reference wing is among what is believed
+    # the values of the reference wing lie within the priors
     for prior in seen.priors:
         now = key_value(seen.base, prior.key)
         if prior.distribution is None:
@@ -81,7 +81,10 @@ def test_longer_draws_begin_with_the_shorter_ones():
         ),
         (tables(quantity="folded"), "fact 0: name: is missing; give it"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
-        (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of quantities with one unit, got J and s"),
+        (
+            tables(**{**TIME, "quantity": "fold_time + fold_work"}),
+            "need a sum of quantities with one unit, got J and s",
+        ),
         (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),
         (tables(**{**TIME, "at_most": "5 J"}), 'at_most: .*"5 J"'),
         (tables(**{**TIME, "at_most": 5}), "at_most: the unit is missing"),

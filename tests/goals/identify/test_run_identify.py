@@ -1,4 +1,4 @@
-"""Identifications in folders: killed and taken up again they come to the same, and leave their files."""
+"""Identifications in folders: interrupted ones give the same result, and all write their files."""
 
 import json
 import os
@@ -30,7 +30,7 @@ UNKNOWN = {
 
 @pytest.fixture(scope="module")
 def planted():
-    """Observations of a sheet whose values are hidden: when it closed, and what it stored while open."""
+    """Observations of a sheet with hidden values: when it closed, and its energy while open."""
     letter = load_design("letter-fold", LONG_STEPS)
     outcome = ff.measure(ff.run(letter.with_values(HIDDEN), confirm=False))
     time, stored = outcome.transitions["close"].time, stored_energy(outcome.states["flat"])
@@ -51,20 +51,20 @@ def result(planted, tmp_path_factory):
 
 
 class KilledError(Exception):
-    """Stands for a process that ends at once."""
+    """A process that ends at once."""
 
 
 def test_hidden_values_of_a_sheet_are_identified_from_its_times(result):
     near = result.isel(sample=int(np.argmin(result.scaled_distance.sum("fact").values)))
     spread = np.ptp(result.value.values, axis=0)
-    # what comes nearest is off by a small part of what the samples differ by
+    # the nearest sample deviates by a small fraction of the differences between samples
     assert (near.distance.values < 0.2 * spread).all()
     assert float(near.crease_damping) == pytest.approx(0.04, rel=0.3)
     assert float(near.tendon_left_stiffness) == pytest.approx(50, rel=0.2)
 
 
 def test_an_interrupted_identification_gives_the_same_result(planted, result, tmp_path):
-    # among the drawn samples, twice, and among the placed ones
+    # interrupted twice among the drawn samples, and once among the placed ones
     for stop in (5, 5, 15):
         left = [stop]
 
@@ -105,7 +105,7 @@ at_most = "40 mJ"
 """
 
 
-# identifies without what the command line does before and after, which takes longer than these runs do
+# runs the identification without the start and end of the command line, which take longer than these runs
 IMPORTS = """
 from forficula.goals.identify import load_observations
 from forficula.goals.identify.run_identify import identify
@@ -120,7 +120,7 @@ def test_command_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp
     save_design(load_design("letter-fold", QUICK), tmp_path / "letter.toml")
     file.write_text(SEEN, "utf-8")
     main(["identify", str(file), "--out", str(whole)])
-    # among the drawn samples, and at the end of these or among the placed ones
+    # among the drawn samples, at their end, or among the placed ones
     journal = out / "journal.jsonl"
     with forks(IMPORTS, IDENTIFY, file, out) as kill_once:
         killed = [
@@ -134,7 +134,7 @@ def test_command_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp
         assert (out / name).read_bytes() == (whole / name).read_bytes()
     tables = [xarray.load_dataset(folder / "identified.nc", engine="h5netcdf") for folder in (whole, out)]
     xarray.testing.assert_identical(*tables)
-    # what was done before a kill was not done again; where it hit, half a row may stand
+    # completed runs are not repeated; the row that was being written may be truncated
     lines = [line for line in (out / "journal.jsonl").read_text("utf-8").splitlines() if line]
     keys = [json.loads(line)["key"] for line in lines if line.startswith('{"key"') and line.endswith("}")]
     assert len(keys) == len(set(keys)) == tables[0].attrs["runs"]
@@ -190,7 +190,7 @@ def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")
     kept = xarray.load_dataset(out / "identified.nc", engine="h5netcdf")
     assert together_sentences(kept) == told["sentences"]
-    # numbers of a file are those of numpy, and are written as the same JSON
+    # numbers of a file are numpy numbers, and are written as the same JSON
     ff.save(kept, tmp_path / "again")
     assert (tmp_path / "again" / "identified.json").read_text("utf-8") == (out / "identified.json").read_text("utf-8")
     main(["figure", str(out), "--kind", "facts", "--out", str(tmp_path / "facts.svg")])

@@ -1,4 +1,4 @@
-"""A search that is over before it has learnt from anything says so."""
+"""A search that ends before it uses results says so."""
 
 import pytest
 
@@ -26,7 +26,7 @@ def goal(vary=AREA, **search):
 
 
 def points(axes, batch, count, sign):
-    """The first points of a search for the least, or the largest, share of the first axis."""
+    """The first points of a search that minimises, or maximises, the first coordinate."""
     search, found = ParabolaSearch(axes, 1, batch, 0), []
     while len(found) < count:
         asked = search.ask()

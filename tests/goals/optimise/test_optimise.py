@@ -1,4 +1,4 @@
-"""Goals on designs: known optima, planted designs, what cannot be met, and searches that are stopped."""
+"""Goals on designs: known optima, planted designs, infeasible goals, and interrupted searches."""
 
 import json
 import math
@@ -24,13 +24,13 @@ STATICS = {
     "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "4 cm", "high": "9 cm"}},
     "objectives": {"mass": "least"},
 }
-# of tpu-82a, and of the joint
+# values of tpu-82a, and of the joint
 MODULUS, PROXIMAL, DISTAL, OFFSET, STOP = 4.8e6, 59e-3, 51e-3, 3e-3, math.radians(-3)
 SECTORS = math.radians(87), math.radians(107)
 
 
 def tendon_length(angle):
-    """From attachment to attachment: the hinge is the axis, which the bars meet at their sectors, an offset below."""
+    """Distance of the attachments: the hinge is the axis; the bars meet it at their sectors, an offset below."""
     proximal, distal = PROXIMAL * math.sin(SECTORS[0]), DISTAL * math.sin(SECTORS[1])
     return math.hypot(
         proximal + distal * math.cos(angle) + OFFSET * math.sin(angle),
@@ -40,14 +40,14 @@ def tendon_length(angle):
 
 
 def moment(angle, rest_length):
-    """Of a tendon of 1 m^2 about the hinge, N m: E (l / l0 - 1) dl/da."""
+    """Torque of a tendon of 1 m^2 about the hinge, N m: E (l / l0 - 1) dl/da."""
     step = 1e-6
     slope = (tendon_length(angle + step) - tendon_length(angle - step)) / (2 * step)
     return MODULUS * max(tendon_length(angle) / rest_length - 1, 0) * slope
 
 
 def peak(rest_length):
-    """The largest moment against opening, of 1 m^2."""
+    """The largest torque against opening, for 1 m^2."""
     found = minimize_scalar(lambda angle: moment(angle, rest_length), bounds=(0.05, 3.1), method="bounded")
     return -found.fun
 
@@ -72,7 +72,7 @@ def lightest(tmp_path_factory):
 
 
 def test_the_lightest_joint_that_holds_and_opens_lies_on_both_limits(lightest):
-    """Mass grows with the area and with the length; their ratio at both limits depends on the length alone."""
+    """Mass is proportional to area and length; their ratio at both limits depends only on the length."""
     length = brentq(lambda each: peak(each) / moment(STOP, each) - 32 / 8, 0.05, 0.085)
     area = 0.08 / moment(STOP, length)
     found = lightest
@@ -98,7 +98,7 @@ def test_a_planted_joint_is_found_from_its_outcomes(tmp_path):
         }
     )
     (best,) = optimise_goal(goal, tmp_path).designs
-    # between the limits, 0.2 % apart, the area may be off by more than 1 %, and the least mass takes what it can get
+    # between the limits, 0.2 % apart, the area may deviate by more than 1 %, and the least mass uses this
     assert best.tendons[0].area == pytest.approx(7.3e-6, rel=2e-2)
     assert best.tendons[0].rest_length == pytest.approx(0.0515, rel=1e-2)
 
@@ -112,7 +112,7 @@ ROBUST = STATICS | {
 
 
 def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tmp_path):
-    """Of areas within 10 % the least 5 % may be too small: 1 - 0.1 + 0.05 * 0.2 = 0.91 of the design's."""
+    """For areas within 10 % the smallest 5 % may fail: 1 - 0.1 + 0.05 * 0.2 = 0.91 of the design's."""
     least = 0.08 / moment(STOP, 0.06)
     plain = goal_of(ROBUST | {"limits": {"hinge_holding_torque": ">= 8 N cm"}})
     robust = goal_of(ROBUST)
@@ -120,10 +120,10 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     assert edge.designs[0].tendons[0].area == pytest.approx(least, rel=1e-3)
     assert edge.best[0].fresh.share == pytest.approx(0.5, abs=0.04)
     assert inside.best[0].fresh.share >= 0.95
-    # of the 16 neighbours that the search asks none may fail
+    # none of the 16 neighbours of the search may fail
     assert inside.designs[0].tendons[0].area == pytest.approx(least / 0.91, rel=0.02)
     assert inside.effort.spared_neighbours > 0
-    # whoever is said to meet the goal was asked for its neighbours, and what was beaten before that is not
+    # the neighbours of every design that meets the goal were evaluated; those of worse designs were not
     table = inside.table
     assert bool((table["neighbours"].values[table["feasible"].values] > 0).all())
     unasked = [each for each in inside.candidates if each.found.meets and each.neighbours is None]
@@ -143,10 +143,10 @@ def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
     found = optimise_goal(goal, tmp_path)
     assert not found.best
     ratio = peak(0.06) / moment(STOP, 0.06)
-    # the cheap limits are looked at together, so that each is known where the other holds
+    # cheap limits are evaluated together, so each is known where the other is met
     missing = {each.limit: each.alone for each in found.relaxations}
     assert missing[0] == pytest.approx(-(1 - 20 / ratio / 8), abs=0.01)
-    # the search goes where it misses least in all; of the other limit there is what it met on its way
+    # the search minimises the total violation, so the other limit has only values on this path
     assert -1 < missing[1] <= -(8 * ratio / 20 - 1) + 1e-3
     text = "\n".join(told(found))
     assert "none of 48 designs meets every limit" in text
@@ -218,7 +218,7 @@ def test_two_objectives_give_a_front_of_designs(tmp_path):
     front = found.table.where(found.table["front"], drop=True).sortby("mass")
     assert front.sizes["candidate"] > 8
     assert (front["hinge_holding_torque"].diff("candidate") > 0).all()
-    # at the end of the front that holds most, opening is what limits it
+    # at the end of the front with the largest holding torque, the limit on opening binds
     assert front["hinge_opening_torque"].max() == pytest.approx(0.4, rel=5e-3)
     assert 2 <= len(found.best) <= 12
 
@@ -251,7 +251,7 @@ def test_another_designs_folder_is_refused(tmp_path):
 
 
 def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path):
-    """Of one area the force grows as the tendon is made shorter: the shortest holds hardest."""
+    """For one area the force grows as the tendon is shortened: the shortest one holds best."""
     goal = {
         "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "6 cm", "high": "9 cm"}},
         "limits": {"hinge_opening_torque": "<= 32 N cm"},
@@ -273,7 +273,7 @@ def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path)
 
 
 def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
-    """Eight neighbours of 200 tell little: of the best by them some have too few fresh ones that work."""
+    """With only eight neighbours, some of the best designs by these have too few new neighbours that work."""
     few = {
         "search": {"runs": 56, "batch": 8, "neighbours": 8},
         "tolerances": {AREA: {"distribution": "normal", "size": "6 %"}},

@@ -1,4 +1,4 @@
-"""A tolerance finds what was planted in a model in closed form, and the same again however often it is killed."""
+"""A tolerance analysis recovers a planted closed-form model, and interruptions do not change the result."""
 
 import json
 import shutil
@@ -37,7 +37,7 @@ def design():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Where the runs of `found` are."""
+    """Folder with the runs of `found`."""
     return tmp_path_factory.mktemp("found")
 
 
@@ -47,7 +47,7 @@ def found(design, folder):
 
 
 def works_within(width):
-    """Of offsets u within a width and v within 1, the share with 0.2 u - 0.1 v < EDGE: all but a triangle's."""
+    """Probability of 0.2 u - 0.1 v < EDGE for offsets u within a width and v within 1: all except a triangle's."""
     leg = width - (EDGE - 0.1) / 0.2
     return 1 - leg**2 / (4 * width)
 
@@ -87,7 +87,7 @@ def test_range_of_each_value_alone_ends_at_zero_margin(found):
 
 
 def test_the_nearest_failure_of_all_together_is_the_corner(found):
-    """0.2 t + 0.1 t = EDGE, where both are off by the same share of their tolerances."""
+    """0.2 t + 0.1 t = EDGE, if both deviate by the same fraction of their tolerances."""
     assert found.nearest.works * found.nearest.largest <= EDGE / 0.3 <= found.nearest.largest <= 0.625
     assert np.sign(found.nearest.offsets[[1, 3]]).tolist() == [1, -1]
 
@@ -143,7 +143,7 @@ def test_unreliable_runs_are_counted_separately_and_widen_the_interval(design, t
     assert works.low < found.probability.low
     assert works.high >= works.share
     assert "not to be trusted" in " ".join(advice(doubtful))
-    # a run that tells nothing is no failure of a value alone either
+    # an inconclusive run does not count as a failure of a single value
     assert doubtful.reaches[0][1].fails is None
 
 
@@ -170,9 +170,11 @@ def test_without_failures_importance_is_reported_and_no_tolerance_tightened(desi
     assert sound.probability.fails == 0
     told = " ".join(advice(sound))
     assert "Tighten" not in told
-    assert f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in told
+    assert (
+        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in told
+    )
     assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in told
-    # how far it is to failure is told all the same
+    # the distance to failure is reported, too
     assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in told
     assert tighten_first(sound) is None
 
@@ -224,7 +226,7 @@ def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
 
 
 def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
-    """No run of a closed form takes long: there is time for all."""
+    """Runs of a closed form are so short that the largest plan is chosen."""
     question = asked(design)
     assert kept_plan(tmp_path, question, 0.3, 1) is None
     cluster = ClosedForm(design, FACTORS, line, killed_after=40)
@@ -237,7 +239,7 @@ def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
 
 
 def test_existing_rows_are_not_used_to_time_runs(design, tmp_path):
-    """Half a second is not enough for what has 256 points, whatever the folder had time for before."""
+    """Half a second does not suffice for 256 points, although the folder has rows of earlier runs."""
     with pytest.raises(KeyboardInterrupt):
         assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
     slow = ClosedForm(design, FACTORS, line, pause=0.02)
@@ -245,7 +247,7 @@ def test_existing_rows_are_not_used_to_time_runs(design, tmp_path):
 
 
 def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_path, found):
-    """Each finds the rows of the other in its folder, here of one that went before."""
+    """Each process finds the rows of the other in its folder, here those of an earlier process."""
     shared = tmp_path / "shared"
     shutil.copytree(folder, shared)
     (shared / "journal.jsonl").rename(shared / "journal-1-of-2.jsonl")
@@ -270,7 +272,7 @@ def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
 
 
 def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_path):
-    """A crease that stops at 175 deg, 10 % uniform: without its bound of 180 deg, 36 % of them lay beyond it."""
+    """A crease that stops at 175 deg, 10 % uniform: 36 % of the values would lie beyond its bound of 180 deg."""
     keys = ("crease.fold_limit", "facet.thickness")
     question = question_of(design, dict.fromkeys(keys, "10 %"))
     plan = replace(PLANS[-1], points=64, cells=5)

@@ -1,4 +1,4 @@
-"""The command line asks how likely a design works as it is built."""
+"""The command for the probability that a design works within its tolerances."""
 
 import json
 

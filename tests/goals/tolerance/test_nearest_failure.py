@@ -4,7 +4,7 @@ from forficula.goals.tolerance.nearest_failure import Answer, reaches
 
 
 class Window:
-    """A design that works between bounds, direction by direction, and counts how often it is asked."""
+    """A design that works between bounds in each direction, and counts its evaluations."""
 
     def __init__(self, bounds, beyond=Answer.FAILS):
         self.bounds, self.beyond, self.rounds, self.runs = bounds, beyond, 0, 0

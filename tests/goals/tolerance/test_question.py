@@ -1,4 +1,4 @@
-"""What is asked: which values may be off, by how much, and when a design works."""
+"""Questions of tolerance analyses: varying values, their deviations, and conditions for working."""
 
 import numpy as np
 import pytest
@@ -44,7 +44,7 @@ def test_a_named_goal_gives_its_torques_tolerances_and_required_probability(desi
 def test_values_out_of_bounds_are_detected_before_a_run(design):
     question = question_of(design, {"hinge.fold_limit": "10 %", "tendon.stiffness": "10 %"})
     assert question.allows(np.array([-1.0, 1.0]))
-    # beyond flat upon itself
+    # further than folded flat
     assert not question.allows(np.array([0.1, 0.0]))
     assert not question.allows(np.array([0.0, -11.0]))
 
@@ -84,7 +84,7 @@ def test_settings_of_a_goal_apply_except_to_varied_and_overridden_keys(design, t
     asked = question_of(given, goal=path, settings={"vein.diameter": "6 mm"}).design
     assert asked.protocol.timestep == pytest.approx(1e-4)
     assert asked.vein.diameter == pytest.approx(6e-3)
-    # the best of a search has its own value of what was varied
+    # the best design of a search has its own value of the varied key
     assert asked.tendon.stiffness == design.tendon.stiffness
     alone = question_of(None, goal=path, settings={"protocol.timestep": "0.2 ms"}).design
     assert alone.name == "binder2025-joint"

@@ -33,7 +33,7 @@ class PriorSampling(Section):
 
     samples: _Count = entry("number of samples from the distributions of the unknown values", 256, at_least=1)
     directed: _Count = entry(
-        "number of further samples, placed where facts may agree that no sample agreed with together", 128, at_least=0
+        "number of further samples, placed to meet facts together that no earlier sample met together", 128, at_least=0
     )
     seed: _Count = entry("random seed", 0, at_least=0)
 
