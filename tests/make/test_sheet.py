@@ -109,8 +109,8 @@ def test_cutter_path_without_the_kerf_has_the_area_of_the_facets(name, kerf):
 def test_sheet_of_a_fan_without_tendons_is_its_panels_minus_hinge_knuckles():
     sheet = cut_sheet(load_design("binder2025").with_values({"tendon": []}))
     lost = facets_area(sheet.pattern) - sum(map(loop_area, sheet.outlines))
-    # 10 mm of knuckles of 5.6 mm, 0.4 mm clearance and 1 mm of window around them, with round corners; of the outer veins
-    # only the half that is on the sheet
+    # 10 mm of knuckles of 5.6 mm, with 0.4 mm clearance and 1 mm of window around them and round corners; of the outer
+    # veins only the half that is on the sheet
     window = 12e-3 * 8.4e-3 - (4 - math.pi) * 1e-3**2
     assert lost == pytest.approx(2 * window, rel=2e-3)
 

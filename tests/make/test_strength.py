@@ -68,7 +68,8 @@ def test_a_column_pressed_beside_its_axis_bows_by_the_secant_formula(share):
 
 
 def test_a_bent_column_bows_as_a_chain_of_rods_and_springs_does():
-    # v'' = -push / (E I) v away from the bend, by finite differences; at the bend the curvature is the jump of the slope
+    # v'' = -push / (E I) v away from the bend, by finite differences; at the bend the curvature is the
+    # jump of the slope
     made, push, count = np.array([0.5e-3, 6e-3, -1e-3]), 0.6 * column(np.zeros((3, 2))).buckles_at, 1100
     step, bend = LENGTH / count, 600
     at = np.arange(1, count)
