@@ -99,7 +99,7 @@ def test_parts_that_stop_before_the_folded_angle_are_rejected(joint_of):
 
 
 def test_a_sheet_alone_has_nothing_to_measure():
-    with pytest.raises(InputError, match="no joint is made of it"):
+    with pytest.raises(InputError, match="has no joints that could be measured"):
         as_made(make_parts("letter-fold", "sheet"))
 
 

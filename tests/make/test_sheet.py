@@ -184,7 +184,7 @@ def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
 
 def test_a_pattern_that_overlaps_itself_when_flat_is_rejected():
     saddle = vertex_pattern(np.radians([100.0] * 4), 0.03)
-    with pytest.raises(InputError, match="laid flat it lies on itself"):
+    with pytest.raises(InputError, match="laid flat, it overlaps itself"):
         made(saddle)
     with pytest.raises(InputError, match=r"make\.margin: need 0 mm for a sheet that is laid flat along seams"):
         made(yoshimura_tube(6, 1, 0.02, 0.015), margin="1 mm")

@@ -102,7 +102,7 @@ def test_rows_of_another_design_are_refused_with_what_differs(tmp_path, study_fi
     for start in (run_study, collect, estimate):
         with pytest.raises(InputError) as caught:
             start(study, tmp_path / "out")
-        assert f"design_hash {DESIGN.hash} there, {study.base.hash} now" in str(caught.value)
+        assert f"design_hash {DESIGN.hash} in the file, {study.base.hash} now" in str(caught.value)
         assert "mujoco" not in str(caught.value)
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["journal.jsonl"]
 
@@ -115,7 +115,7 @@ def test_a_shard_that_other_versions_computed_is_refused_with_what_differs(tmp_p
     collect(study, out)
     # as if copied from another machine
     rewrite(out / "journal-2-of-2.jsonl", **{name: "0.0.1"})
-    expected = rf"journal-2-of-2\.jsonl: .*versions: {name} 0\.0\.1 there, \S+ now; "
+    expected = rf"journal-2-of-2\.jsonl: .*versions: {name} 0\.0\.1 in the file, \S+ now; "
     for start in (run_study, collect):
         with pytest.raises(InputError, match=expected) as caught:
             start(study, out)
@@ -260,7 +260,7 @@ def test_no_flipped_bit_of_a_row_is_read_as_data(tmp_path, whole_study, capsys):
         (tmp_path / "journal.jsonl").write_bytes(damaged)
         kept = read_rows(tmp_path, study.base)
         assert all(rows[key] == row for key, row in kept.items())
-        assert len(kept) == 2 or "left out" in capsys.readouterr().err
+        assert len(kept) == 2 or "skipped" in capsys.readouterr().err
 
 
 def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_path):

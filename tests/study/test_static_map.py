@@ -99,7 +99,7 @@ def test_default_torques_of_a_map_agree_with_the_landscape_to_a_tenth_of_the_dri
 
 
 def test_a_key_without_effect_on_statics_is_rejected(reference):
-    with pytest.raises(InputError, match=r"protocol\.fold_torque: changes nothing under slowly growing torques"):
+    with pytest.raises(InputError, match=r"protocol\.fold_torque: has no effect under slowly growing torques"):
         map_study(reference, {"protocol.fold_torque": "10..20 N cm step 10"})
 
 
