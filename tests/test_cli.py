@@ -891,7 +891,7 @@ def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty
     (in_an_empty_folder / "wing.toml").write_text(CYCLED)
     lines = call("run", "wing.toml", "--no-confirm", "--cycles", "3").out.splitlines()
     assert "Cycles: still folds after 3 cycles" in lines
-    assert "  cycles beyond 2 are extrapolated: the tests saw cycles 1 to 2" in lines
+    assert "  cycles beyond 2 are extrapolated: the tests contain cycles 1 to 2" in lines
     folder = in_an_empty_folder / "out" / "wing"
     left = {"cycles.csv", "cycles.json", "cycles.png"}
     assert left < set(everything_in(folder))
@@ -902,7 +902,7 @@ def test_a_wing_is_folded_with_its_tendons_as_they_are_at_each_cycle(in_an_empty
     unchanged = CYCLED.replace("logarithm", "none").replace("rate = -0.05\ninterval = [-0.06, -0.04]\n", "")
     (in_an_empty_folder / "wing.toml").write_text(unchanged)
     lines = call("run", "wing.toml", "--no-confirm", "--cycles", "3")
-    assert "\nCycles: the tests of rubber, cycles 1 to 2, show no drift: every cycle is the first\n" in lines.out
+    assert "\nCycles: the tests of rubber, cycles 1 to 2, show no drift: every cycle is like the first\n" in lines.out
     assert not left & set(everything_in(folder))
 
 

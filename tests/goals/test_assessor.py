@@ -1,4 +1,4 @@
-"""Rows of designs: each worked out once, the same whoever does it."""
+"""Rows of designs are computed once and do not depend on the process that computes them."""
 
 import json
 import threading
@@ -16,7 +16,7 @@ JOINT, LETTER = load_design("binder2025-joint"), load_design("letter-fold")
 STIFFER = [JOINT.with_values({"tendon.area": f"{area} mm^2"}) for area in (4, 5, 6)]
 
 
-def test_rows_come_in_the_order_of_the_designs_and_are_read_when_they_are_there(tmp_path):
+def test_rows_are_in_the_order_of_designs_and_existing_ones_are_read(tmp_path):
     with open_assessor(tmp_path, JOINT) as assess:
         first = assess(
             STIFFER, ["hinges", "run"], points=[{"tendon.area": design.tendons[0].area} for design in STIFFER]
@@ -32,7 +32,7 @@ def test_rows_come_in_the_order_of_the_designs_and_are_read_when_they_are_there(
     assert all(row["values"].keys() == {"tendon.area"} for row in rows)
 
 
-def test_what_cannot_be_built_is_a_row_that_says_why(tmp_path):
+def test_a_design_that_cannot_be_built_has_a_row_with_the_reason(tmp_path):
     with open_assessor(tmp_path, JOINT) as assess:
         (row,) = assess(["bars of no length"], ["run"])
     assert (row["verdict"], row["status"]) == ("not built", "cannot be built: bars of no length")
@@ -45,14 +45,14 @@ def test_least_torques_are_those_of_a_search(tmp_path):
     assert value_of(row, quantity_of(LETTER, "least_close_value"), LETTER) == pytest.approx(0.03)
 
 
-def test_whole_records_tell_packages(tmp_path):
+def test_whole_records_give_package_sizes(tmp_path):
     with open_assessor(tmp_path, LETTER) as assess:
         (row,) = assess([LETTER], ["run", "record"])
     assert 0 < value_of(row, quantity_of(LETTER, "package_area"), LETTER) < 1
     assert row["outcome"] == "closed and opened"
 
 
-def test_shards_share_the_work_and_come_to_the_same(tmp_path):
+def test_shards_share_the_work_and_get_the_same_result(tmp_path):
     with open_assessor(tmp_path / "one", JOINT) as assess:
         alone = assess(STIFFER, ["hinges"])
     rows, done = {}, {}
@@ -71,7 +71,7 @@ def test_shards_share_the_work_and_come_to_the_same(tmp_path):
     assert done == {1: 2, 2: 1}
 
 
-def test_a_shard_that_is_gone_is_done_without(tmp_path, monkeypatch):
+def test_rows_of_a_missing_shard_are_computed_by_the_others(tmp_path, monkeypatch):
     monkeypatch.setattr(assessor_module, "_PATIENCE_SECONDS", 0.2)
     monkeypatch.setattr(assessor_module, "_LOOK_SECONDS", 0.05)
     with open_assessor(tmp_path, JOINT, shard=(2, 2)) as assess:
@@ -79,6 +79,6 @@ def test_a_shard_that_is_gone_is_done_without(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(("shard", "threads"), [((0, 1), 0), ((3, 2), 0), ((1, 1), -1)])
-def test_what_is_no_share_of_the_work_is_refused(tmp_path, shard, threads):
+def test_an_invalid_shard_is_rejected(tmp_path, shard, threads):
     with pytest.raises(InputError), open_assessor(tmp_path, JOINT, shard=shard, threads=threads):
         pass

@@ -1,4 +1,4 @@
-"""Files of studies, goals and observations: what is wrong is refused with its key, its value and what is allowed."""
+"""Files of studies, goals and observations: errors contain the key, the value and what is allowed."""
 
 import re
 
@@ -15,7 +15,7 @@ from forficula.study.files.study_file import StudyFile
 MODELS = (StudyFile, GoalFile, ObservationsFile)
 
 
-# values by key of the design, and those that depend on the design, are checked with it
+# values by key of the design, and values that depend on the design, are checked together with the design
 LATER = re.compile(r".*\.(KEY|QUANTITY)(\..*)?|fact(\..*)?|.*\.(DRIVE_\w+|values)")
 CHECKED = [(model, key) for model in MODELS for key in known_keys(model) if not LATER.fullmatch(key)]
 

@@ -1,4 +1,4 @@
-"""What the three commands that answer goals have in common: what they plan, and whose folder they write to."""
+"""Properties that the three commands on goals share: dry runs, and folders of other goals."""
 
 import json
 from contextlib import suppress
@@ -45,7 +45,7 @@ def called(tmp_path, monkeypatch, capsys):
         (tmp_path / f"seen-{name}.toml").write_text(SEEN, "utf-8")
 
     def call(*arguments):
-        # a command that has nothing to complain of ends without a status, or with 0
+        # a successful command ends without a status, or with 0
         with suppress(SystemExit):
             main(arguments)
         return capsys.readouterr()
@@ -64,7 +64,7 @@ def called(tmp_path, monkeypatch, capsys):
         ),
     ],
 )
-def test_a_dry_run_tells_its_plan_as_data(called, tmp_path, arguments, says):
+def test_dry_run_reports_its_plan_as_data(called, tmp_path, arguments, says):
     told = json.loads(called(*arguments, "--dry-run", "--json").out)
     assert told.pop("time_s") >= 0
     assert told == says
@@ -72,14 +72,14 @@ def test_a_dry_run_tells_its_plan_as_data(called, tmp_path, arguments, says):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_answer_to_another_goal_is_named_before_it_is_replaced(called):
+def test_result_of_another_goal_is_named_before_it_is_replaced(called):
     called("optimise", "one.toml", "--out", "there", "--keep", "0")
     said = called("optimise", "other.toml", "--out", "there", "--keep", "0").err
     assert "there: replaces the optimisation of one there; the rows stay" in said
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_answer_to_other_observations_is_named_before_it_is_replaced(called, tmp_path):
+def test_result_of_other_observations_is_named_before_it_is_replaced(called, tmp_path):
     told = called("identify", "seen-one.toml", "--out", "there", "--json").out
     assert json.loads((tmp_path / "there" / "identified.json").read_text("utf-8")) == json.loads(told)
     said = called("identify", "seen-other.toml", "--out", "there").err

@@ -1,4 +1,4 @@
-"""Goal files: what they say, and what is wrong with them."""
+"""Goal files: content and errors."""
 
 import pytest
 
@@ -90,14 +90,14 @@ def test_files_may_name_designs_beside_them(tmp_path):
         ({"name": "a/b"}, "name: need a name"),
     ],
 )
-def test_what_a_goal_file_gets_wrong_is_told_by_its_key(change, says):
+def test_errors_in_a_goal_file_name_the_key(change, says):
     with pytest.raises(InputError) as error:
         goal_of(TABLES | change)
     assert says in str(error.value)
     assert "\n" not in str(error.value)
 
 
-def test_every_key_of_a_goal_file_is_told():
+def test_every_key_of_a_goal_file_is_listed():
     assert {fact.key.split(".")[0] for fact in key_facts("", GoalFile)} >= {
         *TABLES,
         "search",
@@ -165,7 +165,7 @@ LETTER = {
         ({"tolerances": {"tendon.left.area": "5 %"}}, "tolerances.tendon.left.area: is not given in letter-fold"),
     ],
 )
-def test_what_would_count_only_in_part_is_refused(change, says):
+def test_entries_without_full_effect_are_rejected(change, says):
     with pytest.raises(InputError) as error:
         goal_of(LETTER | change)
     assert says in str(error.value)
@@ -178,7 +178,7 @@ def test_of_several_limits_on_a_least_torque_the_strictest_counts(limits):
     assert goal.base.drive[0].value == pytest.approx(0.01)
 
 
-def test_one_tolerance_takes_the_place_of_all_by_either_name():
+def test_one_tolerance_overrides_all_under_either_name():
     tolerances = {"all": "10 %", "tendon.0.stiffness": "5 %", "tendon.1.stiffness": "none"}
     sizes = {each.key: each.size for each in goal_of(LETTER | {"tolerances": tolerances}).deviations}
     assert sizes["tendon.left.stiffness"] == 0.05
@@ -207,7 +207,7 @@ def test_one_tolerance_takes_the_place_of_all_by_either_name():
         ),
     ],
 )
-def test_a_file_of_another_kind_is_sent_to_its_command(tmp_path, read, text, says):
+def test_a_file_of_another_kind_is_rejected_with_its_command(tmp_path, read, text, says):
     (tmp_path / "some.toml").write_text(f'design = "letter-fold"\n{text}\n', "utf-8")
     with pytest.raises(InputError) as error:
         read(tmp_path / "some.toml")

@@ -1,4 +1,4 @@
-"""A goal or observations file to start from can be answered as it is, and what it has behind # is right, too."""
+"""New goal and observations files can be run unchanged, and their commented lines are valid."""
 
 import pytest
 
@@ -28,7 +28,7 @@ def test_new_observations_of_every_kind_have_one_unknown_and_one_fact(tmp_path, 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("believed", ["uniform", "log-uniform", "normal", "["])
-def test_what_new_observations_have_behind_a_hash_can_be_taken(tmp_path, kind, believed):
+def test_commented_lines_of_new_observations_are_valid(tmp_path, kind, believed):
     write_new_file(path := tmp_path / "new.toml", OBSERVATIONS, kind)
     lines, inside = [], ""
     for line in path.read_text("utf-8").splitlines():
@@ -45,7 +45,7 @@ def test_what_new_observations_have_behind_a_hash_can_be_taken(tmp_path, kind, b
 
 
 @pytest.mark.parametrize("file", [GOAL, OBSERVATIONS])
-def test_a_new_file_is_not_written_over_another(tmp_path, file):
+def test_a_new_file_does_not_overwrite_another(tmp_path, file):
     write_new_file(path := tmp_path / "new.toml", file)
     with pytest.raises(InputError, match="exists already"):
         write_new_file(path, file)

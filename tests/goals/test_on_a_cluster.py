@@ -1,4 +1,4 @@
-"""On a Dask cluster the answers to goals are the same as on this machine, bit for bit."""
+"""Results for goals on a Dask cluster are bitwise the same as on this machine."""
 
 import pytest
 import xarray
@@ -22,7 +22,7 @@ STIFFNESS = {"tendon.left.stiffness": {"low": "0.4 N/cm", "high": "0.6 N/cm"}}
 
 @pytest.fixture(scope="module")
 def address():
-    """Of two workers of a thread each, in this process."""
+    """A cluster of two workers with one thread each, in this process."""
     with (
         pytest.MonkeyPatch.context() as patch,
         distributed.LocalCluster(
@@ -34,7 +34,7 @@ def address():
             silence_logs="CRITICAL",
         ) as cluster,
     ):
-        # on no machine are runs as short as these all done here
+        # otherwise runs as short as these would all be done in this process
         patch.setattr("forficula.study.running.cluster._LEAST_SECONDS", 0.05)
         yield cluster.scheduler_address
 
@@ -66,7 +66,7 @@ def identified(folder, cluster):
 
 
 @pytest.mark.parametrize("answer", [optimised, tolerated, identified])
-def test_a_cluster_answers_as_this_machine_does(answer, address, tmp_path):
+def test_a_cluster_gives_the_same_rows_as_this_machine(answer, address, tmp_path):
     chunks = []
     with dask_cluster(address) as cluster:
 

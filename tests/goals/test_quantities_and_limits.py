@@ -1,4 +1,4 @@
-"""What goals are set by: quantities by name, limits, what may vary, and tolerances."""
+"""Input of goals: quantities, limits, parameters, and tolerances."""
 
 import math
 
@@ -35,8 +35,8 @@ def test_static_quantities_are_those_of_the_landscape():
     (hinge,) = landscape.tendons
     assert values["hinge_barrier"] == pytest.approx(hinge.barrier, rel=1e-12)
     assert values["hinge_holding_torque"] == pytest.approx(hinge.holding_torque, rel=1e-12)
-    assert values["slow_fold"] == pytest.approx(landscape.least_torques["fold"], rel=0.02)  # to 1 % each
-    # two rods of petg of 5.5 mm, 22 cm together, and a tendon
+    assert values["slow_fold"] == pytest.approx(landscape.least_torques["fold"], rel=0.02)  # each to 1 %
+    # two PETG rods of 5.5 mm diameter, 22 cm in total, and a tendon
     assert values["mass"] == pytest.approx(1270 * math.pi * 0.00275**2 * 0.22 + 1200 * 5e-6 * 0.06, rel=1e-9)
 
 
@@ -48,7 +48,7 @@ def test_barriers_along_the_fold_are_those_of_the_landscape(landscape_of):
     assert values["holding_torque"] == pytest.approx(landscape.fold_path.states[0].press * 2 / 3, rel=1e-6)
 
 
-def test_a_quantity_that_is_none_names_the_nearest():
+def test_an_unknown_quantity_is_answered_with_the_nearest():
     with pytest.raises(InputError, match='did you mean "holding_torque"'):
         quantity_of(WING, "holding_torqe")
     with pytest.raises(InputError, match=r"did you mean tendon\.stiffness"):
@@ -68,7 +68,7 @@ def test_a_limit_is_met_where_its_margin_is_not_negative(value, bound, above):
         assert (margin >= 0) == (value >= limit.bound if above else value <= limit.bound)
 
 
-def test_a_limit_without_a_value_is_missed_by_all_of_it():
+def test_a_limit_without_a_value_has_margin_minus_one():
     limit = read_limit(quantity_of(WING, "fold_time"), "<= 0.1 s")
     assert limit.margin(None) == limit.margin(math.nan) == -1
     assert limit.margin(0.05) == pytest.approx(0.5)
@@ -76,7 +76,7 @@ def test_a_limit_without_a_value_is_missed_by_all_of_it():
 
 
 @pytest.mark.parametrize("text", ["5 N cm", "= 5 N cm", ">= 5", ">= 5 kg", "", None, 5])
-def test_what_is_no_limit_is_refused_with_a_right_one(text):
+def test_an_invalid_limit_is_rejected_with_a_correct_example(text):
     with pytest.raises(InputError, match=r"N cm"):
         read_limit(quantity_of(WING, "holding_torque"), text)
 
@@ -92,7 +92,7 @@ def test_what_is_no_limit_is_refused_with_a_right_one(text):
         ("membrane.poisson_ratio", {"low": 0.1, "high": 0.3}),
     ],
 )
-def test_a_share_of_a_parameter_is_a_value_that_a_design_takes(key, given_as):
+def test_a_fraction_of_a_parameters_range_gives_an_allowed_value(key, given_as):
     parameter = read_parameter(key, given_as, WING)
     for share in np.linspace(0, 1, 9):
         value = parameter.value(float(share))
@@ -123,24 +123,24 @@ def test_steps_are_round_and_choices_in_their_order():
         ("4", r"range"),
     ],
 )
-def test_what_may_not_vary_so_is_refused(given_as, says):
+def test_an_invalid_parameter_is_rejected(given_as, says):
     with pytest.raises(InputError, match=says):
         read_parameter("tendon.stiffness", given_as, WING)
 
 
-def test_without_tolerances_every_positive_number_is_off_by_ten_per_cent():
+def test_default_tolerance_is_ten_per_cent_on_every_positive_number():
     deviations = default_deviations(WING)
     keys = {each.key for each in deviations}
     assert {"pattern.hub_radius", "tendon.stiffness", "hinge.armature", "membrane.margin"} <= keys
     assert not any(key.startswith(("protocol", "make")) for key in keys)
-    assert "tendon.proximal_offset" not in keys  # which is 0
+    assert "tendon.proximal_offset" not in keys  # this value is 0
     off = WING.with_values(off_values(WING, deviations, [1.0] * len(deviations)))
     assert off.tendons[0].stiffness == pytest.approx(1.1 * 1000)
-    assert off.hinge.fold_limit == WING.hinge.fold_limit  # no more than the key allows
+    assert off.hinge.fold_limit == WING.hinge.fold_limit  # limited by the bounds of the key
 
 
 @given(share=st.floats(0.01, 0.5), offsets=st.lists(st.floats(-1, 1), min_size=2, max_size=2))
-def test_what_is_built_is_within_its_tolerance(share, offsets):
+def test_built_values_lie_within_their_tolerance(share, offsets):
     deviations = read_deviations({"tendon.stiffness": f"{100 * share!r} %", "vein.diameter": "0.2 mm"}, WING)
     off = WING.with_values(off_values(WING, deviations, offsets))
     assert abs(off.tendons[0].stiffness / 1000 - 1) <= share * (1 + 1e-9)
@@ -182,19 +182,19 @@ def test_the_intervals_of_a_fitted_law_are_tolerances(tmp_path):
         ({"all": "0.1 mm"}, "%"),
     ],
 )
-def test_what_is_no_tolerance_is_refused(given_as, says):
+def test_an_invalid_tolerance_is_rejected(given_as, says):
     with pytest.raises(InputError, match=says):
         read_deviations(given_as, WING)
 
 
-def test_a_tolerance_of_all_may_spare_some():
+def test_a_tolerance_of_all_may_exclude_keys():
     every = read_deviations({"all": "5 %"}, WING)
     some = read_deviations({"all": "5 %", "tendon.stiffness": "none", "vein.diameter": "0.1 mm"}, WING)
     assert len(some) == len(every) - 1
     assert {each.key: each.relative for each in some}["vein.diameter"] is False
 
 
-def test_the_energy_of_a_state_is_all_that_is_stored_and_that_of_its_tendons_has_its_own_name():
+def test_energy_of_a_state_is_all_stored_energy_and_that_of_tendons_has_its_own_name():
     clasp = with_values(CLASP, {"protocol.stages": CLASP.as_tables()["protocol"]["stages"][:1]})
     known, row = quantities_of(clasp), next(evaluate([clasp], threads=1))
     whole, band = (row[known[name].column] for name in ("closed_energy", "closed_tendon_energy"))
@@ -202,9 +202,9 @@ def test_the_energy_of_a_state_is_all_that_is_stored_and_that_of_its_tendons_has
     length = math.sqrt(0.03**2 + 0.04**2 + 2 * 0.03 * 0.04 * math.cos(math.radians(60)))
     assert band == pytest.approx(800 / 2 * (length - 0.05) ** 2, rel=0.06)
     hinge, film = row["closed_hinge_energy_J"], row["closed_spring_energy_J"]
-    assert hinge == pytest.approx(0.01 * math.radians(30) ** 2, rel=0.25)  # and what its stop stores
+    assert hinge == pytest.approx(0.01 * math.radians(30) ** 2, rel=0.25)  # plus the energy of its stop
     assert whole == pytest.approx(band + hinge + film, rel=1e-12)
     assert "all stored" in known["closed_energy"].meaning
-    # membranes are in no row of a sparse record
+    # sparse records do not contain the energy of membranes
     assert quantities_of(WING)["flat_energy"].source == "record"
     assert quantities_of(WING)["flat_tendon_energy"].source == "run"

@@ -1,4 +1,4 @@
-"""Goals that come with the package: they begin within their ranges, and closed forms agree with what they ask."""
+"""Named goals start within their ranges, and closed forms agree with their requirements."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ EXAMPLES = ("clasp-5-to-8", "light-wing", "servo-wing", "two-heights")
 
 
 def neighbours(goal, design, count=64):
-    """Designs within a goal's tolerances about one."""
+    """Designs within a goal's tolerances of a design."""
     offsets = neighbour_offsets(goal, count, seed=1)
     return [design.with_values(off_values(design, goal.deviations, each.tolist())) for each in offsets]
 
@@ -23,7 +23,7 @@ def test_the_examples_are_named():
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_an_example_begins_within_its_ranges_and_says_how_sure_it_is_to_be(name):
+def test_an_example_starts_within_its_ranges_and_requires_a_probability(name):
     goal = load_goal(name)
     for parameter in goal.parameters:
         assert 0 <= parameter.share(key_value(goal.base, parameter.key)) <= 1, parameter.key
@@ -32,20 +32,20 @@ def test_an_example_begins_within_its_ranges_and_says_how_sure_it_is_to_be(name)
     assert goal.source
 
 
-def test_a_servo_has_its_line_in_all_that_is_tried():
+def test_the_torque_speed_line_of_the_servo_is_in_every_tried_design():
     goal = load_goal("servo-wing")
     assert np.degrees(goal.base.protocol.no_load_speed) == pytest.approx(300)
     assert goal.base.protocol.fold_torque == goal.base.protocol.unfold_torque == pytest.approx(0.3)
 
 
-def test_the_clasp_that_the_example_begins_with_holds_and_opens_within_its_tolerances_by_the_closed_form():
+def test_clasp_of_the_example_holds_and_opens_within_its_tolerances_by_closed_form():
     goal = load_goal("clasp-5-to-8")
     forces = [snaps(-clasp_forces(each)[1])[1] for each in neighbours(goal, goal.base)]
     assert min(forces) < 6.0 < 7.5 < max(forces)
     assert np.mean([5 <= force <= 8 for force in forces]) > 0.9
 
 
-def test_the_cell_that_the_example_begins_with_bears_and_gives_way_within_its_tolerances_by_the_closed_form():
+def test_cell_of_the_example_holds_and_snaps_within_its_tolerances_by_closed_form():
     goal = load_goal("two-heights")
     up, down = np.transpose([snaps(cell_forces(each)[1]) for each in neighbours(goal, goal.base)])
     assert np.all((up > 1) & (up < 3))

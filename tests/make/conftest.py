@@ -3,7 +3,7 @@ import pytest
 from forficula.design import load_design
 from forficula.make.make_parts import make_parts
 
-# a wing whose joints can be made: pegs on the bars, which do not meet when they are folded
+# a wing whose joints can be made: pegs on the bars that do not collide in the folded state
 MADE = {
     "make.anchors": "on the bars",
     "tendon.proximal_attachment": "5.85 cm",

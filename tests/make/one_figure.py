@@ -1,4 +1,4 @@
-"""Parts in a folder with the figure of their sheet alone, for tests of files: figures are all saved alike."""
+"""Parts in a folder with only the figure of their sheet, for tests of files: figures are all saved the same way."""
 
 from unittest.mock import patch
 

@@ -1,4 +1,4 @@
-"""What other people's readers say of files of parts."""
+"""Files of parts, as read by independent programs."""
 
 import io
 import re
@@ -13,7 +13,7 @@ MODEL = "3D/3dmodel.model"
 
 
 def read_three_mf(content):
-    """A 3MF file in strict mode: the model, and what the reader warned of."""
+    """A 3MF file in strict mode: the model, and the reader's warnings."""
     model = lib3mf.get_wrapper().CreateModel()
     reader = model.QueryReader("3mf")
     reader.SetStrictModeActive(True)
@@ -29,7 +29,7 @@ def meshes_of(model):
 
 
 def pieces_of(model):
-    """Every piece on the bed of a 3MF file: its name, and its triangles in place, mm, (triangle, 3, 3)."""
+    """Every piece on the bed of a 3MF file: its name, and its triangles in position, mm, (triangle, 3, 3)."""
     found = model.GetBuildItems()
     while found.MoveNext():
         item = found.GetCurrent()
@@ -40,15 +40,15 @@ def pieces_of(model):
 
 
 def faults_of_three_mf(content):
-    """What is wrong with a 3MF file, a sentence each."""
+    """Errors of a 3MF file, a sentence each."""
     model, warnings = read_three_mf(content)
-    # strict reading says nothing of them
+    # the strict mode does not report them
     torn = [mesh.GetName() for mesh in meshes_of(model) if not (mesh.IsManifoldAndOriented() and mesh.IsValid())]
     return [*map(str, warnings), *(f"{name} is not manifold and oriented" for name in torn)]
 
 
 def faults_of_stl(content):
-    """What is wrong with an STL file, a sentence each."""
+    """Errors of an STL file, a sentence each."""
     mesh = trimesh.load(io.BytesIO(content), file_type="stl")
     tests = {
         "watertight": mesh.is_watertight,
@@ -59,7 +59,7 @@ def faults_of_stl(content):
 
 
 def with_a_flipped_triangle(content):
-    """An STL or 3MF file of which one triangle goes round the other way."""
+    """An STL or 3MF file with one inverted triangle."""
     if content[:2] != b"PK":
         record, at = "<12fH", 84
         values = struct.unpack_from(record, content, at)

@@ -1,4 +1,4 @@
-"""What is made flows back: the design as made has the pegs, stops, masses and inertias that are measured on solids."""
+"""The design as made has the pegs, stops, masses and inertias that are measured on solids."""
 
 import math
 
@@ -33,12 +33,12 @@ def test_the_closed_form_of_the_design_as_made_is_the_distance_of_the_pegs(made_
         assert float(hinge.length(angle)) == pytest.approx(apart, abs=1e-12)
 
 
-def test_stops_are_measured_where_they_are_built(made_joint):
+def test_measured_stops_equal_built_ones(made_joint):
     measured = np.degrees(free_range(made_joint, made_joint.joints[0]))
     assert measured == pytest.approx([-180.0, 3.0], abs=0.01)
 
 
-def test_pegs_that_meet_stop_a_joint_before_its_stop():
+def test_colliding_pegs_stop_a_joint_before_its_stop():
     parts = make_parts("binder2025", "joint")
     lower, _ = free_range(parts, parts.joints[0])
     assert -math.pi + math.radians(1) < lower < -math.radians(150)
@@ -47,13 +47,13 @@ def test_pegs_that_meet_stop_a_joint_before_its_stop():
     assert [each.key for each in changes(parts, made) if each.group == "stops"] == ["hinge.fold_limit"]
 
 
-def test_parts_of_the_design_as_made_are_as_it_says(made):
+def test_parts_of_the_design_as_made_agree_with_it(made):
     parts = make_parts(made, "joint")
-    # straps of whole layers have shorter pegs, which weigh less
+    # straps of whole layers have shorter pegs, which are lighter
     assert {each.group for each in changes(parts, as_made(parts))} <= {"masses"}
 
 
-def test_parts_that_are_as_modelled_change_masses_alone(joint_of):
+def test_parts_as_modelled_change_only_masses(joint_of):
     # straps of whole layers, pegs at the designed offsets
     values = {"tendon.stiffness": "9.84 N/cm", "tendon.proximal_offset": "3 mm", "tendon.distal_offset": "3 mm"}
     parts = joint_of(**values)
@@ -71,7 +71,7 @@ def test_outer_halves_have_their_mass_and_inertia_about_the_hinge(made_joint, ma
     assert row.modelled != pytest.approx(row.real, rel=0.02)
 
 
-def test_straps_weigh_what_they_weigh(made_joint, made):
+def test_mass_of_straps_is_included(made_joint, made):
     straps = [part for part in made_joint.parts if part.kind == "strap"]
     printed = made_values(made_joint).tendons[0].by_area
     assert made.tendon.mass == pytest.approx(printed * sum(part.count * part.mass for part in straps), rel=1e-5)
@@ -91,19 +91,19 @@ def test_the_file_gives_the_same_design(made_joint, made, tmp_path):
     assert made.source.startswith("binder2025 as its parts are made: ")
 
 
-def test_what_stops_before_it_is_folded_is_no_design(joint_of):
+def test_parts_that_stop_before_the_folded_angle_are_rejected(joint_of):
     parts = joint_of(**{"protocol.folded_angle": "179 deg", "make.anchors": "as designed",
                         "tendon.proximal_attachment": "5.5 cm", "tendon.distal_attachment": "5.5 cm"})  # fmt: skip
-    with pytest.raises(InputError, match=r"as made, it is no design that can be run: .*folded_angle"):
+    with pytest.raises(InputError, match=r"the design as made cannot be run: .*folded_angle"):
         as_made(parts)
 
 
 def test_a_sheet_alone_has_nothing_to_measure():
-    with pytest.raises(InputError, match="no joint is made of it"):
+    with pytest.raises(InputError, match="has no joints that could be measured"):
         as_made(make_parts("letter-fold", "sheet"))
 
 
-def test_a_coupling_that_no_part_is_fails_its_check_and_is_not_in_the_design_as_made():
+def test_a_coupling_without_a_part_fails_its_check_and_is_not_in_the_design_as_made():
     parts = make_parts("binder2025-coupled", "section")
     made = as_made(parts, ("coupling",))
     assert [change.designed for change in changes(parts, made) if change.group == "coupling"] == ["rigid"]
@@ -111,7 +111,7 @@ def test_a_coupling_that_no_part_is_fails_its_check_and_is_not_in_the_design_as_
     assert [check.ok for check in coupling_checks(parts)] == [False]
 
 
-def test_straps_weigh_in_the_bill_what_they_weigh_in_the_design_as_made(made_joint):
+def test_mass_of_straps_in_the_bill_equals_that_in_the_design_as_made(made_joint):
     (tendon,) = made_values(made_joint).tendons
     (row,) = [row for row in bill_of(made_joint) if row.kind == "strap"]
     assert tendon.mass is not None

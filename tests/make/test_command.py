@@ -20,7 +20,7 @@ NARROW = ("--set", "make.crease_style=perforation", "--set", "make.crease_bridge
 
 @pytest.fixture
 def call(capsys, tmp_path, monkeypatch):
-    """Call the command line, which must end with a status, and return what it wrote."""
+    """Call the command line, which must exit with a status, and return its output."""
     monkeypatch.chdir(tmp_path)
 
     def call(*arguments, expected=0):
@@ -46,15 +46,15 @@ def test_a_folder_and_a_table_are_written(call, tmp_path):
     assert ff.load_design(folder / "design.toml").hash == ff.load_design("letter-fold").hash
 
 
-def test_a_check_that_fails_is_told_and_ends_with_2_unless_that_is_not_wanted(call):
+def test_a_failed_check_is_reported_and_exits_with_2_by_default(call):
     told = call(*NARROW, expected=2)
     assert "fails" in told.out
-    assert "they burn away" in " ".join(told.out.split())
+    assert "narrower ones burn away" in " ".join(told.out.split())
     assert call(*NARROW, "--no-strict").out == told.out
     assert call(*NARROW, "--strict", expected=2).out == told.out
 
 
-def test_what_fails_is_red_on_the_terminal_in_the_figure_and_on_the_page(call, tmp_path):
+def test_failures_are_red_on_the_terminal_in_the_figure_and_on_the_page(call, tmp_path):
     call(*NARROW, expected=2)
     folder = tmp_path / "out" / "letter-fold-parts"
     page = (folder / "parts.html").read_text("utf-8")
@@ -76,7 +76,7 @@ def test_windows_that_meet_and_pieces_that_come_off_are_marked_on_the_sheet():
     assert ff.make_parts("letter-fold", "sheet").sheet.faults == ()
 
 
-def test_what_came_of_it_is_data(call):
+def test_results_are_data(call):
     told = json.loads(call("--part", "sheet", "--json").out)
     assert (told["design"], [row["part"] for row in told["parts"]]) == ("letter-fold", ["sheet"])
     assert {check["ok"] for check in told["checks"]} == {True}
@@ -91,7 +91,7 @@ def test_what_came_of_it_is_data(call):
         (("--set", "make.kerff=1 mm"), "did you mean make.kerf"),
     ],
 )
-def test_bad_input_ends_with_1_and_leaves_nothing(call, tmp_path, arguments, message):
+def test_invalid_input_exits_with_1_and_writes_nothing(call, tmp_path, arguments, message):
     told = call(*arguments, expected=1)
     assert told.err.startswith("forficula: ")
     assert message in told.err

@@ -1,4 +1,4 @@
-"""Files of parts, as readers that are not ours take them."""
+"""Files of parts, as independent programs read them."""
 
 import csv
 import io
@@ -38,9 +38,9 @@ from tests.make.readers import (
 )
 
 CHECK = Check(name="stop", part="fold0", ok=True, value=np.pi, limit=float("nan"), unit="rad", text="it holds")
-# of what is rounded to 0.1 um
+# tolerance for values that are rounded to 0.1 um
 ROUNDED = 1e-4
-# writes the joint where it is told to
+# writes the joint to a given path
 WRITE = """\
 import sys
 from pathlib import Path
@@ -120,7 +120,7 @@ def test_pieces_lie_on_the_bed_beside_one_another(joint, folder):
         assert (low >= most + GAP - 1e-3).any() or (least >= high + GAP - 1e-3).any()
 
 
-def test_a_bar_lies_on_the_flat_that_is_cut_for_that(joint, folder):
+def test_a_bar_is_printed_on_its_flat(joint, folder):
     by_name = {part.name: part for part in joint.parts}
     for name in ("proximal0", "distal0"):
         mesh = trimesh.load(io.BytesIO(contents(folder)[f"stl/{name}.stl"]), file_type="stl")
@@ -148,7 +148,7 @@ def test_the_same_design_is_the_same_bytes_in_another_process(folder, tmp_path):
     assert contents(tmp_path / "again") == contents(folder)
 
 
-def test_a_bill_tells_masses_by_densities_that_have_sources(joint, folder):
+def test_a_bill_has_masses_from_densities_with_sources(joint, folder):
     bill = json.loads((folder / "bill.json").read_text())
     rows = {row["part"]: row for row in bill["parts"]}
     assert {name: row["comes"] for name, row in rows.items()} == {
@@ -165,11 +165,11 @@ def test_a_bill_tells_masses_by_densities_that_have_sources(joint, folder):
     table = list(csv.DictReader(io.StringIO((folder / "bill.csv").read_text())))
     assert [row["part"] for row in table] == list(rows)
     assert float(table[0]["mass_g"]) == rows["proximal0"]["mass_g"]
-    # what its design names no material for
+    # part for which the design names no material
     assert (table[-1]["part"], table[-1]["material"], table[-1]["mass_g"]) == ("sheet", "", "")
 
 
-def test_a_mass_without_a_density_is_not_known(joint):
+def test_a_mass_without_a_density_is_unknown(joint):
     bare = tuple(replace(part, stock=replace(part.stock, density=None)) for part in joint.parts[1:2])
     bill = bill_json(bill_of(replace(joint, parts=(joint.parts[0], *bare, *joint.parts[2:]))))
     assert [row["mass_g"] is None for row in bill["parts"]][:2] == [False, True]
@@ -184,7 +184,7 @@ def test_checks_have_their_unit_behind_their_keys():
 
 
 @pytest.mark.usefixtures("no_column_figures")
-def test_earlier_parts_go_and_what_is_not_ours_stays(joint, tmp_path):
+def test_earlier_parts_are_removed_and_other_files_stay(joint, tmp_path):
     write_parts(joint, (), tmp_path)
     (tmp_path / "stl" / "mine.stl").write_text("mine")
     write_parts(sheet_alone(joint), (CHECK,), tmp_path)
@@ -200,7 +200,7 @@ def test_a_folder_is_written_whole_or_not_at_all(joint, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["sheet.dxf"]
 
 
-def test_a_bill_that_someone_else_wrote_removes_nothing_elsewhere(joint, tmp_path):
+def test_a_foreign_bill_removes_nothing_outside_its_folder(joint, tmp_path):
     (tmp_path / "kept.stl").write_text("kept")
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts" / "bill.json").write_text('{"files": ["../kept.stl", "stl/..", 3, "/etc", "design.toml"]}')
@@ -212,7 +212,7 @@ def test_names_of_files_are_plain_and_differ():
     assert file_names(["strap0", "Strap0", "a/b", "a b", ""]) == ["strap0", "Strap0-2", "a_b", "a_b-2", "part"]
 
 
-def test_a_surface_that_is_open_is_found(joint, monkeypatch):
+def test_an_open_surface_is_detected(joint, monkeypatch):
     strap = joint.parts[3]
     mesh = lying_mesh(strap)
     flipped = Mesh(points=mesh.points, triangles=np.vstack([mesh.triangles[:-1], mesh.triangles[-1:, ::-1]]))
@@ -225,7 +225,7 @@ def test_a_surface_that_is_open_is_found(joint, monkeypatch):
     assert [check.ok for check in mesh_checks(alone)] == [False]
 
 
-def test_halves_that_are_printed_in_place_are_one_piece_and_fuse_where_they_are_too_near(joint_of, in_place):
+def test_halves_printed_in_place_are_one_piece_and_fuse_if_too_close(joint_of, in_place):
     content = print_files(in_place)["stl/proximal0_and_distal0.stl"]
     assert trimesh.load(io.BytesIO(content), file_type="stl").body_count == 2
     found = {}
@@ -234,6 +234,6 @@ def test_halves_that_are_printed_in_place_are_one_piece_and_fuse_where_they_are_
         assert [piece.name for piece in printed_pieces(made)] == ["proximal0 and distal0", "strap0"]
         (found[overbend],) = (check for check in mesh_checks(made) if check.name == "apart as printed")
     assert (found["3 deg"].ok, found["12 deg"].ok) == (False, True)
-    # faces from the clearance around the knuckles on, 3 deg apart
+    # faces outside of the clearance around the knuckles, 3 deg apart
     assert found["3 deg"].value == pytest.approx(3.4e-3 * np.sin(np.radians(3)), rel=0.05)
     assert "they fuse" in found["3 deg"].text

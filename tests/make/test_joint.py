@@ -1,4 +1,4 @@
-"""A joint goes through its range and stops where the design says; what cannot be made is told."""
+"""A joint moves through its range and stops where the design says; parts that cannot be made are reported."""
 
 import math
 from dataclasses import replace
@@ -35,15 +35,15 @@ def test_stops_are_where_the_design_has_them(joint_of, overbend, fold):
     assert np.degrees(stop_angles(parts, parts.joints[0])) == pytest.approx([-fold, overbend], abs=0.01)
 
 
-def test_a_stop_that_is_elsewhere_is_seen(made_joint):
+def test_a_displaced_stop_is_detected(made_joint):
     joint = made_joint.joints[0]
     off = replace(joint, upper=joint.upper + math.radians(0.5))
     checks = {check.name: check.ok for check in range_checks(replace(made_joint, joints=(off,)))}
-    # its faces are where they are to be, but its parts are those of the other
+    # the layout has the stops of the design, but the parts are those of another one
     assert checks["overlap over the range"] is False
 
 
-def test_a_pin_that_is_too_thick_for_its_hole_is_seen(made_joint):
+def test_a_pin_too_thick_for_its_hole_is_detected(made_joint):
     joint = made_joint.joints[0]
     (pin,) = (part for part in made_joint.parts if part.kind == "pin")
     thick = replace(pin, solid=replace(pin.solid, diameter=joint.make.pin_diameter + joint.play))
@@ -60,14 +60,14 @@ def test_mountain_and_valley_joints_are_mirror_images(made_section):
     assert volumes[0] == pytest.approx(volumes[1], rel=1e-6)
 
 
-def test_one_strap_between_the_bars_is_caught_as_the_papers_was(joint_of):
+def test_one_strap_between_the_bars_collides_as_in_the_paper(joint_of):
     parts = joint_of(**{"make.straps": 1})
     (check,) = (check for check in strap_checks(parts) if check.name == "straps slack")
     assert check.ok is False
     assert "make.straps = 2" in check.text
 
 
-def test_pegs_in_one_place_when_folded_are_seen(joint_of):
+def test_overlapping_pegs_in_the_folded_state_are_detected(joint_of):
     parts = joint_of(**{"tendon.proximal_attachment": "5.5 cm", "tendon.distal_attachment": "5.5 cm",
                         "hinge.overbend": "3 deg", "make.anchors": "as designed"})  # fmt: skip
     assert held(parts, "overlap over the range") == [False]
@@ -107,7 +107,7 @@ def test_what_is_too_weak_or_too_thin_or_out_of_place_fails(joint_of, checks, va
     assert any(check.name == failing and check.ok is False for check in checks(joint_of(**values)))
 
 
-def test_a_check_without_a_strength_is_not_made_and_says_why(joint_of):
+def test_a_check_without_a_strength_is_skipped_with_a_reason(joint_of):
     parts = joint_of(**{"make.strap_material": "tpu-82a"})
     (check,) = (each for each in strength_checks(parts) if each.name == "straps tear")
     assert check.ok is None
@@ -115,7 +115,7 @@ def test_a_check_without_a_strength_is_not_made_and_says_why(joint_of):
 
 
 def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
-    with pytest.raises(InputError, match=r"make.hinge_width: no room for three knuckles: need >= 2.4 mm"):
+    with pytest.raises(InputError, match=r"make.hinge_width: no space for three knuckles: need >= 2.4 mm"):
         joint_of(**{"make.hinge_width": "2 mm"})
 
 
@@ -123,7 +123,7 @@ def test_the_hinges_width_must_have_room_for_its_knuckles(joint_of):
     ("values", "part"),
     [({"make.pin_diameter": "1e-9 mm"}, "pin_fold0")],
 )
-def test_a_part_of_which_nothing_is_left_is_refused_and_named(joint_of, values, part):
+def test_an_empty_part_is_rejected_and_named(joint_of, values, part):
     with pytest.raises(InputError, match=rf"^{part}: nothing is left of this part; it is too thin"):
         _ = [each.shape for each in joint_of(**values).parts]
 
@@ -157,7 +157,7 @@ def test_pegs_as_designed_lie_where_the_tendon_of_the_model_ends():
         assert joint.proximal.height == pytest.approx(2e-3)
 
 
-def test_a_slack_strap_keeps_its_length_and_its_ends_wherever_they_are(made_joint):
+def test_a_slack_strap_keeps_its_length_and_its_ends(made_joint):
     (place,), joint = made_joint.straps, made_joint.joints[0]
     axis = joint.frame[:, 1]
     for angle in np.radians([-180, -120, -90]):
@@ -169,12 +169,12 @@ def test_a_slack_strap_keeps_its_length_and_its_ends_wherever_they_are(made_join
             assert length == pytest.approx(place.strap.rest_length, rel=2e-3)
 
 
-def test_gussets_that_are_shorter_than_their_two_lugs_are_told_by_name():
+def test_gussets_shorter_than_their_two_lugs_are_named():
     told = {check.part: check.ok for check in lug_checks(make_parts("binder2025-thick", "section"))}
     assert [part for part, ok in told.items() if not ok] == ["gusset0", "gusset1"]
 
 
-def test_the_first_joint_of_a_vein_with_two_folds_is_made_with_all_that_its_tendon_crosses():
+def test_first_joint_of_a_vein_with_two_folds_includes_all_joints_of_its_tendon():
     parts = make_parts("binder2025-thick", "joint")
     assert [joint.name for joint in parts.joints] == ["fold0", "outer_fold0"]
     assert [part.name for part in parts.parts if part.kind in ("bar", "strap")] == [

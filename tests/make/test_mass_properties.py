@@ -1,4 +1,4 @@
-"""Masses and inertias of solids are those of closed forms, and of a reader that is not ours."""
+"""Masses and inertias of solids agree with closed forms, and with an independent program."""
 
 import math
 
@@ -34,7 +34,7 @@ def test_a_rod_has_the_inertia_of_a_cylinder_about_its_end():
     mass = DENSITY * math.pi / 4 * diameter**2 * length
     across = mass * ((diameter / 2) ** 2 / 4 + length**2 / 3)
     assert found.about(np.array([1.0, 0, 0]), np.zeros(3)) == pytest.approx(across, rel=1e-5)
-    # a polygon of the same area has a little more about its middle: its second moment of area
+    # a polygon of the same area has a slightly larger second moment of area
     assert found.about(np.array([0, 0, 1.0]), np.zeros(3)) == pytest.approx(mass * (diameter / 2) ** 2 / 2, rel=1e-5)
 
 

@@ -30,13 +30,13 @@ def sheet_of(name, *values):
 
 
 def facets_area(pattern):
-    """Of facets in space, by triangles from their first corner: what laying them flat must not change, m^2."""
+    """Area of facets in space, by triangles from their first corner, m^2; it must not change when laid flat."""
     corners = [pattern.vertices_coords[list(face)] for face in pattern.faces_vertices]
     return sum(np.linalg.norm(np.cross(each[1:-1] - each[0], each[2:] - each[0]).sum(axis=0)) / 2 for each in corners)
 
 
 def offset_area(loop, distance):
-    """The area within a polygon moved outwards by a distance with sharp corners, in closed form, m^2."""
+    """Area of a polygon that is offset outwards by a distance with sharp corners, in closed form, m^2."""
     sides = np.roll(loop, -1, axis=0) - loop
     before = np.roll(sides, 1, axis=0)
     cross = before[:, 0] * sides[:, 1] - before[:, 1] * sides[:, 0]
@@ -69,7 +69,7 @@ def holed(tmp_path, **values):
 
 
 def made(pattern, **values):
-    """The sheet of a pattern, by how it is made."""
+    """The sheet of a pattern, with options of its section make."""
     rest = {"tendon": [], "protocol.stages": [stage()]}
     return cut_sheet(sheet_design(pattern, rest | {f"make.{key}": value for key, value in values.items()}))
 
@@ -98,7 +98,7 @@ def strip(cuts, **values):
 
 @pytest.mark.parametrize("name", NAMED)
 @pytest.mark.parametrize("kerf", ["0 mm", "0.4 mm"])
-def test_the_cutters_way_less_the_kerf_has_the_area_of_the_facets(name, kerf):
+def test_cutter_path_without_the_kerf_has_the_area_of_the_facets(name, kerf):
     sheet = sheet_of(name, ("kerf", kerf))
     (way,), (outline,) = (line.points for line in of_kind(sheet, "border")), sheet.outlines
     assert loop_area(outline) == pytest.approx(facets_area(load_design(name).sheet), rel=1e-7)
@@ -106,11 +106,11 @@ def test_the_cutters_way_less_the_kerf_has_the_area_of_the_facets(name, kerf):
     assert failed(sheet) == set()
 
 
-def test_a_fan_without_tendons_is_all_of_its_panels_but_for_the_knuckles_of_its_hinges():
+def test_sheet_of_a_fan_without_tendons_is_its_panels_minus_hinge_knuckles():
     sheet = cut_sheet(load_design("binder2025").with_values({"tendon": []}))
     lost = facets_area(sheet.pattern) - sum(map(loop_area, sheet.outlines))
-    # 10 mm of knuckles of 5.6 mm, 0.4 mm clear and 1 mm of window around them, with round corners; of the outer veins
-    # the half that is on the sheet
+    # 10 mm of knuckles of 5.6 mm, with 0.4 mm clearance and 1 mm of window around them and round corners; of the outer
+    # veins only the half that is on the sheet
     window = 12e-3 * 8.4e-3 - (4 - math.pi) * 1e-3**2
     assert lost == pytest.approx(2 * window, rel=2e-3)
 
@@ -124,7 +124,7 @@ def test_a_hole_of_a_file_stays_as_large_as_it_is_drawn_and_a_margin_is_around_t
     assert ways == {"border": pytest.approx(0.0604**2), "hole": pytest.approx(-(0.0196**2))}
     wider = holed(tmp_path, margin="5 mm")
     assert sorted(map(loop_area, wider.outlines)) == pytest.approx([-4e-4, 0.07**2])
-    # a crease that ended at the corner runs on to the new one, and none into the hole
+    # a crease that ended at the corner continues to the new corner, and none into the hole
     lengths = [np.linalg.norm(np.diff(line.points, axis=0)) for line in of_kind(wider, "crease")]
     assert lengths == pytest.approx([25e-3 * math.sqrt(2)] * 4)
 
@@ -152,10 +152,10 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
         ends = built_points(structure_of(load_design("letter-fold")))[list(tendon.points), :2]
         for end in ends:
             assert min(np.linalg.norm(hole.place - end) for hole in sheet.holes) < 1e-12
-        # the slot ends a peg's diameter, of the sheet between the two, before the hole
+        # the slot ends a peg's diameter of sheet before the hole
         for peg, other in (ends, ends[::-1]):
             gap = distance_to_sides(sides_of(windows), peg) - 2.5e-3
-            assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's way is half a kerf within
+            assert gap == pytest.approx(5e-3 + 0.05e-3, abs=1e-5)  # the cutter's path is half a kerf inside
             assert area_of(windows ^ region_of([(peg + other) / 2 + 1e-4 * np.eye(3, 2)])) > 0
     assert failed(sheet) == set()
 
@@ -163,30 +163,28 @@ def test_a_tendon_across_a_crease_of_a_sheet_has_a_hole_at_each_end_and_a_slot_b
 def test_a_band_through_the_air_needs_no_window():
     sheet = sheet_of("bistable-clasp")
     assert not of_kind(sheet, "window")
-    assert not sheet.holes  # it is clipped to two corners
+    assert not sheet.holes  # it is attached to two corners by clips
 
 
-def test_a_tower_comes_apart_along_one_seam_and_keeps_the_lengths_of_its_edges():
+def test_a_tower_opens_along_one_seam_and_keeps_its_edge_lengths():
     pattern, sheet = load_design("kresling-cell").sheet, sheet_of("kresling-cell")
     lengths = np.linalg.norm(np.diff(pattern.vertices_coords[pattern.edges_vertices], axis=1)[:, 0], axis=1)
     flat = sheet.pattern
     laid = np.linalg.norm(np.diff(flat.vertices_coords[flat.edges_vertices], axis=1)[:, 0], axis=1)
     assert len(laid) == len(lengths) + 1
     assert laid[: len(lengths)] == pytest.approx(lengths)
-    assert sheet.notes == (
-        "laid flat the sheet is open along crease 7 of the pattern: join the edges that have one number",
-    )
+    assert sheet.notes == ("the flat sheet is open along crease 7 of the pattern: join the edges with the same number",)
     assert [label.text for label in sheet.labels] == ["1", "1"]
-    # six parallelograms in a row: the least rectangle is as high as a triangle
+    # six parallelograms in a row: the smallest rectangle is as high as a triangle
     side, mountain, valley = 0.03, lengths[0], lengths[1]
     half = (side + mountain + valley) / 2
     height = 2 * math.sqrt(half * (half - side) * (half - mountain) * (half - valley)) / side
     assert sheet.size.min() == pytest.approx(height)
 
 
-def test_what_lies_on_itself_when_flat_is_refused():
+def test_a_pattern_that_overlaps_itself_when_flat_is_rejected():
     saddle = vertex_pattern(np.radians([100.0] * 4), 0.03)
-    with pytest.raises(InputError, match="laid flat it lies on itself"):
+    with pytest.raises(InputError, match="laid flat, it overlaps itself"):
         made(saddle)
     with pytest.raises(InputError, match=r"make\.margin: need 0 mm for a sheet that is laid flat along seams"):
         made(yoshimura_tube(6, 1, 0.02, 0.015), margin="1 mm")
@@ -203,7 +201,7 @@ def test_what_lies_on_itself_when_flat_is_refused():
         ("miura-sheet", "relief_hole", r"make\.relief_hole: leaves nothing of the sheet of .*; need less, got 10 cm"),
     ],
 )
-def test_what_leaves_nothing_of_the_sheet_is_refused_with_its_key(name, key, said):
+def test_a_value_that_leaves_nothing_of_the_sheet_is_rejected_with_its_key(name, key, said):
     with pytest.raises(InputError, match=said):
         sheet_of(name, (key, "100 mm"))
 
@@ -220,11 +218,11 @@ def test_score_lines_are_the_creases_and_lie_in_the_layers_of_their_letters():
 
 
 @pytest.mark.parametrize(("cut", "bridge"), [(3e-3, 1e-3), (2e-3, 2e-3), (7e-3, 0.5e-3)])
-def test_a_perforation_leaves_the_share_of_its_bridges_and_bridges_both_ends(cut, bridge):
+def test_a_perforation_has_the_right_fraction_of_bridges_and_bridged_ends(cut, bridge):
     sheet = sheet_of("letter-fold", ("crease_style", "perforation"), ("crease_cut", cut), ("crease_bridge", bridge))
     slits = [line.points for line in of_kind(sheet, "slit") if line.points[0, 0] < 0.12]
     ends = np.sort(np.array([points[:, 1] for points in slits]), axis=1)
-    # the cutter takes half of its kerf beyond both ends of its way
+    # the cutter removes half of its kerf beyond both ends of its path
     gone = (ends[:, 1] - ends[:, 0] + sheet.kerf).sum()
     assert gone / len(slits) == pytest.approx(cut)
     length = 0.21
@@ -255,16 +253,16 @@ def test_rows_of_a_lattice_lie_at_its_pitch_and_bridges_of_one_beside_cuts_of_th
     for one, other in pairwise(places):
         below, cuts = np.array(sorted(map(tuple, rows[one]))), np.array(sorted(map(tuple, rows[other])))
         bridges = (below[1:, 0] + below[:-1, 1]) / 2
-        bridges = bridges[np.diff(below[:, 0]) < 5e-3]  # not those across the slot of the tendon
+        bridges = bridges[np.diff(below[:, 0]) < 5e-3]  # except those across the slot of the tendon
         inside = bridges[(bridges > cuts[0, 0]) & (bridges < cuts[-1, 1])]
         assert all(((cuts[:, 0] < place) & (place < cuts[:, 1])).any() for place in inside)
 
 
 def crossing(one, other):
-    """Whether two straight lines meet."""
+    """Whether two line segments intersect."""
 
     def side(start, end, place):
-        # slits of one row lie in line but for rounding
+        # slits of one row are collinear up to rounding
         across = (end[0] - start[0]) * (place[1] - start[1]) - (end[1] - start[1]) * (place[0] - start[0])
         return np.sign(round(across, 12))
 
@@ -285,7 +283,7 @@ def test_no_slit_meets_another_one_or_a_hole_or_the_border(gaps, style, hole):
     sheet = made(vertex_pattern(sectors, 0.03, "VMMMMM"[: len(gaps)]), **chosen)
     slits = [line.points for line in of_kind(sheet, "slit")]
     assert len(slits) > 2 * len(gaps)
-    # a bridge is left everywhere but for the two halves of the kerf
+    # a bridge remains everywhere, up to the two halves of the kerf
     sides = sides_of(region_of(sheet.outlines))
     for points in slits:
         along = (points[1] - points[0]) / np.linalg.norm(points[1] - points[0])
@@ -306,7 +304,7 @@ def test_where_the_membrane_of_a_fan_begins_is_marked():
     ends = np.concatenate([line.points for line in of_kind(sheet, "edge")])
     assert {line.layer for line in of_kind(sheet, "edge")} == {"mark"}
     assert np.linalg.norm(ends - (hub + 0.3 * (ring - hub)), axis=1).min() < 1e-7
-    assert sheet.notes[0].startswith("the membrane that is computed leaves 4.4")
+    assert sheet.notes[0].startswith("the membrane in the model leaves 4.4")
 
 
 @pytest.mark.parametrize("style", ["perforation", "lattice"])
@@ -315,7 +313,7 @@ def test_no_slit_runs_into_a_window_or_out_of_a_fan(style):
     sides = sides_of(region_of(sheet.outlines))
     slits = [line.points for line in of_kind(sheet, "slit")]
     assert min(distance_to_sides(sides, tip) for points in slits for tip in points) >= 1.5e-3
-    # and in between there is sheet
+    # there is sheet in between
     middles = [points.mean(axis=0) for points in slits]
     solid = region_of(sheet.outlines)
     assert all(area_of(region_of([middle + 1e-4 * np.eye(3, 2)]) ^ solid) > 0 for middle in middles)
@@ -330,15 +328,15 @@ def test_cuts_of_a_pattern_stay_closed_and_end_half_a_kerf_before_what_they_do_n
     assert np.sort(outer.points[:, 1]) == pytest.approx([0.0, 0.01 - 1e-4])
 
 
-def test_what_cannot_be_made_fails_its_check():
+def test_a_sheet_that_cannot_be_made_fails_its_check():
     apart = strip("CC")
     check = next(check for check in apart.checks if check.name == "one piece")
     assert (check.ok, check.value, check.text) == (
         False,
         2,
-        "the sheet falls into 2 pieces; see its cuts, windows and slits",
+        "the sheet falls into 2 pieces; check its cuts, windows and slits",
     )
-    # windows that take all of the membrane beside the middle vein
+    # windows that remove all of the membrane beside the middle vein
     wide = sheet_of("binder2025", ("window", "6 mm"))
     assert {"strips", "windows"} & failed(wide)
     narrow = sheet_of("letter-fold", ("crease_style", "perforation"), ("crease_bridge", "0.3 mm"), ("kerf", "0.4 mm"))

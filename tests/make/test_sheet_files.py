@@ -29,7 +29,7 @@ def extent(points):
 
 
 @pytest.mark.parametrize(("name", "values"), SHEETS)
-def test_a_reader_of_its_own_finds_millimetres_the_right_size_and_no_error(name, values, tmp_path):
+def test_an_independent_reader_finds_millimetres_and_the_right_size(name, values, tmp_path):
     sheet = sheet_of(name, values)
     write_sheet_dxf(sheet, tmp_path / "sheet.dxf")
     drawing = ezdxf.readfile(tmp_path / "sheet.dxf")
@@ -49,7 +49,7 @@ def test_a_reader_of_its_own_finds_millimetres_the_right_size_and_no_error(name,
     assert [hole.dxf.radius for hole in space.query("CIRCLE")] == pytest.approx(
         [1e3 * hole.diameter / 2 for hole in sheet.holes], abs=1e-6
     )
-    # the legend lies beneath
+    # the legend is below the sheet
     assert max(text.dxf.insert.y for text in space.query('TEXT[layer=="NOTE"]')) < corners[0, 1]
 
 
@@ -77,11 +77,11 @@ def test_the_drawing_is_in_true_size_and_a_group_is_a_layer(name, values, tmp_pa
         "MOUNTAIN": "#ff0000",
         "VALLEY": "#0000ff",
     }.items()
-    # what is cut through is drawn through
+    # lines that are cut through are solid
     dashed = {shape.get("stroke-dasharray") for shape in shapes} - {None}
     assert bool(dashed) == (sheet.style == "score")
     told = root.find(f"{SVG}desc").text
-    assert "lines make up for a cutter 0.1 mm wide (kerf)" in told
+    assert "lines compensate for a cutter 0.1 mm wide (kerf)" in told
     assert all(f"layer {name}: " in told for name in groups)
 
 
@@ -119,13 +119,13 @@ def test_the_same_design_gives_the_same_bytes_and_plain_letters(tmp_path):
     for ending in ("dxf", "svg"):
         assert (tmp_path / f"0.{ending}").read_bytes() == (tmp_path / f"1.{ending}").read_bytes()
     text = (tmp_path / "0.dxf").read_bytes()
-    assert b"@ 2000-01-01T" in text  # the date that ezdxf leaves is not that of today
+    assert b"@ 2000-01-01T" in text  # a fixed date, not today's
     assert text.isascii()
     assert b"Fl\\U+00FCgel" in text
     assert not re.search(rb"^ *-0(\.0*)?$", text, re.MULTILINE)
 
 
-def test_what_fails_stands_in_the_file(tmp_path):
+def test_failed_checks_are_in_the_file(tmp_path):
     sheet = sheet_of("letter-fold", {"make.crease_style": "perforation", "make.crease_bridge": "0.05 mm"})
     write_sheet_dxf(sheet, tmp_path / "sheet.dxf")
     texts = [text.dxf.text for text in ezdxf.readfile(tmp_path / "sheet.dxf").modelspace().query("TEXT")]

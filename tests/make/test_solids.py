@@ -1,4 +1,4 @@
-"""Solids are what they are told to be, by closed forms."""
+"""Solids agree with closed forms."""
 
 import math
 
@@ -22,7 +22,7 @@ def test_a_rod_has_the_volume_of_a_cylinder():
     assert solid_of(rod()).volume() == pytest.approx(math.pi / 4 * 4**2 * 50, rel=1e-9)
 
 
-def test_a_prism_has_the_volume_of_its_outline_by_its_height_about_its_middle():
+def test_a_prism_has_the_volume_area_times_height_centred_on_its_outline():
     triangle = np.array([[0.0, 0.0], [0.01, 0.0], [0.0, 0.02]])
     solid = solid_of(Prism(outline=triangle, origin=AT, frame=TURN, height=0.006))
     assert solid.volume() == pytest.approx(100 * 6, rel=1e-9)
@@ -31,7 +31,7 @@ def test_a_prism_has_the_volume_of_its_outline_by_its_height_about_its_middle():
     assert points[:, 2].max() == pytest.approx(0.003)
 
 
-def test_what_is_joined_cut_and_shared_adds_up():
+def test_volumes_of_union_difference_and_intersection_add_up():
     one = box((0, 0, 0), (0.02, 0.02, 0.02), np.zeros(3), np.eye(3))
     other = box((0.01, 0.01, 0.01), (0.03, 0.03, 0.03), np.zeros(3), np.eye(3))
     together, less, both = (
@@ -63,7 +63,7 @@ def test_an_elastica_keeps_its_length_and_ends(share):
     line = elastica(2.0, 2 * share, 4001)
     assert np.linalg.norm(np.diff(line, axis=0), axis=1).sum() == pytest.approx(2.0, rel=1e-6)
     assert line[-1] == pytest.approx([2 * share, 0.0], abs=1e-9)
-    # bending goes with the distance from the chord, by one factor: what makes it an elastica
+    # curvature is proportional to the distance from the chord, the property of an elastica
     steps = np.diff(line, axis=0)
     turns = np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0])))
     inside = line[1:-1, 1] > 0.1 * line[:, 1].max()
@@ -72,7 +72,7 @@ def test_an_elastica_keeps_its_length_and_ends(share):
 
 
 def test_an_elastica_whose_ends_meet_is_as_wide_as_tables_say():
-    # the lemniscate-like loop of Euler: m = 0.8261 and a height of 0.3916 of its length for ends in one place, which
+    # the lemniscate-like loop of Euler: m = 0.8261 and a height of 0.3916 of its length for coincident ends, which
     # follow from 2 E = K
     line = elastica(1.0, 0.0, 2001)
     assert line[:, 1].max() == pytest.approx(0.3916, abs=1e-4)

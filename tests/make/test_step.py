@@ -1,4 +1,4 @@
-"""The same tree of solids by a second kernel, Open Cascade, with true cylinders."""
+"""The same tree of solids in a second kernel, Open Cascade, with true cylinders."""
 
 import math
 import os
@@ -14,11 +14,11 @@ from forficula.make.solid.mesh import placed
 from forficula.make.solid.solids import moved
 
 MISSING = 'Open Cascade is not there: pip install "forficula[step]", or make test-step'
-# set by make test-step: without Open Cascade these tests fail then
+# set by make test-step: these tests then fail without Open Cascade
 DEMANDED = "FORFICULA_STEP" in os.environ
 
 
-def test_what_is_missing_is_said(monkeypatch):
+def test_missing_open_cascade_is_reported(monkeypatch):
     monkeypatch.setitem(sys.modules, "OCP", None)
     monkeypatch.setitem(sys.modules, "OCP.STEPCAFControl", None)
     with pytest.raises(ff.InputError, match=r'pip install "forficula\[step\]"'):
@@ -43,11 +43,11 @@ def test_both_kernels_have_the_same_volumes(joint):
         shape = shape_of(part.solid)
         assert BRepCheck_Analyzer(shape).IsValid()
         assert shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_SOLID
-        # circles are polygons of their areas: far within the 0.5 % that is wanted
+        # circles are polygons of the same area: much closer than the required 0.5 %
         assert part.volume == pytest.approx(shape_volume(shape), rel=1e-5)
 
 
-def test_both_kernels_have_the_same_gap_half_way(joint):
+def test_both_kernels_have_the_same_gap_in_the_middle_of_the_range(joint):
     frame, origin = turned(joint.joints[0], math.radians(-90))
     proximal, distal = joint.parts[:2]
     theirs = shape_gap(shape_of(proximal.solid), shape_of(moved(distal.solid, frame, origin)))

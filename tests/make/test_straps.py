@@ -27,7 +27,7 @@ def test_a_strap_of_the_tendons_own_law_has_the_designs_area():
     law = {"tendon.law": "tpu-82a", "tendon.area": "9 mm^2"}
     strap = wing_strap(**law)
     assert (strap.material, strap.area) == ("tpu-82a", pytest.approx(9e-6))
-    # of another material it is thinner by as much as that is stiffer
+    # a strap of another material is thinner by the ratio of the moduli
     other = wing_strap(**law, **{"make.strap_material": "tpu-95a"})
     assert other.area / strap.area == pytest.approx(4.8 / 12.3)
 
@@ -48,7 +48,7 @@ def test_a_strap_of_the_tendons_own_law_has_the_designs_area():
         ),
     ],
 )
-def test_what_no_strap_can_be_made_for_is_refused(values, said):
+def test_a_tendon_without_a_possible_strap_is_rejected(values, said):
     with pytest.raises(InputError, match=said):
         wing_strap(**values)
 

@@ -1,4 +1,4 @@
-"""What parts bear is reckoned with the closed forms of strength of materials."""
+"""Strengths of parts agree with closed forms of strength of materials."""
 
 import math
 from dataclasses import replace
@@ -17,7 +17,7 @@ from forficula.structure import structure_of
 from tests.make.conftest import MADE
 
 SECTION, MODULUS, LENGTH = bar_section(5e-3), 2e9, 0.11
-# in the sheet's plane, to which a bar with a flat is stiffer
+# in the sheet's plane, in which a bar with a flat is stiffer
 STIFF = math.pi**2 * MODULUS * SECTION.in_sheet / LENGTH**2
 
 
@@ -42,19 +42,19 @@ def test_the_section_of_a_bar_with_a_flat_has_the_moments_of_its_polygon():
     assert (found.out_of_sheet, found.in_sheet) == pytest.approx((along, across), rel=1e-6)
 
 
-def test_a_flat_takes_a_quarter_of_the_stiffness_of_a_bar():
+def test_a_flat_reduces_the_stiffness_of_a_bar_by_a_quarter():
     # Euler: 2 GPa, 5 mm, 11 cm: 50 N; the flat takes 24 per cent of the least second moment
     full = math.pi / 64 * 5e-3**4
     assert math.pi**2 * 2e9 * full / 0.11**2 == pytest.approx(50, abs=0.5)
     assert bar_section(5e-3).least / full == pytest.approx(0.74, abs=0.02)
 
 
-def test_a_peg_with_flats_bears_what_the_strips_that_are_left_of_it_bear(joint_of):
+def test_strength_of_a_peg_with_flats_equals_the_sum_over_its_strips(joint_of):
     joint = joint_of(**{"make.peg_diameter": "6 mm"}).joints[0]
     z = np.linspace(0.2e-3 - joint.standoff, joint.top - joint.standoff, 200001)
     strips = 2 / 3 * (3e-3**2 - z**2) ** 1.5
     assert peg_modulus(joint, joint.proximal) == pytest.approx(np.trapezoid(strips, z) / 3e-3, rel=1e-6)
-    # of the whole circle pi d^3 / 32: the flats take a twelfth
+    # for the whole circle pi d^3 / 32; the flats reduce it by a twelfth
     assert 0.85 < peg_modulus(joint, joint.proximal) / (math.pi * 6e-3**3 / 32) < 0.95
 
 
@@ -68,7 +68,8 @@ def test_a_column_pressed_beside_its_axis_bows_by_the_secant_formula(share):
 
 
 def test_a_bent_column_bows_as_a_chain_of_rods_and_springs_does():
-    # v'' = -push / (E I) v off the bend, by finite differences; at the bend the curvature is the jump of the slope
+    # v'' = -push / (E I) v away from the bend, by finite differences; at the bend the curvature is the
+    # jump of the slope
     made, push, count = np.array([0.5e-3, 6e-3, -1e-3]), 0.6 * column(np.zeros((3, 2))).buckles_at, 1100
     step, bend = LENGTH / count, 600
     at = np.arange(1, count)
@@ -87,14 +88,14 @@ def test_a_straight_column_bears_eulers_load_and_a_bent_one_less():
     # 50 N without its flat: 2 GPa, 5 mm, 11 cm
     assert straight.buckles_at == pytest.approx(SECTION.least / (math.pi / 64 * 5e-3**4) * 50, rel=0.01)
     assert straight.bears(44e6) == pytest.approx(euler_load(LENGTH, SECTION, MODULUS), rel=1e-5)
-    # bent to its stiffer side by little, it still buckles to the weaker one
+    # slightly bent to its stiffer side, it still buckles to the weaker one
     assert column([[0, 0], [0.1e-3, 0], [0, 0]]).bears(44e6) == pytest.approx(straight.buckles_at, rel=1e-5)
     bears = [column([[0, 0], [0, bend], [0, 0]]).bears(44e6) for bend in (1e-3, 3e-3, 7e-3)]
     assert straight.buckles_at > bears[0] > bears[1] > bears[2]
 
 
 def test_a_section_is_stressed_as_its_outermost_fibres_are():
-    # pure bending out of the sheet: the edges of the flat are further from the centre than the round side
+    # pure bending out of the sheet: the edges of the flat are further from the centroid than the round side
     reach = max(2.5e-3 + SECTION.centre, math.sqrt(0.5) * 2.5e-3 - SECTION.centre)
     assert SECTION.stress(0.0, np.array([0.0, 0.1])) == pytest.approx(0.1 * reach / SECTION.out_of_sheet, rel=1e-9)
     assert SECTION.stress(10.0, np.zeros(2)) == pytest.approx(10 / SECTION.area)
@@ -125,7 +126,7 @@ def test_a_stop_takes_the_moment_that_the_tendon_has_there_in_closed_form(joint_
     assert load.force == pytest.approx((load.by_tendon + 1.0) / 3.98e-3, rel=0.01)
 
 
-def test_what_is_left_of_pull_and_stop_is_on_the_pin(joint_of):
+def test_resultant_of_pull_and_stop_force_loads_the_pin(joint_of):
     parts = joint_of()
     told = {check.name: check for check in strength_checks(parts)}
     load = stop_load(parts.structure, parts.joints[0], parts.straps[0], "overbend")
@@ -133,11 +134,11 @@ def test_what_is_left_of_pull_and_stop_is_on_the_pin(joint_of):
     assert f"up to {load.on_pin:.1f} N" in told["shear of the pin"].text
 
 
-def test_straps_of_each_tendon_bear_what_their_own_material_does():
+def test_straps_of_each_tendon_have_the_strength_of_their_material():
     own = {"tendon.0.law": "tpu-82a", "tendon.0.area": "8 mm^2"}
     parts = make_parts(load_design("binder2025").with_values(MADE | own), "section")
     told = {check.part: check for check in strength_checks(parts) if check.name == "straps tear"}
-    # of tpu-82a no source gives the strength
+    # no source gives the strength of tpu-82a
     assert {name: (check.ok, check.text.split()[5]) for name, check in told.items()} == {
         "fold0": (None, "tpu-82a"),
         "fold1": (True, "tpu-95a"),

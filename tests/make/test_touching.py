@@ -1,4 +1,4 @@
-"""Who touches whom is found where and when it is planted, and what roots go through in closed form."""
+"""Planted collisions are found at their position and time, and angles of roots agree with closed forms."""
 
 import math
 from dataclasses import replace
@@ -51,7 +51,7 @@ def record_of(parts, angles):
     )
 
 
-def test_poses_take_points_where_the_run_has_them(reference_run):
+def test_poses_reproduce_positions_of_the_run(reference_run):
     rows = [0, 320, 400, len(reference_run.time) - 1]
     poses, built = poses_of(reference_run, rows), built_points(reference_run.structure)
     bodies = [point.body for point in reference_run.structure.points]
@@ -59,7 +59,7 @@ def test_poses_take_points_where_the_run_has_them(reference_run):
     assert places == pytest.approx(reference_run.series["point_position"][rows], abs=1e-9)
 
 
-def test_rows_that_tell_the_motion_are_far_from_one_another(reference_run):
+def test_selected_rows_are_as_different_as_possible(reference_run):
     rows, angles = telling_rows(reference_run, 20), reference_run.series["hinge_angle"]
     apart = np.abs(angles[rows][:, None] - angles[rows][None]).max(axis=2) + 10 * np.eye(len(rows))
     left = np.abs(angles[:, None] - angles[rows][None]).max(axis=2).min(axis=1)
@@ -70,7 +70,7 @@ def test_rows_that_tell_the_motion_are_far_from_one_another(reference_run):
 def test_a_planted_collision_is_found_when_it_happens(parts):
     record = record_of(parts, {"sweep0": math.radians(40)})
     found = touches(parts, record)
-    # without culling, pieces and steps: the whole vein swept into the others, row by row
+    # without culling, pieces and steps: the whole vein against the others, row by row
     origin = parts.structure.bodies[0].position
     others = [half(parts, body) for body in (2, 3)]
     moving = [half(parts, body) for body in (0, 1)]
@@ -100,21 +100,21 @@ def test_nothing_touches_where_nothing_moves(parts):
     assert [check.ok for check in checks] == [True]
 
 
-def test_what_is_in_one_place_as_built_is_told(parts, made_section):
+def test_overlaps_as_built_are_reported(parts, made_section):
     (check,) = built_checks(parts)
     assert (check.ok, check.value) == (True, 0.0)
-    # straps of the design's own length, on pegs far out: those of neighbours meet
+    # straps of the design's own length, on distant pegs: those of neighbours collide
     (check,) = built_checks(made_section)
     assert check.ok is False
     assert "proximal0 and proximal2 (0.37" in check.text
 
 
-def test_a_run_that_diverged_is_not_looked_at(parts):
+def test_a_diverged_run_is_not_checked(parts):
     (check,) = motion_checks(parts, replace(record_of(parts, {}), diverged_at=0.5))
     assert check.ok is None
 
 
-def test_a_stop_that_is_run_over_is_told(parts):
+def test_motion_beyond_a_stop_is_reported(parts):
     record = record_of(parts, {"fold1": parts.joints[1].upper + math.radians(2.5)})
     checks = {check.part: check for check in motion_checks(parts, record, mend=False) if "stops" in check.name}
     assert [checks[name].ok for name in ("fold0", "fold1", "fold2")] == [True, False, True]

@@ -1,4 +1,4 @@
-"""Assumptions of a design, changed one at a time: which apply, what each does, and what is known before a run."""
+"""Assumptions of a design, changed one at a time: which apply, their effects, and results known without a run."""
 
 import json
 from dataclasses import replace
@@ -40,7 +40,7 @@ APPLY = {
     "letter-fold": OF_BENDING | {"stiffer stops", "softer stops"},
     "bistable-clasp": OF_BENDING,
     "kresling-cell": OF_BENDING,
-    # its timestep is "auto", which a run of the assumptions finds first
+    # its timestep is "auto", which is determined first
     "four-plate-snap": EVERYWHERE - {"timestep"} | {"no rise", "medium"},
 }
 
@@ -59,13 +59,13 @@ def test_the_assumptions_that_apply_to_each_kind_of_structure_are_changed_and_ot
     found = found_of(name)
     assert {each for each, variant in found.items() if isinstance(variant, Variant)} == APPLY[name]
     assert all(reason.strip() for reason in found.values() if isinstance(reason, str))
-    # each changed design is one that a file can hold
+    # each changed design can be written to a file
     for variant in found.values():
         if isinstance(variant, Variant):
             assert design_from_text(design_text(variant.design)).hash == variant.design.hash
 
 
-def test_what_a_design_already_assumes_is_turned_into_its_opposite():
+def test_an_assumption_that_a_design_makes_is_inverted():
     plain, built, joint = found_of("binder2025"), found_of("binder2025-built"), found_of("binder2025-joint")
     assert plain["medium"].label == "in air"
     assert built["medium"].label == "empty space"
@@ -76,7 +76,7 @@ def test_what_a_design_already_assumes_is_turned_into_its_opposite():
     assert built["tendon mass"].design.tendon.mass == 0.0
     # 3.1 mm: the radius of a bar of 5 mm and half of a thick strap
     assert plain["tendon height"].design.tendon.proximal_offset == pytest.approx(3.1e-3)
-    # a twentieth of the 50 and the 10 N cm that fold
+    # a twentieth of the 50 and the 10 N cm for folding
     assert plain["dry friction"].design.hinge.friction == 0.025
     assert joint["dry friction"].design.hinge.friction == 0.005
     assert joint["tendon height"].design.tendon.distal_offset == 0.0
@@ -116,7 +116,7 @@ def test_an_overdamped_hinge_takes_as_long_as_its_damping_and_a_rise_delays_it_b
     assert flapping.verdict.startswith("closed; none of ")
 
 
-def test_a_torque_that_rises_slower_than_everything_is_that_of_the_statics():
+def test_a_very_slow_torque_agrees_with_statics():
     stages = ff.load_design("binder2025-joint").si_tables()["protocol"]["stages"][:3]
     rise = {"hinge.damping": 1e-4, "protocol.rise": 0.0, "protocol.timestep": 2e-4, "protocol.stages": stages}
     design = ff.load_design("binder2025-joint").with_values(rise)
@@ -183,7 +183,7 @@ def test_a_change_counts_where_it_exceeds_two_percent_and_the_numerical_uncertai
     assert effect_of(run, a_run(Verdict.UNTRUSTED), {}) is Effect.UNKNOWN
 
 
-def test_the_table_is_read_as_it_was_written_and_is_what_its_schema_says(flapping, tmp_path):
+def test_table_is_read_back_and_matches_its_schema(flapping, tmp_path):
     save_assumptions(flapping, tmp_path / ASSUMPTIONS_FILE)
     assert load_assumptions(tmp_path / ASSUMPTIONS_FILE) == flapping
     content = json.loads((tmp_path / ASSUMPTIONS_FILE).read_text("utf-8"))
@@ -200,7 +200,7 @@ def test_the_table_is_a_dataset(flapping):
     assert table.attrs["says"] == flapping.verdict
 
 
-def test_known_are_assumptions_of_the_same_values_in_the_folder_of_the_run_or_beside_it(flapping, tmp_path):
+def test_known_assumptions_are_found_in_the_folder_of_the_run_or_beside_it(flapping, tmp_path):
     run, beside = tmp_path / "flap", tmp_path / "flap-assumptions"
     design = flapping.design
     assert known_assumptions(design, run) is None
@@ -219,7 +219,7 @@ def test_known_are_assumptions_of_the_same_values_in_the_folder_of_the_run_or_be
 
 
 def test_the_measured_assumptions_of_named_designs_are_those_of_their_present_values(tmp_path):
-    """Where this fails: `forficula assumptions NAME`, and copy assumptions.json to study/measured/NAME.json."""
+    """If this fails: run `forficula assumptions NAME` and copy assumptions.json to study/measured/NAME.json."""
     for measured in measured_assumptions():
         assert measured.design.hash == ff.load_design(measured.design.name).hash
     assert known_assumptions(ff.load_design("binder2025"), tmp_path) is not None

@@ -1,4 +1,4 @@
-"""Studies that vary their factors one at a time, around the base, by themselves or with a grid at each choice."""
+"""Studies that vary their factors one at a time, around the base, alone or with a grid at each choice."""
 
 import csv
 import io
@@ -18,9 +18,9 @@ from forficula.study.running.kept_runs import runs_to_keep
 from forficula.study.search import point_design
 
 ALONE = 'vary = "one-at-a-time"'
-# the second is what binder2025 has, in other words
+# the second equals the value of binder2025, written differently
 DAMPING = '"hinge.damping" = ["1e-4 N m s/rad", "0.001 N m s/rad", "1e-2 N m s/rad"]'
-UNITS = '"pattern.units" = [1, 2, 30]'  # the last is no wing
+UNITS = '"pattern.units" = [1, 2, 30]'  # the last value gives no valid wing
 TENDONS = '[grid]\n"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 ONLY_FOLDING = '[search]\nfold_torques = ["10 N cm", "50 N cm"]\nunfold_torques = []'
 
@@ -35,7 +35,7 @@ def alone(tmp_path_factory, write_study_file):
 
 @pytest.fixture(scope="module")
 def gridded(tmp_path_factory, write_study_file):
-    """A search for the torques that fold, over tendons at each choice, its table and its folder."""
+    """A search for folding torques over tendons at each choice, its table and its folder."""
     folder = tmp_path_factory.mktemp("gridded")
     head, tail = f'{ALONE}\nask = "least-torques"', f"{TENDONS}\n{ONLY_FOLDING}"
     study = load_study(write_study_file(folder / "gridded.toml", DAMPING, head, tail))
@@ -46,7 +46,7 @@ def lines(text):
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def test_every_value_stands_by_itself_and_the_base_once_however_its_values_are_written(alone):
+def test_every_value_is_one_choice_and_the_base_occurs_once(alone):
     study, _ = alone
     assert study.points == (
         {},
@@ -67,7 +67,7 @@ def test_a_grid_is_repeated_whole_at_every_choice(gridded):
     ] == [(damping, *tendon) for damping in dampings for tendon in tendons]
 
 
-def test_factors_are_a_grid_unless_the_study_says_otherwise(study_file):
+def test_factors_are_a_grid_by_default(study_file):
     rows = f"{DAMPING}\n{UNITS}"
     plain, named = (load_study(study_file(rows, head)) for head in ("", 'vary = "grid"'))
     assert len(plain.points) == 9
@@ -75,18 +75,18 @@ def test_factors_are_a_grid_unless_the_study_says_otherwise(study_file):
     assert plain.choices == ()
 
 
-def test_a_wing_of_a_choice_is_the_wing_that_is_run_alone_with_that_value(alone):
+def test_a_choice_gives_the_same_run_as_a_design_with_this_value(alone):
     study, table = alone
     for place, values in enumerate(study.points[:4]):
         outcome = ff.measure(ff.run(with_values(study.base, dict(values)), confirm=False))
         assert table["status"].values[place] == outcome.status
-        # of a run that is not to be trusted there are no numbers
+        # an unreliable run has no numbers
         work = outcome.transitions["fold"].work if outcome.verdict.tells else np.nan
         assert np.array_equal(table["fold_work"].values[place], work, equal_nan=True)
     assert np.isfinite(table["fold_work"].values[:4]).sum() > 1
 
 
-def test_a_value_with_which_no_wing_can_be_built_is_a_row(alone):
+def test_a_value_with_which_no_wing_can_be_built_has_a_row(alone):
     _, table = alone
     assert str(table["status"].values[4]).startswith("cannot be built: ")
 
@@ -124,21 +124,21 @@ def test_the_table_of_a_grid_at_each_choice_has_both_as_dimensions(gridded):
 
 def test_shards_of_choices_are_collected_and_nothing_is_left_to_do(tmp_path, alone):
     study, table = alone
-    assert estimate(study, tmp_path)[:2] == (5, 4)  # the wing that cannot be built takes no run
+    assert estimate(study, tmp_path)[:2] == (5, 4)  # the invalid wing needs no run
     assert run_study(study, tmp_path, shard=(1, 2)) is None
     run_study(study, tmp_path, shard=(2, 2))
     assert collect(study, tmp_path).identical(table)
     assert estimate(study, tmp_path)[:2] == (5, 0)
 
 
-def test_the_choices_of_a_factor_stand_together_by_size_with_the_base_among_them(alone, gridded):
+def test_choices_of_a_factor_are_grouped_by_size_with_the_base(alone, gridded):
     _, table = alone
     groups = {group.factor: group.places for group in choice_groups(table)}
     assert groups == {"hinge_damping": (1, 0, 2), "pattern_units": (0, 3, 4)}
     assert [group.places for group in choice_groups(gridded[1])] == [(1, 0, 2)]
 
 
-def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
+def test_folded_and_opened_points_are_counted_at_every_choice(alone, gridded):
     _, table = alone
     assert count_first(table).tolist() == table["folded"].values.astype(int).tolist()
     assert count_all(table).tolist() == table["opened"].values.astype(int).tolist()
@@ -150,9 +150,9 @@ def test_what_folds_and_opens_is_counted_at_every_choice(alone, gridded):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_out(gridded, tmp_path, capsys):
+def test_a_search_without_unfold_torques_only_folds_and_releases(gridded, tmp_path, capsys):
     study, table, folder = gridded
-    # three dampings, four tendons, two torques, and a release where one folds
+    # three dampings, four tendons, two torques, and a release for each that folds
     folds = int(np.isfinite(table["least_fold_torque"]).sum())
     assert len((folder / "journal.jsonl").read_text().splitlines()) - 1 == 24 + folds
     assert not {name for name in table if "unfold" in name or "opened" in name or "reference" in name}
@@ -174,7 +174,7 @@ def test_a_search_without_unfold_torques_folds_and_lets_go_and_leaves_opening_ou
         assert re.search(rf"^hinge damping {words} N m s/rad(, as in binder2025)? +{count} *$", told, re.MULTILINE)
 
 
-def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, write_study_file, tmp_path):
+def test_folding_results_do_not_depend_on_the_search_for_opening(gridded, write_study_file, tmp_path):
     _, table, _ = gridded
     grid = TENDONS.removeprefix("[grid]\n")
     search = ONLY_FOLDING.replace("[]", '["90 N cm"]')
@@ -185,7 +185,7 @@ def test_folding_is_found_the_same_whether_or_not_opening_is_asked_for(gridded, 
     assert np.array_equal(both["fold_outcome"].values, table["outcome"].values[0])
 
 
-def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_path):
+def test_a_base_value_that_is_a_word_is_distinguished_from_numbers(tmp_path):
     path = tmp_path / "steps.toml"
     path.write_text(
         f'design = "binder2025"\n{ALONE}\nsettings.protocol.timestep = "auto"\n'
@@ -230,14 +230,14 @@ def test_a_base_whose_value_is_a_word_is_told_from_the_numbers_beside_it(tmp_pat
         ),
     ],
 )
-def test_what_cannot_be_varied_so_is_refused_in_one_line(study_file, head, tail, message):
+def test_invalid_choices_are_rejected_in_one_line(study_file, head, tail, message):
     with pytest.raises(InputError) as caught:
         load_study(study_file(DAMPING, head, tail))
     assert message in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
 
 
-def test_draws_are_not_varied_one_at_a_time(study_file):
+def test_distributions_are_not_varied_one_at_a_time(study_file):
     drawn = '"tendon.stiffness" = {distribution = "uniform", low = "10 N/cm", high = "20 N/cm"}'
     with pytest.raises(InputError, match='vary: needs factors that are lists or ranges, got distributions with "one'):
         load_study(study_file(drawn, ALONE, "[sampling]\ncount = 3"))
@@ -251,6 +251,6 @@ def test_the_named_study_has_the_papers_tendons_at_every_value_that_had_to_be_ch
         assert [dict(point) for point in study.points[60 * place : 60 * (place + 1)]] == [
             {**choice, **tendon} for tendon in tendons
         ]
-    # of every factor the base's own value is there, too, and so is no choice of its own
+    # the base's value of every factor is in the list, and is not repeated as a choice
     assert len(study.choices) == 1 + sum(len(factor.values) - 1 for factor in study.factors)
     assert max(study.search.first.values) == 0.5

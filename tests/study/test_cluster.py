@@ -1,4 +1,4 @@
-"""A study on a Dask cluster is the same study, whatever becomes of its workers."""
+"""A study on a Dask cluster gives the same result, whatever happens to its workers."""
 
 import gc
 import os
@@ -23,7 +23,7 @@ distributed = pytest.importorskip("distributed", reason="Dask is not installed: 
 
 
 def local_cluster(**options):
-    """Two workers of a thread each."""
+    """Two workers with one thread each."""
     return distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0", silence_logs="CRITICAL", **options
     )
@@ -31,8 +31,8 @@ def local_cluster(**options):
 
 @pytest.fixture
 def cluster(monkeypatch):
-    """Its workers are in this process, where they are there at once."""
-    # on no machine are runs as short as these all done here
+    """A cluster whose workers are in this process and start at once."""
+    # otherwise runs as short as these would all be done in this process
     monkeypatch.setattr("forficula.study.running.cluster._LEAST_SECONDS", 0.05)
     with local_cluster(processes=False, protocol="tcp://") as cluster:
         yield cluster
@@ -40,7 +40,7 @@ def cluster(monkeypatch):
 
 @pytest.fixture(scope="module")
 def mortal_cluster():
-    """Its workers are processes, which can be killed; in their place others start."""
+    """A cluster whose workers are processes that can be killed; new ones replace them."""
     with local_cluster(processes=True) as cluster:
         yield cluster
 
@@ -62,7 +62,7 @@ def lines(folder):
 
 
 def kill_at_work(cluster):
-    """Kill a worker in the middle of a chunk; the chunks that died with it, none where all workers are idle."""
+    """Kill a worker during a chunk; return the lost chunks, none if all workers are idle."""
     with distributed.Client(cluster, set_as_default=False) as client:
         at_work = {
             address: key
@@ -74,9 +74,9 @@ def kill_at_work(cluster):
         if worker.worker_address not in at_work:
             continue
         os.kill(worker.pid, signal.SIGSTOP)
-        time.sleep(0.2)  # what it has sent arrives
+        time.sleep(0.2)  # messages that it has sent arrive
         held = {task.key for task in cluster.scheduler.workers[worker.worker_address].processing}
-        # a chunk that is with it now, stopped as it is, it cannot have finished
+        # a stopped worker cannot have finished its present chunk
         os.kill(worker.pid, signal.SIGKILL if at_work[worker.worker_address] in held else signal.SIGCONT)
         return held & {at_work[worker.worker_address]}
     return set()
@@ -96,7 +96,7 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
         if not died:
             died.update(kill_at_work(cluster))
 
-    # Its rows may all have come while no worker was in the middle of a chunk: then nothing has been tried.
+    # All rows may have arrived while no worker was in the middle of a chunk. Then nothing has been tested.
     for attempt in range(5):
         with dask_cluster(cluster.scheduler_address) as workers:
             table = ff.run_study(study, tmp_path / f"{attempt}", cluster=workers, progress=kill_once)
@@ -105,7 +105,7 @@ def test_a_worker_killed_at_work_loses_no_row_and_changes_no_bit(
         if died:
             break
     assert len(died) == 1
-    assert len(here[1]) == len(study.points) + 2  # who wrote it comes first, and nothing after the last newline
+    assert len(here[1]) == len(study.points) + 2  # the signature comes first, and nothing follows the last newline
 
 
 def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_done(
@@ -118,7 +118,9 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
         kept.append(row["key"])
         cluster.scale(0)
 
-    words = r"^--dask: the scheduler at tcp://\S+ has had no workers for 1 s; the same command goes on where it stood$"
+    words = (
+        r"^--dask: the scheduler at tcp://\S+ has had no workers for 1 s; the same command continues where it stopped$"
+    )
     with dask_cluster(cluster.scheduler_address) as workers, pytest.raises(InputError, match=words):
         ff.run_study(study, tmp_path / "out", cluster=workers, progress=send_home)
     assert 0 < len(kept) < len(study.points)
@@ -138,7 +140,7 @@ def test_a_scheduler_that_is_gone_is_one_error_and_what_is_done_is_kept(cluster,
     assert 0 < len(read_rows(tmp_path / "out", study.base)) < len(study.points)
 
 
-def test_the_first_runs_are_done_here_and_tell_how_many_make_a_chunk(cluster, study, tmp_path, monkeypatch):
+def test_first_runs_are_local_and_determine_the_size_of_chunks(cluster, study, tmp_path, monkeypatch):
     sizes, submit = [], distributed.Client.submit
 
     def listen(self, run, texts, *arguments, **options):
@@ -153,19 +155,19 @@ def test_the_first_runs_are_done_here_and_tell_how_many_make_a_chunk(cluster, st
 
 
 @given(st.integers(1, 10_000), st.floats(1e-5, 30), st.integers(1, 100))
-def test_chunks_take_a_second_or_so_and_the_last_is_no_rest(left, seconds, runs):
+def test_chunks_take_about_a_second_including_the_last(left, seconds, runs):
     pace = _Pace(runs=runs, seconds=runs * seconds)
     assume(left >= pace.runs_in(0.2))
     least = 0.2 / max(seconds, 1e-4)
     while left:
         size = pace.chunk(left)
-        # never less than 0.2 s, never more than 1.2 s and the runs at its ends
+        # never less than 0.2 s, never more than 1.2 s plus the runs at its ends
         assert least * (1 - 1e-9) <= size <= min(left, 6 * least + 2)
         left -= size
 
 
 @pytest.mark.parametrize("address", ["nonsense", "tcp://", "gopher://x:1"])
-def test_an_address_that_is_none_is_one_error(address):
+def test_an_invalid_address_is_one_error(address):
     with pytest.raises(InputError, match=r"^--dask: [^\n]*$"), dask_cluster(address):
         pass
 
@@ -175,11 +177,11 @@ def clients():
 
 
 def test_an_address_where_nothing_listens_is_one_error_and_its_client_does_not_wait_to_be_collected():
-    """Were that to happen while the next one starts, this one would wait for it."""
+    """If the failed client were collected while the next one starts, this one would wait for it."""
     words = r"--dask: no Dask scheduler answers at tcp://127\.0\.0\.1:9"
     gc.disable()
     try:
-        # those of tests before this one, whose schedulers went away, may still be about
+        # clients of earlier tests, whose schedulers have gone, may still exist
         before = clients()
         with pytest.raises(InputError, match=words), dask_cluster("tcp://127.0.0.1:9"):
             pass

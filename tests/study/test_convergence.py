@@ -24,12 +24,12 @@ FOLD = STAGE | {"name": "fold", "drive": "fold", "until": "folded", "time_limit"
 
 @pytest.fixture(scope="module")
 def short(reference):
-    """The reference design, folded after little settling, and let be."""
+    """The reference design, folded after a short settling, and released."""
     return with_values(reference, {"protocol.stages": [SETTLE, FOLD]})
 
 
 def hinges(one_hinge, steps, settle, duration=0.2):
-    """Wings of one hinge that swings by itself through the stages of a folding, one for each timestep."""
+    """Wings of one hinge that moves freely through the stages of a folding, one for each timestep."""
     wings = []
     for step in steps:
         wing = one_hinge(timestep=step, duration=duration).wing
@@ -49,7 +49,7 @@ def test_a_planted_order_and_limit_are_found_whatever_the_timesteps(order, share
     limit, steps = 0.06, np.array(tenths) * 1e-5
     fit = fit_order(steps, limit * (1 + share * (steps / steps.max()) ** order))
     assert fit.observed
-    # the search ends within 1e-6; a misfit this flat is known to the root of rounding, about 1e-8 of the change
+    # the search ends within 1e-6; such a flat misfit is known to the root of rounding, about 1e-8 of the change
     assert fit.order == pytest.approx(order, abs=1e-2)
     assert fit.limit == pytest.approx(limit, rel=1e-3)
     assert fit.time(steps) == pytest.approx(limit * (1 + share * (steps / steps.max()) ** order), rel=1e-6)
@@ -61,7 +61,7 @@ def test_with_a_constant_ratio_the_order_is_that_of_the_textbook():
     assert fit.order == pytest.approx(math.log(4 / 1.3) / math.log(2), abs=1e-4)
 
 
-def test_times_that_scatter_tell_no_order_and_say_so():
+def test_scattered_times_give_no_order_and_a_reason():
     steps = np.array([0.5, 0.4, 0.3, 0.2, 0.1])
     fit = fit_order(steps, 60 - 4 * steps + np.array([0.5, -0.6, 0.5, -0.5, 0.4]))
     assert (fit.observed, fit.order) == (False, 1.0)
@@ -73,7 +73,7 @@ def test_times_that_scatter_tell_no_order_and_say_so():
     ("times", "reason"),
     [([5.0, 5.0, 5.0], "does not change"), ([5.0, 4.0], "three timesteps"), ([4.0, 5.0, 4.0], "scat")],
 )
-def test_times_without_an_order_say_why(times, reason):
+def test_times_without_an_order_have_a_reason(times, reason):
     fit = fit_order(np.array([0.4, 0.2, 0.1])[: len(times)], np.array(times))
     assert not fit.observed
     assert reason in fit.reason
@@ -93,11 +93,11 @@ def test_one_hinge_converges_with_order_one_to_its_closed_form(one_hinge):
     assert found.orders["fold"].order == pytest.approx(1, abs=0.1)
     assert found.orders["fold"].limit == pytest.approx(exact, rel=1e-3)
     assert found.fine
-    assert found.verdict.startswith("0.1 ms is fine: the fold time differs by ")
+    assert found.verdict.startswith("0.1 ms is short enough: the fold time differs by ")
 
 
-def test_a_timestep_that_is_too_long_says_which_would_do(one_hinge):
-    # at 0.4 ms the hinge runs further than 10 deg into its stop
+def test_a_timestep_that_is_too_long_is_reported_with_one_that_suffices(one_hinge):
+    # at 0.4 ms the hinge moves further than 10 deg into its stop
     steps = [2e-4, 1e-4, 5e-5, 2.5e-5]
     found = compare_models(hinges(one_hinge, steps, 4e-3), TIMESTEP, steps, 2e-4, tolerance=5e-3)
     assert found.fine is False
@@ -111,7 +111,7 @@ def test_the_fold_time_is_that_of_the_angle_between_two_steps(short):
     assert found.own == 2e-4
     for step, time in zip(found.values, found.transition_times["fold"], strict=True):
         steps = time / step
-        assert abs(steps - round(steps)) > 1e-3  # not a multiple of it
+        assert abs(steps - round(steps)) > 1e-3  # not a multiple of the step
     assert abs(found.transition_times["fold"][0] / found.transition_times["fold"][1] - 1) < 0.2
     assert found.orders["fold"] is not None
     assert not found.orders["fold"].observed
@@ -133,11 +133,11 @@ def test_progress_counts_the_runs_whatever_meshes_they_have(short):
 def test_a_timestep_that_diverges_is_too_long(short):
     found = converge(with_values(short, {"protocol.timestep": 5e-3}), TIMESTEP, [5e-3, 2e-4])
     assert found.fine is False
-    assert found.verdict.startswith("5 ms is too long: it diverged at t = ")
-    assert found.verdict.endswith("; at 0.2 ms it does not.")
+    assert found.verdict.startswith("5 ms is too long: the run diverged at t = ")
+    assert found.verdict.endswith("; the run at 0.2 ms does not diverge.")
 
 
-def test_a_coarse_timestep_that_diverges_does_not_spoil_the_own_one(short):
+def test_a_diverging_coarse_timestep_does_not_affect_the_own_one(short):
     found = converge(short, TIMESTEP, [5e-3, 2e-4, 1e-4])
     assert found.fine is not None
     assert 'the outcome changes with the timestep: "folded" at 0.2 ms, "diverged at ' in found.verdict
@@ -145,7 +145,7 @@ def test_a_coarse_timestep_that_diverges_does_not_spoil_the_own_one(short):
 
 
 def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge):
-    # one wing is given no time to fold, as if the timestep had kept it from folding
+    # one wing has no time to fold, as if the timestep had prevented folding
     late = hinges(one_hinge, [2e-4], 4e-3)
     early = hinges(one_hinge, [1e-4], 4e-3, duration=0.005)
     found = compare_models([*late, *early], TIMESTEP, [2e-4, 1e-4], 2e-4)
@@ -153,16 +153,16 @@ def test_an_outcome_that_changes_with_a_shorter_timestep_is_never_fine(one_hinge
     assert "the outcome changes with the timestep" in found.verdict
 
 
-def test_the_reference_is_on_the_edge_where_the_bounds_enclose_what_is_allowed(short):
+def test_a_timestep_is_borderline_if_its_bounds_enclose_the_tolerance(short):
     steps = [4e-4, 3e-4, 2e-4, 1e-4]
     least, most = converge(short, TIMESTEP, steps), converge(short, TIMESTEP, steps, tolerance=1e-6)
     between = converge(short, TIMESTEP, steps, tolerance=_middle(least))
     assert (most.fine, between.fine) == (False, None)
-    assert between.verdict.startswith("0.2 ms is on the edge: ")
+    assert between.verdict.startswith("0.2 ms is borderline: ")
 
 
 def _middle(found):
-    """Half way between the bounds of the difference from the limit, where no order can be told."""
+    """The middle between the bounds of the difference from the limit, if no order is observed."""
     times, fit = found.transition_times["fold"], found.orders["fold"]
     assert not fit.observed
     far, near = abs(times[2] - fit.limit), abs(times[2] - times[3])
@@ -177,7 +177,7 @@ def test_a_wing_that_does_not_fold_cannot_be_judged(reference):
     assert np.isnan(found.transition_times["fold"]).all()
 
 
-def test_moduli_and_meshes_say_how_far_the_fold_time_moves(short):
+def test_moduli_and_meshes_report_the_change_of_the_fold_time(short):
     for key, values, name in ((YOUNGS_MODULUS, [2e6, 1e6], "2 MPa"), (MESH, [1, 2], "5 rows")):
         found = converge(short, key, values)
         move = 100 * (found.transition_times["fold"][1] / found.transition_times["fold"][0] - 1)
@@ -206,15 +206,15 @@ def test_a_mesh_n_times_finer_keeps_the_rows_and_divides_the_gaps(reference):
         (MESH, "1 2 3", [1, 2, 3]),
     ],
 )
-def test_a_list_is_numbers_and_the_unit_that_follows(key, text, values):
+def test_numbers_without_a_unit_have_that_of_the_next_number(key, text, values):
     assert read_values(key, text) == pytest.approx(values, rel=1e-15)
 
 
 @pytest.mark.parametrize(
     ("option", "text", "rule"),
     [
-        ("--timesteps", "", "need two values at least"),
-        ("--timesteps", "0.2 ms", "need two values at least"),
+        ("--timesteps", "", "need at least two values"),
+        ("--timesteps", "0.2 ms", "need at least two values"),
         ("--timesteps", "0.2 -0.1 ms", "need values > 0"),
         ("--timesteps", "0.2 0 ms", "need values > 0"),
         ("--timesteps", "0.2 0.1", "the unit is missing"),
@@ -232,7 +232,7 @@ def test_a_list_is_numbers_and_the_unit_that_follows(key, text, values):
         ("--meshes", "1 1000", "need whole numbers from 1 to 50"),
     ],
 )
-def test_a_bad_list_ends_with_1_and_one_line(tmp_path, monkeypatch, capsys, option, text, rule):
+def test_an_invalid_list_exits_with_1_and_one_line(tmp_path, monkeypatch, capsys, option, text, rule):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as caught:
         main(["converge", "binder2025", option, text])
@@ -244,7 +244,7 @@ def test_a_bad_list_ends_with_1_and_one_line(tmp_path, monkeypatch, capsys, opti
 
 
 @pytest.mark.parametrize("options", [[], ["--meshes", "1 2", "--moduli", "1 2 MPa"]])
-def test_one_question_at_a_time(capsys, options):
+def test_only_one_setting_is_varied_at_a_time(capsys, options):
     with pytest.raises(SystemExit) as caught:
         main(["converge", "binder2025", *options])
     assert caught.value.code == 1

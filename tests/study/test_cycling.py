@@ -1,4 +1,4 @@
-"""Wings over cycles: what the law's drift makes of the tendons, and at which cycle the wing stops folding."""
+"""Wings over cycles: effect of the law's drift on the tendons, and the cycle at which the wing stops folding."""
 
 import math
 from dataclasses import replace
@@ -36,9 +36,9 @@ def folding(law: MaterialLaw | None, **values):
 
 @pytest.fixture
 def without_statics(monkeypatch):
-    """Leave out the least slow torques, by which nothing but margins is told."""
+    """Skip the least slow torques, on which only margins depend."""
     unknown = "forficula.study.cycling.least_slow_torques"
-    # of folding and unfolding
+    # for folding and unfolding
     monkeypatch.setattr(unknown, lambda designs: (np.full(len(designs), np.nan),) * 2)
 
 
@@ -59,22 +59,22 @@ def test_specimens_that_soften_give_a_wing_that_softens_as_they_do(tmp_path):
     settings = {"tendon.law": str(tmp_path / "law.toml"), "tendon.area": "18.75 mm^2"}
     cycling = run_cycles(with_values(load_design("binder2025", settings), {"protocol.stages": [SETTLE, FOLD]}), 5)
     energy = [run.row["flat_energy_J"] for run in cycling.runs]
-    # the overbend holds the flat wing, so its tendons keep their length but for the compliance of the stops
+    # the overbend holds the flat wing, so its tendons keep their length except for the compliance of the stops
     assert [each / energy[1] for each in energy[2:]] == pytest.approx([(n / 2) ** rate for n in (3, 4, 5)], rel=1e-3)
-    # the first cycle was left out of the data
+    # the data do not contain the first cycle
     assert energy[0] == energy[1]
     assert [run.measured for run in cycling.runs] == [False, True, True, True, True]
-    assert "cycle 1 is taken to be like cycle 2" in cycling.remarks[0]
+    assert "cycle 1 is assumed to be like cycle 2" in cycling.remarks[0]
 
 
-def test_a_longer_set_is_no_softening_of_the_spring_as_well():
+def test_residual_strain_does_not_also_soften_the_spring():
     def loading(strain, number):
         return 4.8e6 * (strain - 0.02 * math.log(number)).clip(0)
 
     found = characterise([cyclic_test(loading, samples=400)], name="rubber", forms=family_forms("linear"))
     longer, stiffness = found.law.residual_strain_drift, found.law.stiffness_drift
     assert longer.rate == pytest.approx(0.02, rel=0.02)
-    # counted from no set, the peak stress falls by 1.8 %
+    # relative to no residual strain, the peak stress falls by 1.8 %
     assert abs(stiffness.change(5)[0] - 1) < 1e-3
 
 
@@ -89,7 +89,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
     assert cycling.verdict.startswith(
         f"folds up to cycle {first - 1}; at cycle {first}: at its goal when its stage ended, but not for long enough"
     )
-    assert "cycles beyond 4 are extrapolated: the tests saw cycles 1 to 4" in cycling.remarks
+    assert "cycles beyond 4 are extrapolated: the tests contain cycles 1 to 4" in cycling.remarks
     assert [run.measured for run in cycling.runs] == [n <= 4 for n in range(1, 13)]
     # a softer tendon yields to a smaller torque
     margins = [run.margins["fold"] for run in cycling.runs]
@@ -98,7 +98,7 @@ def test_the_cycle_at_which_a_softening_wing_stops_folding_is_found():
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_a_wing_that_goes_on_folding_still_folds_after_a_hundred_cycles():
+def test_a_robust_wing_still_folds_after_a_hundred_cycles():
     fading = replace(FADING, rate=-1e-3, interval=(-2e-3, 0.0))
     cycling = run_cycles(folding(replace(LAW, stiffness_drift=fading)), 100)
     assert cycling.verdict == "still folds after 100 cycles"
@@ -107,7 +107,7 @@ def test_a_wing_that_goes_on_folding_still_folds_after_a_hundred_cycles():
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_cycles_that_take_turns_in_folding_are_said_to_be_on_an_edge(monkeypatch):
+def test_alternating_success_over_cycles_is_reported(monkeypatch):
     def taking_turns(designs):
         for number, row in enumerate(evaluate(designs), start=1):
             yield row | {"folded": number in (1, 2, 4)}
@@ -117,17 +117,17 @@ def test_cycles_that_take_turns_in_folding_are_said_to_be_on_an_edge(monkeypatch
     assert [cycling.works(run) for run in cycling.runs] == [True, True, False, True, False, False]
     assert cycling.verdict.endswith("; some later cycles do")
     assert not any("at rest" in remark for remark in cycling.remarks)
-    (remark,) = [remark for remark in cycling.remarks if "edge" in remark]
-    assert remark.startswith("from cycle 3 to 5 it is on an edge")
+    (remark,) = [remark for remark in cycling.remarks if "alternates" in remark]
+    assert remark.startswith("between cycles 3 and 5 success alternates")
 
 
 @pytest.mark.usefixtures("without_statics")
-def test_cycles_of_tendons_with_branches_are_said_to_begin_at_rest():
+def test_rested_maxwell_branches_are_reported():
     law = replace(LAW, stiffness_drift=FADING, branches=(MaxwellBranch(modulus=1e6, time=50.0),))
     assert any("begins with tendons at rest" in remark for remark in run_cycles(folding(law), 1).remarks)
 
 
-def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():
+def test_a_wing_that_never_folds_is_reported():
     resting = {"protocol.stages": [SETTLE, FOLD | {"time_limit": 0.5}], "protocol.fold_torque": 0.0}
     design = with_values(folding(replace(LAW, stiffness_drift=FADING)), resting)
     cycling = run_cycles(design, 2)
@@ -135,14 +135,14 @@ def test_a_wing_that_never_folds_does_so_at_none_of_the_cycles():
     assert [run.margins["fold"] for run in cycling.runs] == [None, None]
 
 
-def test_a_wing_that_folds_and_never_opens_is_told_of_both():
+def test_a_wing_that_folds_but_never_opens_is_reported():
     unfold = {"name": "unfold", "drive": "unfold", "until": "opened", "hold": 0.0, "time_limit": 0.02}
     design = folding(replace(LAW, stiffness_drift=FADING))
     stages = {"protocol.stages": [SETTLE, FOLD, unfold], "protocol.unfold_torque": 1e-3}
     cycling = run_cycles(with_values(design, stages), 2)
     assert cycling.verdict == "opens at none of the 2 cycles; still folds after 2 cycles"
     assert cycling.first_failure is None
-    # so small a torque opens slowly neither
+    # such a small torque does not open the wing slowly either
     assert all(run.margins["unfold"] is None or run.margins["unfold"] < 1 for run in cycling.runs)
 
 
@@ -151,22 +151,25 @@ def test_a_wing_that_folds_and_never_opens_is_told_of_both():
     [
         (
             None,
-            "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first",
+            "the design has no tendon.law that says how cycles change its tendons: every cycle is like the first",
         ),
-        (LAW, "the law of rubber has no drift, so nothing tells how cycles change it: every cycle is the first"),
+        (
+            LAW,
+            "the law of rubber has no drift, so the effect of cycles on it is unknown: every cycle is like the first",
+        ),
         (
             replace(LAW, stiffness_drift=NO_DRIFT),
-            "the tests of rubber, cycles 2 to 5, show no drift: every cycle is the first",
+            "the tests of rubber, cycles 2 to 5, show no drift: every cycle is like the first",
         ),
     ],
 )
-def test_tendons_that_do_not_change_are_told_with_the_reason(law, sentence):
+def test_unchanging_tendons_are_reported_with_the_reason(law, sentence):
     assert why_unchanged(folding(law)) == sentence
     with pytest.raises(InputError, match=sentence):
         run_cycles(folding(law), 100)
 
 
-def test_a_law_that_softens_after_its_first_stretch_does_so_from_the_second_cycle_on():
+def test_softening_after_the_first_stretch_applies_from_the_second_cycle():
     soft = OgdenRoxburgh(r=2.0, m=1e5)
     design = folding(replace(LAW, softening=soft))
     assert why_unchanged(design) == ""
@@ -174,7 +177,7 @@ def test_a_law_that_softens_after_its_first_stretch_does_so_from_the_second_cycl
     assert first.hash == design.hash
     assert second.hash == third.hash
     law, peak = second.tendon.law, built_strains(structure_of(design)).max()
-    # Ogden and Roxburgh 1999; a cubic follows to 5 % of the largest stress
+    # Ogden and Roxburgh 1999; a cubic deviates by at most 5 % of the largest stress
     half, top = (
         law.linear_modulus * e + law.quadratic_modulus * e**2 + law.cubic_modulus * e**3 for e in (peak / 2, peak)
     )
@@ -190,13 +193,13 @@ def test_a_design_file_keeps_the_drift(tmp_path):
     assert design.tendon.law.material == law
     (tmp_path / "wing.toml").write_text(design_text(design), "utf-8")
     assert load_design(tmp_path / "wing.toml").hash == design.hash
-    # as it is at a cycle, it drifts no more
+    # the law at a cycle does not drift further
     later = design_at_cycle(design, 7).tendon.law
     assert (later.stiffness_drift, later.residual_strain_drift) == (None, None)
     assert later.residual_strain == pytest.approx(0.02 * (math.exp(-1 / 1.5) - math.exp(-6 / 1.5)))
 
 
-def test_counts_are_every_one_up_to_20_and_ten_a_decade_beyond():
+def test_cycles_are_all_up_to_20_and_ten_per_decade_beyond():
     assert cycle_counts(1) == (1,)
     assert cycle_counts(5) == (1, 2, 3, 4, 5)
     assert cycle_counts(21) == (*range(1, 21), 21)

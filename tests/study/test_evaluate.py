@@ -1,4 +1,4 @@
-"""Torques that are tried one after another until one opens leave the same rows as all of them at once."""
+"""Torques that are tried one after another until one opens give the same rows as all of them at once."""
 
 import json
 import math
@@ -79,12 +79,14 @@ KEYS = (
 @settings(max_examples=60)
 @given(st.dictionaries(st.sampled_from(KEYS), st.floats(-300, 300).map(lambda power: 10.0**power), max_size=2))
 @example({"pattern.distal_length": 378.25949135728735})  # blows up in its first step
-@example({"membrane.thickness": 1e228, "vein.density": 1e-76})  # its energies are beyond numbers
+@example({"membrane.thickness": 1e228, "vein.density": 1e-76})  # its energies overflow
 @example({"protocol.unfold_torque": 1e300})
 @example({"protocol.window": 1e308})
 @example({"membrane.youngs_modulus": 1e300, "vein.density": 1e-300})
-@example({"pattern.proximal_length": 1.0, "membrane.margin": 1e-17})  # a margin narrower than a place has digits
-def test_any_number_that_a_design_may_have_gives_one_row_of_plain_numbers(values):
+@example(
+    {"pattern.proximal_length": 1.0, "membrane.margin": 1e-17}
+)  # a margin narrower than the resolution of a coordinate
+def test_every_allowed_number_gives_one_row_of_plain_numbers(values):
     try:
         design = with_values(SHORT, values)
     except InputError:
@@ -95,7 +97,7 @@ def test_any_number_that_a_design_may_have_gives_one_row_of_plain_numbers(values
     assert json.loads(json.dumps(row, allow_nan=False)) == row
 
 
-def test_a_torque_beyond_numbers_is_a_row_and_touches_no_other():
+def test_an_enormous_torque_gives_a_row_and_does_not_affect_others():
     designs = [SHORT, with_values(SHORT, {"protocol.fold_torque": 1e308})]
     small = [with_values(design, {"vein.density": 1e-3}) for design in designs]
     rows = {row["key"]: row for row in evaluate(small)}
@@ -118,7 +120,7 @@ def test_the_first_wings_run_before_the_last_are_built(monkeypatch):
     assert len(built) == 5
 
 
-def test_wings_that_memory_does_not_hold_side_by_side_run_in_halves_and_one_that_it_cannot_hold_is_a_row(monkeypatch):
+def test_a_batch_beyond_memory_runs_in_halves_and_a_single_wing_beyond_memory_is_a_row(monkeypatch):
     heavy = with_values(SHORT, {"tendon.stiffness": 1003.0})
     designs = [*(with_values(SHORT, {"tendon.stiffness": 1000.0 + number}) for number in range(3)), heavy]
     whole = {row["key"]: row for row in evaluate(designs)}
@@ -145,7 +147,7 @@ def test_wings_that_memory_does_not_hold_side_by_side_run_in_halves_and_one_that
     )
 
 
-# 100 units in so many bytes more than the program itself takes
+# 100 units with this many bytes more than the program itself needs
 LIMITED = """
 import resource, sys
 import scipy.optimize, xarray
@@ -168,7 +170,7 @@ for left in sys.argv[1:]:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory that holds is Linux's")
-def test_a_wing_that_memory_does_not_hold_is_one_line():
+def test_a_wing_beyond_memory_is_one_line():
     left = {12_000_000: "MuJoCo cannot build it: ", 120_000_000: "no memory left to simulate: "}
     done = subprocess.run([sys.executable, "-c", LIMITED, *map(str, left)], capture_output=True, text=True, check=False)
     assert done.stderr == ""

@@ -90,7 +90,7 @@ def test_an_integer_factor_takes_whole_numbers():
     assert read_factor("pattern.units", [1, 3], FanDesign).values == (1, 3)
 
 
-def test_a_list_is_taken_as_it_is_written():
+def test_a_list_keeps_its_values():
     factor = read_factor("tendon.stiffness", ["10 N/cm", "1500 N/m"], FanDesign)
     assert factor.values == ("10 N/cm", "1500 N/m")
     assert factor.dimension == "tendon_stiffness"
@@ -130,7 +130,7 @@ def test_laws_are_a_factor_by_their_names():
         ("", r'unknown key, got \["1 s"\]; allowed here: '),
     ],
 )
-def test_what_cannot_be_a_factor_says_so_and_what_can(key, message):
+def test_an_invalid_factor_is_rejected_with_a_valid_example(key, message):
     with pytest.raises(InputError, match=f"^{key}: {message}"):
         read_factor(key, ["1 s"], FanDesign)
 
@@ -194,7 +194,7 @@ def drawn(name, method, count, seed=0):
 @pytest.mark.parametrize("method", ["random", "sobol"])
 def test_drawn_values_follow_their_distribution(name, method):
     values = drawn(name, method, 256)
-    # Kolmogorov and Smirnov: 1.95 / sqrt(n) is exceeded once in a thousand times; Sobol points are far closer
+    # Kolmogorov and Smirnov: 1.95 / sqrt(n) is exceeded once in a thousand cases; Sobol points are much closer
     limit = 1.95 / 16 if method == "random" else 2 / 256
     assert stats.kstest(values, DISTRIBUTIONS[name][1].cdf).statistic < limit
 
@@ -208,7 +208,7 @@ def test_quantiles_are_those_of_the_closed_forms(share, low, width):
     }
     assert quantile["uniform"] == pytest.approx(low + share * width, rel=1e-12)
     assert quantile["log-uniform"] == pytest.approx(low * (high / low) ** share, rel=1e-12)
-    # the share below a value of a normal distribution: (1 + erf(z / sqrt 2)) / 2, ill conditioned in its tails
+    # cumulative normal distribution: (1 + erf(z / sqrt 2)) / 2, ill conditioned in its tails
     below = 0.5 * math.erfc(-(quantile["normal"] - low) / width / math.sqrt(2))
     assert below == pytest.approx(share, rel=1e-8)
 
@@ -251,7 +251,7 @@ def test_every_column_of_sobol_points_has_one_in_each_of_as_many_equal_parts():
         ({"distribution": "normal", "mean": "1 cm", "deviation": "0 cm"}, ".deviation: need > 0"),
     ],
 )
-def test_a_distribution_that_is_none_is_refused_with_its_parameter(given, message):
+def test_an_invalid_distribution_is_rejected_with_its_parameter(given, message):
     with pytest.raises(InputError) as caught:
         read_factor("tendon.rest_length", given, FanDesign)
     assert str(caught.value).startswith(f"tendon.rest_length{message}")

@@ -24,7 +24,7 @@ RUN = "import sys\nfrom forficula.study import load_study, run_study\nrun_study(
 
 @contextmanager
 def files_of_at_most(size):
-    """Have this process write files of so many bytes only: to it, the disk is full."""
+    """Limit the size of files of this process, as if the disk were full."""
     import resource
 
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -42,7 +42,7 @@ def append(folder, rows, shard=(1, 1)):
 
 
 def rewrite(path, **changes):
-    """Have a journal say that another design or other versions wrote it."""
+    """Change the signature of a journal to another design or other versions."""
     first, *rows = path.read_text().splitlines()
     signature = json.loads(first)
     signature["written_by"] |= changes
@@ -72,7 +72,7 @@ def test_a_torn_row_is_run_again_and_the_table_is_the_same(tmp_path, study_file)
 
 
 @pytest.mark.parametrize("rubbish", [b"[]", b'"word"', b'{"key": []}', b"{}", b"\xff\xfe", b"null", b"\0" * 100])
-def test_lines_that_are_no_rows_are_passed_over(tmp_path, rubbish):
+def test_invalid_lines_are_skipped(tmp_path, rubbish):
     append(tmp_path, [{"key": "1-a", "status": "folded"}])
     with (tmp_path / "journal.jsonl").open("ab") as file:
         file.write(rubbish + b"\n")
@@ -88,7 +88,7 @@ def test_the_journals_of_shards_are_read_together(tmp_path):
     assert len(list(tmp_path.glob("journal*.jsonl"))) == 3
 
 
-def test_numbers_come_back_with_the_same_bits(tmp_path):
+def test_numbers_are_read_back_bitwise(tmp_path):
     row = {"key": "1-a", "status": "folded", "a": 0.1 + 0.2, "b": 5e-324, "c": 1.7976931348623157e308, "d": -0.0}
     append(tmp_path, [row])
     assert {name: repr(value) for name, value in read_rows(tmp_path, DESIGN)["1-a"].items()} == {
@@ -102,7 +102,7 @@ def test_rows_of_another_design_are_refused_with_what_differs(tmp_path, study_fi
     for start in (run_study, collect, estimate):
         with pytest.raises(InputError) as caught:
             start(study, tmp_path / "out")
-        assert f"design_hash {DESIGN.hash} there, {study.base.hash} now" in str(caught.value)
+        assert f"design_hash {DESIGN.hash} in the file, {study.base.hash} now" in str(caught.value)
         assert "mujoco" not in str(caught.value)
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["journal.jsonl"]
 
@@ -113,16 +113,16 @@ def test_a_shard_that_other_versions_computed_is_refused_with_what_differs(tmp_p
     for number in (1, 2):
         run_study(study, out, shard=(number, 2))
     collect(study, out)
-    # as if copied in from another machine
+    # as if copied from another machine
     rewrite(out / "journal-2-of-2.jsonl", **{name: "0.0.1"})
-    expected = rf"journal-2-of-2\.jsonl: .*versions: {name} 0\.0\.1 there, \S+ now; "
+    expected = rf"journal-2-of-2\.jsonl: .*versions: {name} 0\.0\.1 in the file, \S+ now; "
     for start in (run_study, collect):
         with pytest.raises(InputError, match=expected) as caught:
             start(study, out)
         assert "design_hash" not in str(caught.value)
 
 
-def test_what_the_design_was_called_does_not_matter(tmp_path):
+def test_name_of_the_design_does_not_matter(tmp_path):
     append(tmp_path, [{"key": "1-a", "status": "folded"}])
     rewrite(tmp_path / "journal.jsonl", design="another name")
     assert set(read_rows(tmp_path, DESIGN)) == {"1-a"}
@@ -131,12 +131,12 @@ def test_what_the_design_was_called_does_not_matter(tmp_path):
 @pytest.mark.parametrize("signature", ["", '{"written_by": 3}\n', '{"written_by": {"schema": 1, "des\n'])
 def test_rows_that_do_not_say_which_versions_wrote_them_are_refused(tmp_path, signature):
     (tmp_path / "journal.jsonl").write_text(signature + '{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"journal\.jsonl: holds rows that do not say which versions wrote them; take"):
+    with pytest.raises(InputError, match=r"journal\.jsonl: has rows without the versions that wrote them; choose"):
         read_rows(tmp_path, DESIGN)
 
 
 @pytest.mark.parametrize("cut", [1, 30])
-def test_a_journal_whose_first_line_a_crash_cut_short_is_gone_on_with(tmp_path, cut):
+def test_a_journal_with_a_truncated_first_line_is_continued(tmp_path, cut):
     append(tmp_path, [])
     path = tmp_path / "journal.jsonl"
     path.write_bytes(path.read_bytes()[:-cut])
@@ -145,7 +145,7 @@ def test_a_journal_whose_first_line_a_crash_cut_short_is_gone_on_with(tmp_path, 
     assert set(read_rows(tmp_path, DESIGN)) == {"1-a"}
 
 
-def test_a_journal_says_once_who_wrote_it(tmp_path):
+def test_a_journal_has_one_signature(tmp_path):
     for key in ("1-a", "1-b"):
         append(tmp_path, [{"key": key, "status": "folded"}])
     lines = [line for line in (tmp_path / "journal.jsonl").read_text().splitlines() if line]
@@ -169,7 +169,7 @@ def test_collecting_where_nothing_ran_writes_nothing(tmp_path, study_file):
 
 
 @pytest.mark.parametrize("out", ["file", "file/out", "x" * 300])
-def test_a_folder_that_cannot_be_is_one_clear_error(tmp_path, study_file, out):
+def test_an_impossible_folder_is_one_clear_error(tmp_path, study_file, out):
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as caught:
         run_study(load_study(study_file(TENDONS)), tmp_path / out)
@@ -204,7 +204,7 @@ def lines_of(path):
 
 
 def changed(line, change):
-    """A row with other contents, its checksum as it was: as a hand or another program leaves it."""
+    """A row with other contents and the old checksum, as if edited by hand or by another program."""
     return json.dumps(change(json.loads(line))).encode()
 
 
@@ -236,7 +236,7 @@ def whole_study(tmp_path_factory, write_study_file):
 
 
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
-def test_a_damaged_row_is_told_of_and_run_again(tmp_path, whole_study, capsys, damage):
+def test_a_damaged_row_is_reported_and_run_again(tmp_path, whole_study, capsys, damage):
     study, table, journal = whole_study
     signature, first, second = lines_of(journal)
     damaged = tmp_path / "journal.jsonl"
@@ -244,7 +244,7 @@ def test_a_damaged_row_is_told_of_and_run_again(tmp_path, whole_study, capsys, d
     again = []
     assert run_study(study, tmp_path, progress=lambda *each: again.append(each)).identical(table)
     assert len(again) == 1
-    said = f"warning: {damaged}: 1 damaged row is left out; runs that are missing are done again\n"
+    said = f"warning: {damaged}: 1 damaged row is skipped; missing runs are repeated\n"
     assert capsys.readouterr().err == said
     assert json.loads(lines_of(damaged)[-1]) == json.loads(first)
 
@@ -260,7 +260,7 @@ def test_no_flipped_bit_of_a_row_is_read_as_data(tmp_path, whole_study, capsys):
         (tmp_path / "journal.jsonl").write_bytes(damaged)
         kept = read_rows(tmp_path, study.base)
         assert all(rows[key] == row for key, row in kept.items())
-        assert len(kept) == 2 or "left out" in capsys.readouterr().err
+        assert len(kept) == 2 or "skipped" in capsys.readouterr().err
 
 
 def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_path):
@@ -268,18 +268,20 @@ def test_rows_that_an_earlier_version_wrote_without_checksums_are_refused(tmp_pa
     rewrite(tmp_path / "journal.jsonl", schema=1)
     with (tmp_path / "journal.jsonl").open("a") as file:
         file.write('{"key": "1-a", "status": "folded"}\n')
-    with pytest.raises(InputError, match=r"other versions: schema 1 there, 5 now; take another folder for --out"):
+    with pytest.raises(
+        InputError, match=r"other versions: schema 1 in the file, 5 now; choose another folder with --out"
+    ):
         read_rows(tmp_path, DESIGN)
 
 
-def test_a_study_that_another_process_runs_there_is_refused_and_a_shard_of_it_is_not(tmp_path):
+def test_a_study_that_another_process_runs_is_rejected_but_its_shard_is_not(tmp_path):
     for shard, what in (((1, 1), "this study"), ((2, 3), "shard 2/3 of this study")):
         with open_journal(tmp_path, DESIGN, shard) as journal:
             with pytest.raises(InputError) as caught:
                 append(tmp_path, [], shard)
             append(tmp_path, [{"key": "2-b", "status": "folded"}], (1, 3))
             journal.append({"key": "2-a", "status": "folded"})
-        said = f"another process is running {what} there; wait for it, or take another folder"
+        said = f"another process is running {what} in this folder; wait for it, or choose another folder"
         assert str(caught.value).partition(": ")[2] == said
         append(tmp_path, [], shard)
     assert set(read_rows(tmp_path, DESIGN)) == {"2-a", "2-b"}
@@ -287,7 +289,7 @@ def test_a_study_that_another_process_runs_there_is_refused_and_a_shard_of_it_is
 
 
 @pytest.mark.skipif(os.name != "posix", reason="processes cannot be stopped here")
-def test_of_the_same_study_started_twice_one_goes_on_and_one_is_refused_at_once(tmp_path, study_file, capsys):
+def test_the_second_start_of_a_running_study_is_rejected_at_once(tmp_path, study_file, capsys):
     path, out = study_file('"tendon.stiffness" = "10..30 N/cm step 5"'), tmp_path / "out"
     with subprocess.Popen([sys.executable, "-c", RUN, str(path), str(out)]) as first:
         while not (out / "journal.jsonl").exists():
@@ -297,7 +299,7 @@ def test_of_the_same_study_started_twice_one_goes_on_and_one_is_refused_at_once(
         with pytest.raises(SystemExit) as ended:
             main(["study", str(path), "--keep", "0", "--out", str(out)])
         first.send_signal(signal.SIGCONT)
-        said = "another process is running this study there; wait for it, or take another folder"
+        said = "another process is running this study in this folder; wait for it, or choose another folder"
         assert capsys.readouterr().err == f"forficula: {out / 'journal.jsonl'}: {said}\n"
         assert ended.value.code == 1
     assert first.returncode == 0
@@ -320,7 +322,7 @@ def test_a_planted_link_in_the_place_of_a_journal_is_not_followed(tmp_path, stud
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names here")
-def test_a_pipe_in_the_place_of_a_journal_is_one_error_and_nobody_waits_for_it(tmp_path):
+def test_a_pipe_in_the_place_of_a_journal_is_an_immediate_error(tmp_path):
     os.mkfifo(tmp_path / "journal.jsonl")
     with pytest.raises(InputError, match=r"journal\.jsonl: cannot be read: need a file"):
         read_rows(tmp_path, DESIGN)

@@ -1,4 +1,4 @@
-"""Runs kept of a study: their outcomes are the table's, to the bit, and killing does not harm them."""
+"""Kept runs of a study have the outcomes of the table, bitwise, and survive interruptions."""
 
 import json
 import shutil
@@ -18,13 +18,13 @@ from tests.forks import forks
 
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "6 cm"]'
 SEARCH = '[search]\nfold_with = "50 N cm"\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 20"'
-# the last is no wing
+# the last value gives no valid wing
 PLAIN = '"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"pattern.units" = [1, 30]'
 
 
 @pytest.fixture(scope="module")
 def searched(tmp_path_factory, write_study_file):
-    """A search of which all runs are kept: the study, its table, its folder, what was kept, by name."""
+    """A search whose runs are all kept: the study, its table, its folder, kept runs by name."""
     folder = tmp_path_factory.mktemp("searched")
     path = write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH)
     study = load_study(path)
@@ -34,7 +34,7 @@ def searched(tmp_path_factory, write_study_file):
 
 @pytest.fixture(scope="module")
 def plain_once(tmp_path_factory, write_study_file):
-    """A study of plain runs, its file, its table and its folder, of which no run is kept."""
+    """A study of plain runs, its file, its table and its folder, without kept runs."""
     path = write_study_file(tmp_path_factory.mktemp("plain") / "small.toml", PLAIN)
     study = load_study(path)
     return study, path, run_study(study, path.parent / "out"), path.parent / "out"
@@ -54,7 +54,7 @@ def value(table, name, point):
 
 
 def again(study, table, folder):
-    """What is kept, by name, and how many runs that took."""
+    """Kept runs by name, and the number of runs that they needed."""
     seen = []
     runs = kept_runs(runs_to_keep(study, table), folder, progress=lambda done, needed, _: seen.append((done, needed)))
     return {each.folder: each for each in runs}, seen
@@ -68,7 +68,7 @@ def names(folder):
     return sorted(place.name for place in (folder / "runs").iterdir())
 
 
-def test_the_folding_that_is_kept_has_the_bits_of_the_table(searched):
+def test_kept_folding_equals_the_table_bitwise(searched):
     _, table, _, kept = searched
     folds = np.flatnonzero(np.isfinite(table["least_fold_torque"].values.ravel()))
     assert 0 < len(folds) < 4
@@ -81,7 +81,7 @@ def test_the_folding_that_is_kept_has_the_bits_of_the_table(searched):
         assert energy(outcome.states["folded"]) == value(table, "folded_energy", point)
 
 
-def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
+def test_kept_opening_equals_the_table_bitwise(searched):
     study, table, _, kept = searched
     opens = np.flatnonzero(np.isfinite(table["least_unfold_torque"].values.ravel()))
     assert len(opens) > 0
@@ -95,19 +95,19 @@ def test_the_opening_that_is_kept_has_the_bits_of_the_table(searched):
         assert energy(outcome.states["opened"]) == value(table, "opened_energy", point)
 
 
-def test_a_kept_run_says_which_transition_it_was_made_for(searched):
+def test_a_kept_run_has_its_transition(searched):
     _, _, _, kept = searched
     assert {(run.part, run.transition) for run in kept.values()} == {("folding", 0), ("opening", 1)}
 
 
-def test_where_no_torque_works_the_largest_that_was_tried_is_kept_and_shows_why(searched):
+def test_largest_torque_is_kept_if_none_works(searched):
     study, table, _, kept = searched
     fails = np.flatnonzero(np.isnan(table["least_fold_torque"].values.ravel()))
     assert len(fails) > 0
     for point in fails:
         run = kept[f"runs/{point + 1}-folding"]
         assert run.outcome.transitions["fold"].strength == study.search.first.values[-1]
-        # the row names the torque, too
+        # the row contains the torque, too
         assert table["status"].values.ravel()[point].startswith(f"{run.outcome.status} (fold with ")
         assert f"runs/{point + 1}-opening" not in kept
     folds = np.isfinite(table["least_fold_torque"].values.ravel())
@@ -127,7 +127,7 @@ def test_a_kept_run_is_the_folder_of_a_run(searched):
         assert ff.load_design(folder / name / "design.toml").hash == record.design.hash
 
 
-def test_what_is_there_is_read_and_not_run_again(searched):
+def test_existing_runs_are_read_and_not_repeated(searched):
     study, table, folder, kept = searched
     read, seen = again(study, table, folder)
     assert seen == []
@@ -136,7 +136,7 @@ def test_what_is_there_is_read_and_not_run_again(searched):
         assert repr(each.outcome) == repr(kept[name].outcome)
 
 
-def test_a_plain_study_keeps_the_run_of_each_point_that_is_a_wing(plain):
+def test_a_plain_study_keeps_the_run_of_each_valid_point(plain):
     study, table, folder = plain
     kept, seen = again(study, table, folder)
     assert names(folder) == ["1", "3"]
@@ -147,7 +147,7 @@ def test_a_plain_study_keeps_the_run_of_each_point_that_is_a_wing(plain):
     assert seen == [(1, 2), (2, 2)]
 
 
-def test_of_many_points_those_that_folded_are_kept_spread_evenly(searched):
+def test_folded_points_are_kept_evenly_spread_if_there_are_many(searched):
     study, table, _, _ = searched
     folded = np.flatnonzero(np.isfinite(table["least_fold_torque"].values.ravel())).tolist()
     assert len(folded) == 3
@@ -157,7 +157,7 @@ def test_of_many_points_those_that_folded_are_kept_spread_evenly(searched):
     assert runs_to_keep(study, table, 0) == []
 
 
-def test_runs_that_are_not_wanted_any_more_are_removed_and_what_is_not_ours_stays(plain):
+def test_obsolete_runs_are_removed_and_other_files_stay(plain):
     study, table, folder = plain
     list(kept_runs(runs_to_keep(study, table), folder))
     (folder / "runs" / "3" / "film.mp4").write_bytes(b"mine")
@@ -186,7 +186,7 @@ def test_a_run_of_other_versions_or_of_another_design_or_torn_is_run_again(plain
 
 
 @pytest.mark.parametrize("most", [-1, 1.5, True, "all"])
-def test_a_number_of_points_that_is_none_is_refused(plain, most):
+def test_an_invalid_number_of_points_is_rejected(plain, most):
     study, table, _ = plain
     with pytest.raises(InputError, match=r"need a whole number of points >= 0, got"):
         runs_to_keep(study, table, most)
@@ -208,7 +208,7 @@ study, table = load_study(sys.argv[1]), xarray.load_dataset(sys.argv[2], engine=
 KEEP = "list(kept_runs(runs_to_keep(study, table), sys.argv[3]))"
 
 
-def test_killed_at_any_time_the_same_call_goes_on(plain, tmp_path):
+def test_an_interrupted_call_continues(plain, tmp_path):
     study, table, folder = plain
     whole = {each.folder: each for each in kept_runs(runs_to_keep(study, table), tmp_path / "whole")}
     table.to_netcdf(tmp_path / "table.nc", engine="h5netcdf")
@@ -220,11 +220,11 @@ def test_killed_at_any_time_the_same_call_goes_on(plain, tmp_path):
         name: repr(each.outcome) for name, each in whole.items()
     }
     assert names(folder) == ["1", "3"]
-    # nothing hidden is left, neither there nor in the folders of the runs
+    # no hidden files are left, neither in this folder nor in the folders of the runs
     assert list(folder.rglob(".*")) == []
 
 
-def test_what_a_killed_process_left_of_runs_that_are_not_wanted_any_more_is_removed(plain):
+def test_leftovers_of_a_killed_process_are_removed(plain):
     study, table, folder = plain
     script = (
         "import os, signal, sys\nfrom pathlib import Path\nfrom forficula.files import replacing_all\n"
@@ -251,11 +251,11 @@ def test_a_run_of_the_user_in_that_folder_stays(plain):
     assert len(list((folder / "runs" / "favourite").iterdir())) == 3
 
 
-def test_two_processes_that_keep_runs_in_one_folder_take_turns(plain):
+def test_two_processes_that_keep_runs_in_one_folder_wait_for_each_other(plain):
     study, table, folder = plain
     first = kept_runs(runs_to_keep(study, table), folder)
     next(first)
-    # it wants none of those runs
+    # this call needs none of the existing runs
     script = (
         "import sys\n"
         "from forficula.study.running.kept_runs import kept_runs\n"
@@ -265,7 +265,7 @@ def test_two_processes_that_keep_runs_in_one_folder_take_turns(plain):
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as second, closing(first):
         assert second.stderr.readline() == f"waiting for another process that writes to {folder}\n"
         assert len(names(folder)) >= 1
-        # as long as the first one is at work: the second one removes them right after that
+        # while the first process works; the second one removes them right after it
         assert [names(folder) for _ in first] == [["1", "3"]]
         assert second.communicate()[1] == ""
     assert second.returncode == 0

@@ -1,4 +1,4 @@
-"""The least value of any key that reaches a state is what single runs say."""
+"""The least value of any key that reaches a state agrees with single runs."""
 
 import csv
 import io
@@ -15,7 +15,7 @@ from forficula.study import load_study, run_study, table_csv
 from forficula.study.running.kept_runs import kept_runs, runs_to_keep
 
 LENGTHS = '"tendon.rest_length" = ["5 cm", "9 cm"]'
-# lengths and a membrane whose wings open, or fail to, at half the timestep, too; of others single runs are undecided
+# lengths and a membrane whose wings open, or fail to, at half the timestep, too; other single runs are undecided
 DECIDED = '"tendon.rest_length" = ["6 cm", "9 cm"]\n"membrane.youngs_modulus" = ["0.2 MPa"]'
 STIFFNESS = '[search]\nkey = "tendon.stiffness"\nvalues = "2..20 N/cm step 6"'
 
@@ -30,7 +30,7 @@ def single(study, point, key, value):
 
 
 def first_that_works(study, point, key, values, state):
-    """The least value whose run reaches a state, and its outcome; nan and None where one says nothing before."""
+    """The least value whose run reaches a state, and its outcome; nan and None after an inconclusive run."""
     for value in values:
         outcome = single(study, point, key, value)
         if not outcome.verdict.tells:
@@ -72,7 +72,7 @@ def test_the_least_value_is_the_first_whose_run_alone_reaches_the_state(
         assert row["status"].item() == outcome.status
 
 
-def test_something_is_found_and_it_depends_on_the_point(study_file, tmp_path):
+def test_least_values_exist_and_depend_on_the_point(study_file, tmp_path):
     study, table = searched(study_file, tmp_path, STIFFNESS)
     assert table["least_stiffness"].values.tolist() == [200.0, 800.0]
     assert table["least_stiffness"].attrs == {"units": "N/m", "long_name": "least tendon.stiffness that folds"}
@@ -83,7 +83,7 @@ def test_something_is_found_and_it_depends_on_the_point(study_file, tmp_path):
     assert [float(row["least_stiffness_N_per_m"]) for row in rows] == [200.0, 800.0]
 
 
-def test_halving_the_step_below_narrows_it_down(study_file, tmp_path):
+def test_halving_the_step_refines_the_least_value(study_file, tmp_path):
     search = f"{STIFFNESS}\nrefinements = 4"
     study, table = searched(study_file, tmp_path, search, '"tendon.rest_length" = ["8.5 cm"]')
     (least,) = table["least_stiffness"].values
@@ -93,7 +93,7 @@ def test_halving_the_step_below_narrows_it_down(study_file, tmp_path):
     assert not single(study, 0, "tendon.stiffness", least - step).holds["folded"]
 
 
-def test_the_least_torque_is_a_case_of_it(study_file, tmp_path):
+def test_least_torque_is_a_special_case_of_least_value(study_file, tmp_path):
     torque = '[search]\nkey = "protocol.fold_torque"\nvalues = "0..40 N cm step 20"'
     _, value = searched(study_file, tmp_path / "value", torque)
     study = load_study(
@@ -106,8 +106,8 @@ def test_the_least_torque_is_a_case_of_it(study_file, tmp_path):
         assert np.array_equal(value[name].values, table[name].values, equal_nan=True)
 
 
-def test_another_value_takes_what_follows_from_it_with_it(study_file, tmp_path):
-    # a stiffness that is given takes the place of the law
+def test_dependent_values_follow_a_changed_value(study_file, tmp_path):
+    # a given stiffness replaces the law
     law = '[settings.tendon]\nlaw = "tpu-82a"\narea = "12.5 mm^2"'
     path = study_file(LENGTHS, 'ask = "least-value"', STIFFNESS)
     path.write_text(path.read_text("utf-8") + f"\n{law}\n", "utf-8")
@@ -117,7 +117,7 @@ def test_another_value_takes_what_follows_from_it_with_it(study_file, tmp_path):
     assert table["least_stiffness"].values.tolist() == [200.0, 800.0]
 
 
-def test_a_point_that_cannot_take_all_values_is_no_wing_and_a_row_says_so(study_file, tmp_path):
+def test_a_point_that_does_not_allow_all_values_has_a_row_that_says_so(study_file, tmp_path):
     search = '[search]\nkey = "tendon.distal_attachment"\nvalues = ["5 cm", "9 cm"]'
     _, table = searched(study_file, tmp_path, search, '"pattern.distal_length" = ["8 cm", "10 cm"]')
     assert table["verdict"].values[0] == Verdict.NOT_BUILT
@@ -178,7 +178,7 @@ def test_the_run_that_a_row_comes_from_is_kept(study_file, tmp_path):
         ),
     ],
 )
-def test_a_search_that_cannot_be_is_refused_in_one_line(study_file, search, message):
+def test_an_invalid_search_is_rejected_in_one_line(study_file, search, message):
     with pytest.raises(InputError) as caught:
         load_study(study_file(LENGTHS, 'ask = "least-value"', f"[search]\n{search}"))
     assert f"small.toml: {message}" in str(caught.value)

@@ -1,4 +1,4 @@
-"""What the parts make of a design, and which of their changes keeps it from folding."""
+"""Comparison of a design with its made parts, and the changes that prevent folding."""
 
 import json
 
@@ -15,7 +15,7 @@ from forficula.study.made_comparison import made_comparison
 
 @pytest.fixture(scope="module")
 def compared():
-    # folds as designed; with pegs on the bars, 3 mm off the hinges, its barrier is ten times as high
+    # folds as designed; with pegs on the bars, 3 mm away from the hinges, its barrier is ten times as high
     values = {"tendon.rest_length": "5 cm", "make.anchors": "on the bars"}
     return made_comparison(make_parts(load_design("binder2025").with_values(values), "joint"), simulate=True)
 
@@ -27,18 +27,18 @@ def test_offsets_make_the_barrier_higher(compared):
     assert pair.made.holding_torque > 2 * pair.designed.holding_torque
 
 
-def test_what_no_longer_folds_is_blamed_on_the_offsets(compared):
+def test_offsets_are_reported_as_the_cause_of_a_lost_state(compared):
     assert compared.as_designed.holds("folded")
     assert compared.as_made.holds("folded") is False
     (blame, *_) = compared.blame
     assert (blame.state, blame.alone, blame.mends) == ("folded", ("offsets",), ("offsets",))
     assert blame.text == (
-        'as made it does not come to "folded", as designed it does: the offsets as made would do for that alone, and'
-        " with the offsets put back as designed it does."
+        'the design reaches "folded" as designed, but not as made: the offsets as made would alone prevent this, and it'
+        " is reached again with the offsets as designed."
     )
 
 
-def test_every_change_is_tried_alone_and_put_back(compared):
+def test_every_change_is_tried_alone_and_undone(compared):
     groups = compared.groups
     assert set(groups) == {"offsets", "stiffness", "masses"}
     tried = {trial.groups for trial in compared.trials}
@@ -47,7 +47,7 @@ def test_every_change_is_tried_alone_and_put_back(compared):
     )}  # fmt: skip
 
 
-def test_the_comparison_is_told_drawn_and_written_down(compared):
+def test_comparison_is_printed_drawn_and_saved(compared):
     told = "\n".join(made_lines(compared))
     assert "tendon.proximal_offset: 0 cm as designed, 0.3 cm as made" in told
     assert compared.blame[0].text in told
@@ -61,7 +61,7 @@ def test_the_comparison_is_told_drawn_and_written_down(compared):
         draw_made(compared, hinge="fold9")
 
 
-def test_nothing_is_run_where_nobody_asks_for_it():
+def test_nothing_is_run_without_simulation():
     compared = made_comparison(make_parts("binder2025-joint"))
     assert (compared.trials, compared.blame) == ((), ())
     assert compared.as_made is None

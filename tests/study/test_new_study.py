@@ -1,4 +1,4 @@
-"""A study file to start from runs as it is, and what it has behind # is right, too."""
+"""A new study file can be run unchanged, and its commented lines are valid."""
 
 import re
 import tomllib
@@ -28,7 +28,7 @@ def test_a_new_study_of_every_kind_is_read_and_varies_one_value(tmp_path, kind):
         ["[search]", "fold_torques", "fold_with", "unfold_torques", "refinements"],
     ],
 )
-def test_what_a_new_study_has_behind_a_hash_can_be_taken(tmp_path, taken):
+def test_commented_lines_of_a_new_study_are_valid(tmp_path, taken):
     write_new_file(path := tmp_path / "new.toml", STUDY)
     text = path.read_text("utf-8")
     for start in taken:
@@ -50,7 +50,7 @@ def test_a_new_study_is_not_written_over_a_file(tmp_path):
 
 
 @pytest.mark.parametrize("name", named_studies())
-def test_every_key_of_a_named_study_is_told(name):
+def test_every_key_of_a_study_is_listed(name):
     from importlib import resources
 
     tables = tomllib.loads((resources.files("forficula.study") / "references" / f"{name}.toml").read_text("utf-8"))
@@ -62,7 +62,7 @@ def test_every_key_of_a_named_study_is_told(name):
             assert re.sub(r"\.[a-z]+_(torques|with)$", r".DRIVE_\1", told) in known
 
 
-def test_a_table_of_a_study_that_there_is_not_is_refused():
+def test_an_unknown_table_of_a_study_is_rejected():
     assert [fact.key for fact in key_facts("sampling", StudyFile)] == [
         "sampling.method",
         "sampling.count",

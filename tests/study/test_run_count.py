@@ -9,7 +9,7 @@ def numbers(count):
     return count.done, count.needed
 
 
-def test_torques_above_the_least_that_opens_are_done_without_being_run():
+def test_torques_above_the_least_opening_torque_count_as_completed():
     count = RunCount(done=3, last_state="opened")
     count.plan([["a10", "a20", "a30", "a40"], ["b10", "b20"]])
     assert numbers(count) == (3, 9)
@@ -17,12 +17,12 @@ def test_torques_above_the_least_that_opens_are_done_without_being_run():
     count.count(row("a20", opened=True))
     assert numbers(count) == (7, 9)
     count.count(row("b10"))
-    # run all the same, where another machine had it
+    # counted as if another machine had run it
     count.count(row("a40"))
     assert numbers(count) == (8, 9)
 
 
-def test_what_results_ask_for_is_added_to_what_was_known():
+def test_runs_that_results_require_are_added():
     count = RunCount(done=0)
     count.plan([["a10", "a20"], ["b10"]])
     count.count(row("a10"))
@@ -30,7 +30,7 @@ def test_what_results_ask_for_is_added_to_what_was_known():
     assert numbers(count) == (1, 4)
 
 
-def test_what_is_not_asked_for_any_more_is_done_and_what_is_needed_does_not_shrink():
+def test_runs_no_longer_needed_count_as_completed():
     count = RunCount(done=0)
     count.plan([["a10", "a20", "a30"]])
     count.plan([["a10"]])
@@ -44,11 +44,11 @@ def test_a_run_that_two_points_share_counts_once():
     assert numbers(count) == (2, 2)
 
 
-def test_points_that_come_later_are_needed_from_the_start_and_done_with_their_runs():
+def test_later_points_count_as_needed_from_the_start():
     count = RunCount(done=0, later=5)
     assert numbers(count) == (0, 5)
     count.reach(3, done=1)
-    # of three points one is done, one is no wing, and one has a run
+    # of three points one is completed, one is no valid wing, and one has a run
     count.plan([["a"]])
     assert numbers(count) == (2, 5)
     count.count(row("a"))

@@ -24,12 +24,12 @@ from tests.show.study.test_maps import legend
 
 TENDONS = '"tendon.stiffness" = "10..30 N/cm step 10"\n"tendon.rest_length" = ["5 cm", "9 cm"]'
 LEAST_TORQUES = 'ask = "least-torques"'
-# every factor compiles another model, and the last two points are no wings
+# every factor needs another model, and the last two points are no valid wings
 MIXED = '"pattern.units" = [1, 2, 30]\n"pattern.hub_radius" = ["1.5 cm", "1.8 cm"]'
 
 
 def keys(folder):
-    """The keys of the rows in all journals, in their order, and how many lines are torn."""
+    """The keys of the rows in all journals, in their order, and the number of truncated lines."""
     found, torn = [], 0
     for path in sorted(folder.glob("journal*.jsonl")):
         for line in path.read_bytes().split(b"\n"):
@@ -46,7 +46,7 @@ def by_key(rows):
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory):
-    """Run a study without disturbance, once; its table and its folder, by the text of the study."""
+    """Run a study without interruption, once; its table and its folder, by the text of the study."""
     done = {}
 
     def run(path):
@@ -61,7 +61,7 @@ def undisturbed(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def whole(undisturbed):
-    """The table of a study that nothing disturbs."""
+    """The table of an uninterrupted study."""
     return lambda path: undisturbed(path)[0]
 
 
@@ -85,14 +85,14 @@ def test_rows_have_the_same_bits_in_any_order(study_file):
 
 @pytest.mark.parametrize("batch", [1, 5])
 def test_a_search_gives_the_same_bits_whatever_shares_a_batch(tmp_path, study_file, whole, batch):
-    # coarse steps do not bear the 500 N cm that others are folded with
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"\nrefinements = 1'
     path = study_file('"tendon.stiffness" = ["10 N/cm", "20 N/cm"]', head=LEAST_TORQUES, tail=search)
     assert run_study(load_study(path), tmp_path / "out", batch=batch).identical(whole(path))
 
 
-def test_a_study_that_is_whole_runs_nothing_again(tmp_path, study_file):
+def test_a_complete_study_runs_nothing_again(tmp_path, study_file):
     study, rows = load_study(study_file(TENDONS)), []
     table = run_study(study, tmp_path)
     assert run_study(study, tmp_path, progress=lambda *each: rows.append(each)).identical(table)
@@ -111,8 +111,8 @@ def test_progress_counts_the_runs_up_to_all_of_them(tmp_path, study_file):
 
 
 @pytest.mark.parametrize("batch", [5, 1024])
-def test_what_a_search_needs_never_shrinks_and_is_done_in_the_end(tmp_path, study_file, batch):
-    # coarse steps do not bear the 500 N cm that others are folded with
+def test_number_of_needed_runs_never_shrinks_and_is_reached(tmp_path, study_file, batch):
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = "20..100 N cm step 10"\nrefinements = 1'
     study, seen = load_study(study_file(TENDONS, LEAST_TORQUES, search)), []
@@ -121,7 +121,7 @@ def test_what_a_search_needs_never_shrinks_and_is_done_in_the_end(tmp_path, stud
     assert list(needed) == sorted(needed)
     assert list(done) == sorted(done)
     assert done[-1] == needed[-1]
-    # some wings open before the largest torque: what they do without is done without being run
+    # some wings open before the largest torque: runs no longer needed count as completed
     assert any(row["opened"] for row in rows)
     assert len(rows) < done[-1]
 
@@ -137,13 +137,13 @@ def test_the_first_points_run_before_the_last_designs_are_built(tmp_path, study_
     assert table.identical(run_study(study, tmp_path))
 
 
-def test_designs_that_do_not_run_here_are_counted_while_they_are_built(tmp_path, study_file):
+def test_building_of_other_designs_is_reported(tmp_path, study_file):
     study, seen = load_study(study_file(TENDONS)), []
     run_study(study, tmp_path, shard=(1, 2), building=lambda *each: seen.append(each))
     assert seen == [(2, 6), (4, 6), (6, 6)]
 
 
-def test_progress_of_a_study_that_goes_on_starts_where_it_stood(tmp_path, study_file):
+def test_progress_of_a_continued_study_starts_where_it_stopped(tmp_path, study_file):
     study, seen = load_study(study_file(TENDONS)), []
     run_study(study, tmp_path, shard=(1, 2))
     run_study(study, tmp_path, progress=lambda *each: seen.append(each))
@@ -181,17 +181,17 @@ def test_finer_torques_reuse_the_runs_of_the_coarse_ones(tmp_path, study_file):
     after = keys(tmp_path)[0]
     assert len(after) == len(set(after))
     assert before < set(after)
-    # 10 and 30 N cm, and the release at what is now the least, if it is another
+    # 10 and 30 N cm, and the release at the new least torque, if it changed
     assert len(after) - len(before) in (2, 3)
 
 
-def test_points_that_are_no_wing_are_rows_with_a_status_in_a_table_that_is_whole(tmp_path, study_file):
+def test_points_without_a_valid_wing_have_a_status_in_a_complete_table(tmp_path, study_file):
     study = load_study(study_file(MIXED))
     table = run_study(study, tmp_path / "out")
     status = table["status"].transpose("pattern_units", "pattern_hub_radius").values
     assert [text.startswith("cannot be built: binder2025: pattern.units: ") for text in status[2]] == [True, True]
     assert not any("cannot" in text for text in status[:2].ravel())
-    # at so coarse a step some of the others are not to be trusted
+    # at such a coarse step some of the others are unreliable
     silent = ~np.isin(table["verdict"].values, ["reached", "moving", "stuck", "not held"])
     assert (table["verdict"].values == "not built").sum() == 2
     assert (table["flat_energy"].isnull().values == silent).all()
@@ -215,7 +215,7 @@ def test_a_wing_that_blows_up_is_a_row_with_a_status_and_touches_no_other(tmp_pa
     xr.testing.assert_identical(table.isel(protocol_timestep=[1]), alone.assign_attrs(table.attrs))
 
 
-def test_a_search_at_points_that_are_no_wing_is_whole_too(tmp_path, study_file):
+def test_a_search_with_points_without_a_valid_wing_is_complete(tmp_path, study_file):
     search = '[search]\nfold_torques = ["50 N cm"]\nunfold_torques = ["100 N cm"]'
     study = load_study(study_file('"pattern.units" = [1, 30]', head=LEAST_TORQUES, tail=search))
     table = run_study(study, tmp_path)
@@ -245,7 +245,7 @@ def test_shards_joined_are_the_undivided_study(tmp_path, study_file, whole, coun
 
 
 def test_shards_of_a_search_joined_are_the_undivided_study(tmp_path, study_file, whole):
-    # coarse steps do not bear the 500 N cm that others are folded with
+    # coarse steps are unreliable with the 500 N cm of other tests
     search = '[search]\nfold_with = "50 N cm"\n'
     search += 'fold_torques = "0..50 N cm step 25"\nunfold_torques = ["100 N cm"]\nrefinements = 2'
     path = study_file(TENDONS, LEAST_TORQUES, search)
@@ -256,7 +256,7 @@ def test_shards_of_a_search_joined_are_the_undivided_study(tmp_path, study_file,
 
 
 @pytest.mark.parametrize("shard", [(0, 2), (3, 2), (1, 0)])
-def test_a_shard_that_is_none_is_refused(tmp_path, study_file, shard):
+def test_an_invalid_shard_of_a_study_is_rejected(tmp_path, study_file, shard):
     with pytest.raises(InputError, match="shard: need a number from 1 to the count"):
         run_study(load_study(study_file(TENDONS)), tmp_path / "out", shard=shard)
 
@@ -265,7 +265,7 @@ def test_a_shard_that_is_none_is_refused(tmp_path, study_file, shard):
     ("name", "value", "least"),
     [("batch", 0, 1), ("batch", -3, 1), ("batch", 2.5, 1), ("threads", -1, 0), ("threads", True, 0)],
 )
-def test_a_number_of_runs_or_threads_that_is_none_is_refused_before_anything_is_written(
+def test_an_invalid_number_of_runs_or_threads_is_rejected_before_anything_is_written(
     tmp_path, study_file, name, value, least
 ):
     shown = str(value).lower()
@@ -274,13 +274,13 @@ def test_a_number_of_runs_or_threads_that_is_none_is_refused_before_anything_is_
     assert not (tmp_path / "out").exists()
 
 
-def test_the_table_does_not_depend_on_where_the_study_stands(tmp_path, study_file):
+def test_table_does_not_depend_on_the_location_of_the_study(tmp_path, study_file):
     study = load_study(study_file(TENDONS))
     once, twice = (run_study(replace(study, name="x"), tmp_path / name) for name in ("a", "b"))
     assert once.identical(twice)
 
 
-# enough runs, and long enough, that a kill finds some done and some not
+# enough runs of sufficient length, so that a kill finds some completed and some not
 MANY = """
 "tendon.stiffness" = "10..40 N/cm step 10"
 "tendon.rest_length" = ["5 cm", "9 cm"]
@@ -295,13 +295,13 @@ refinements = 1
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 @pytest.mark.usefixtures("no_figures")
-def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_path, study_file, undisturbed):
+def test_a_study_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp_path, study_file, undisturbed):
     path, moments = study_file(MANY, LEAST_TORQUES, FEW_TORQUES), random.Random(2025)
     table, folder = undisturbed(path)
     size = (folder / "journal.jsonl").stat().st_size
     out, killed, done = tmp_path / "killed", 0, 0
     journal, imports = out / "journal.jsonl", "from forficula.study import load_study, run_study"
-    # without what the command line does before and after, which takes longer than these runs do
+    # without the start and end of the command line, which take longer than these runs
     with forks(imports, "run_study(load_study(sys.argv[1]), sys.argv[2])", path, out) as kill_once:
         for share in sorted(moments.random() for _ in range(2)):
             least = max(share * size, done + 1)
@@ -323,12 +323,12 @@ def test_a_study_killed_at_any_moment_goes_on_and_ends_with_the_same_bytes(tmp_p
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 @pytest.mark.skipif(signal.getsignal(signal.SIGINT) == signal.SIG_IGN, reason="a job in the background ignores it")
-def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_goes_on(tmp_path, study_file, whole):
+def test_ctrl_c_stops_a_study_with_one_line_and_the_same_command_continues(tmp_path, study_file, whole):
     path = study_file(MANY, LEAST_TORQUES, FEW_TORQUES)
     journal = tmp_path / "out" / "journal.jsonl"
     command = [sys.executable, "-m", "forficula", "study", path, "--out", journal.parent, "--keep", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        # who writes it, and a row at least
+        # the signature, and at least one row
         while not (journal.exists() and journal.stat().st_size >= 600):
             assert process.poll() is None
             time.sleep(1e-3)

@@ -1,4 +1,4 @@
-"""Timesteps that are left open are found by halving, and what is found depends on the design alone."""
+"""Automatic timesteps are found by halving, and the result depends only on the design."""
 
 import dataclasses
 import itertools
@@ -32,7 +32,7 @@ DESIGNS = [
 ]
 
 
-def test_rows_do_not_depend_on_order_company_or_threads():
+def test_rows_do_not_depend_on_order_other_designs_or_threads():
     together = {row["key"]: row for row in evaluate(DESIGNS)}
     assert {row["key"]: row for row in evaluate(DESIGNS[::-1], threads=1)} == together
     for design in DESIGNS:
@@ -41,11 +41,11 @@ def test_rows_do_not_depend_on_order_company_or_threads():
     assert len(together) == len(DESIGNS)
 
 
-def test_a_design_that_is_given_its_timestep_takes_it():
+def test_a_given_timestep_is_used():
     assert run(DESIGNS[4]).design == DESIGNS[4]
 
 
-def test_the_record_of_a_run_has_the_step_that_was_found_and_running_that_again_gives_its_bits():
+def test_running_the_design_of_a_record_again_gives_the_same_bits():
     record = run(DESIGNS[0])
     timestep = record.design.protocol.timestep
     assert isinstance(timestep, float)
@@ -56,13 +56,13 @@ def test_the_record_of_a_run_has_the_step_that_was_found_and_running_that_again_
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_design_file_of_a_run_holds_the_step_that_auto_chose(tmp_path, monkeypatch, capsys):
+def test_design_file_of_a_run_has_the_automatic_timestep(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     limit = {"protocol.stages.0.time_limit": "10 ms", "protocol.stages.1.time_limit": "20 ms"}
     settings = [f"--set={key}={value}" for key, value in (limit | {"protocol.timestep": "auto"}).items()]
     with pytest.raises(SystemExit) as ended:
         main(["run", "binder2025", *settings, "--out", "there"])
-    # on its way still when its time is over
+    # still moving when its time limit ends
     assert ended.value.code == 2
     assert "still moving" in capsys.readouterr().out
     kept = ff.load_design(tmp_path / "there" / "design.toml")
@@ -70,13 +70,13 @@ def test_the_design_file_of_a_run_holds_the_step_that_auto_chose(tmp_path, monke
     assert isinstance(kept.protocol.timestep, float)
 
 
-def test_a_design_whose_first_step_diverges_ends_to_be_trusted(monkeypatch):
+def test_a_design_whose_first_timestep_diverges_ends_reliable(monkeypatch):
     tried, design = [], auto(membrane__youngs_modulus="30 MPa", protocol__fold_torque="200 N cm")
-    # as where the estimate is far too long
+    # as if the estimate were much too long
     estimate = float(with_timestep(design).protocol.timestep)
     longer = with_values(design, {"protocol.timestep": 16 * estimate})
     monkeypatch.setattr(runs, "with_timestep", lambda each: longer if each.protocol.timestep == "auto" else each)
-    # so much longer, so many more halvings
+    # longer by this factor, hence more halvings
     monkeypatch.setattr(runs, "_HALVINGS", runs._HALVINGS + 4)
     monkeypatch.setattr(runs, "measure", lambda record: tried.append(measure(record)) or tried[-1])
     outcome = measure(run(design))
@@ -85,7 +85,7 @@ def test_a_design_whose_first_step_diverges_ends_to_be_trusted(monkeypatch):
     assert outcome.ending.residual <= 0.005
 
 
-def test_a_step_is_taken_where_the_outcome_has_come_to_stay(monkeypatch):
+def test_the_timestep_is_accepted_when_the_outcome_is_stable(monkeypatch):
     tried = []
     monkeypatch.setattr(runs, "measure", lambda record: tried.append((record, measure(record))) or tried[-1][1])
     record = run(DESIGNS[0])
@@ -99,8 +99,8 @@ def test_a_step_is_taken_where_the_outcome_has_come_to_stay(monkeypatch):
         assert outcome.transitions["fold"].time == pytest.approx(last.transitions["fold"].time, rel=0.02)
 
 
-def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be_trusted(monkeypatch):
-    """A wing that folds at every second timestep, as if it stood on an edge."""
+def test_a_run_whose_outcome_never_stabilises_is_reported_as_unreliable(monkeypatch):
+    """A wing that folds at every second timestep, as if it were at a boundary between outcomes."""
     number = [0]
 
     def flips(record):
@@ -111,7 +111,7 @@ def test_where_the_outcome_never_comes_to_stay_the_run_says_that_it_is_not_to_be
         return dataclasses.replace(outcome, ending=dataclasses.replace(outcome.ending, verdict=Verdict.STUCK))
 
     monkeypatch.setattr(runs, "measure", flips)
-    # with few and long steps it is quick
+    # few and long steps, so that it is quick
     monkeypatch.setattr(runs, "_HALVINGS", 3)
     ((_, record),) = run_each([DESIGNS[0]])
     outcome = measure(record)

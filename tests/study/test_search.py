@@ -58,7 +58,7 @@ ENDINGS = {
 
 
 def answer(status, **numbers):
-    """A row as a run leaves it."""
+    """A row as from a run."""
     ending = ENDINGS.get(status) or Ending(
         verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(float(status.split()[2])), residual=1e-3
     )
@@ -78,7 +78,7 @@ def answer(status, **numbers):
 
 
 def answers(design, folds, opens, large="folded", released="folded", untrusted=()):
-    """The row that a run of a design would give, by what is planted."""
+    """The row that a run of a planted design would give."""
     protocol = design.protocol
     torque, opening = protocol.fold_torque, protocol.unfold_torque
     if torque != GRID.reference:
@@ -99,7 +99,7 @@ def answers(design, folds, opens, large="folded", released="folded", untrusted=(
 
 
 def found(search, folds, opens=no_torque, large="folded", released="folded", untrusted=()):
-    """Ask until nothing is missing, and return what was found and every design that had to run."""
+    """Repeat until nothing is missing, and return the result and every design that had to run."""
     rows, run = {}, []
     while missing := [item for item in search_designs(DESIGN, search, rows).items() if item[0] not in rows]:
         for key, each in missing:
@@ -120,12 +120,12 @@ def test_the_least_torques_are_the_first_steps_that_work():
     assert len(run) == 4 + 3 + 1
 
 
-def test_success_need_not_be_monotone_and_the_least_that_works_counts():
+def test_least_success_counts_even_if_success_is_not_monotone():
     result, _ = found(GRID, lambda torque: torque in (0.1, 0.3), lambda torque: torque == 0.2)
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.2)
 
 
-def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_row_that_says_so():
+def test_a_tendon_that_folds_with_a_small_but_not_the_large_torque_has_a_row_that_says_so():
     result, _ = found(GRID, lambda torque: torque >= 0.1, large="stuck at -134.6 deg")
     assert result["least_fold_torque"] == 0.1
     assert result["least_unfold_torque"] is None
@@ -142,7 +142,7 @@ def test_a_tendon_that_folds_with_little_and_sticks_with_the_large_torque_is_a_r
         (no_torque, "stuck at -134.6 deg", "stuck at -134.6 deg"),
     ],
 )
-def test_a_wing_whose_release_at_the_least_torque_fails_is_a_row_that_says_so(opens, large, after):
+def test_a_wing_whose_release_fails_has_a_row_that_says_so(opens, large, after):
     released = "did not stay folded"
     result, _ = found(GRID, lambda torque: torque >= 0.2, opens, large, released)
     assert result["least_fold_torque"] == 0.2
@@ -163,30 +163,30 @@ NUMBERS = (
         ("unreliable: the energy balance misses 12 %", "unreliable"),
     ],
 )
-def test_a_release_that_says_nothing_of_the_wing_leaves_the_point_without_numbers(released, word):
+def test_an_inconclusive_release_leaves_the_point_without_numbers(released, word):
     result, _ = found(GRID, lambda torque: torque >= 0.2, any_torque, released=released)
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["status"], result["outcome"], result["fold_outcome"]) == (released, word, word)
 
 
-def test_a_run_not_to_be_trusted_below_the_least_torque_that_folds_leaves_the_point_without_numbers():
+def test_an_unreliable_run_below_the_least_folding_torque_leaves_the_point_without_numbers():
     result, run = found(GRID, lambda torque: torque >= 0.2, any_torque, untrusted=[0.1])
     assert [result.get(name) for name in NUMBERS] == [None] * len(NUMBERS)
     assert (result["verdict"], result["outcome"]) == ("untrusted", "unreliable")
     assert result["status"] == "unreliable: the energy balance misses 12 %"
     assert (result["residual"], result["reference_outcome"]) == (0.12, "")
-    # it is not known with which torque to go on
+    # the torque for the next transition is unknown
     assert [each.protocol.stages[-1].drive for each in run] == ["fold"] * 4
 
 
-def test_a_run_not_to_be_trusted_above_the_least_torque_that_folds_does_no_harm_but_is_told_of():
+def test_an_unreliable_run_above_the_least_folding_torque_is_only_reported():
     result, _ = found(GRID, lambda torque: torque == 0.1, any_torque, untrusted=[0.3])
     assert (result["least_fold_torque"], result["least_unfold_torque"]) == (0.1, 0.1)
     assert (result["verdict"], result["residual"]) == ("reached", 0.12)
 
 
-def test_an_opening_not_to_be_trusted_below_the_least_torque_that_opens_leaves_none():
-    # 0.15 N m is tried for opening only, once 0.2 N m has opened
+def test_an_unreliable_run_below_the_least_opening_torque_leaves_none():
+    # 0.15 N m is tried for opening only after 0.2 N m has opened
     result, _ = found(
         refined(1), lambda torque: torque >= 0.3, lambda torque: torque >= 0.2, untrusted=[(0.1 + 0.2) / 2]
     )
@@ -237,9 +237,9 @@ def test_every_run_of_a_search_differs_from_the_design_in_torques_and_last_stage
 def test_bisection_halves_the_step_below_the_least_torque_that_works(barrier, times):
     result, _ = found(refined(times), lambda torque: torque >= barrier, lambda torque: torque >= barrier)
     width = 0.1 / 2**times
-    # rounding of the middles
+    # up to rounding of the middles
     assert barrier <= result["least_fold_torque"] <= barrier + width * (1 + 1e-9)
-    # the first step has none below it to bisect
+    # there is no step below the first value to bisect
     assert barrier <= result["least_unfold_torque"] <= max(0.1, barrier + width * (1 + 1e-9))
 
 
@@ -275,7 +275,7 @@ def test_a_point_replaces_values_of_the_design():
     assert (design.tendon.stiffness, design.pattern.units) == (3300.0, 2)
 
 
-def test_a_search_that_names_no_torque_before_the_second_drive_takes_that_of_a_run():
+def test_default_torque_before_the_second_drive_is_that_of_a_run():
     own = DESIGN.with_values({"protocol.fold_torque": "40 N cm"})
     assert read_search("least-torques", {}, own).reference == pytest.approx(0.4)
     assert read_search("least-torques", {"fold_with": "500 N cm"}, own).reference == pytest.approx(5.0)

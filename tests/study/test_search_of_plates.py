@@ -1,4 +1,4 @@
-"""What a study looks for, on plates: drives of either sign, and states that their releases end in."""
+"""Searches on plates: drives of either sign, and states in which their releases end."""
 
 import math
 
@@ -30,7 +30,7 @@ def searched(tmp_path):
 
 
 def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
-    """Its second drive is negative: what is looked for is how much of it, and runs have it with its sign."""
+    """The second drive is negative: its magnitude is searched, and runs use it with its sign."""
     study, table = searched(HEAD + TORQUES)
     for point, values in enumerate(study.points):
         base = with_values(study.base, values)
@@ -44,7 +44,7 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
         least = ran("drive.close.value", close)
         assert least.holds["closed"]
         assert not ran("drive.close.value", close - 0.001).holds["closed"]
-        # 60 N/m keeps it closed against all that is tried
+        # 60 N/m keeps it closed against all tried torques
         assert math.isnan(back) == (point == 1)
         assert ran("drive.open.value", -0.03 if point else -back).holds["opened"] == (point == 0)
         assert point or not ran("drive.open.value", -(back - 0.005)).holds["opened"]
@@ -57,7 +57,7 @@ def test_the_least_torques_of_a_letter_are_those_of_single_runs(searched):
     assert titles["closed_hinge_energy"] == "springs' energy when closed"
 
 
-def test_two_ways_by_one_drive_are_not_asked_for_two_torques(searched, tmp_path):
+def test_two_transitions_by_one_drive_cannot_have_two_torques(searched, tmp_path):
     design = ff.load_design("letter-fold")
     stages = [stage.model_dump() for stage in design.protocol.stages]
     stages[3] |= {"drive": "close", "until": "creases > 120 deg"}
@@ -85,7 +85,7 @@ def test_the_least_value_of_a_letter_may_be_negative(searched):
         ('"1..3 N cm step 1"', '"3..1 N cm step 1"', "search.values: need a range that rises"),
     ],
 )
-def test_what_a_search_cannot_mean_is_refused_before_a_run(searched, old, new, message):
+def test_a_meaningless_search_is_rejected_before_a_run(searched, old, new, message):
     text = HEAD.replace("least-torques", "least-value")
     text += '[search]\nkey = "drive.close.value"\nvalues = "1..3 N cm step 1"\nstate = "closed"\n'
     assert old in text

@@ -13,13 +13,13 @@ NAMES = ["study.toml", "my study.toml", "it's $HOME.toml", 'a "b" `c`;d.toml', "
 
 
 def accepts(script):
-    """Whether bash reads a script without complaint."""
+    """Whether bash parses a script without errors."""
     done = subprocess.run(["bash", "-n"], input=script, capture_output=True, text=True, check=False)
     return done.returncode == 0 and not done.stderr
 
 
 def words(script, place, task="3"):
-    """The words of the command that a job runs."""
+    """The words of the command of a job."""
     shown = script.replace("\nforficula study", "\nprintf '%s\\n' study")
     done = subprocess.run(
         ["bash"],
@@ -34,7 +34,7 @@ def words(script, place, task="3"):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_job_runs_its_shard_whatever_the_names(tmp_path, name):
+def test_every_job_runs_its_shard_for_all_names(tmp_path, name):
     script = slurm_script(name, f"out/{name}", 8)
     assert accepts(script)
     assert words(script, tmp_path) == ["study", name, "--out", f"out/{name}", "--shard", "3/8"]
@@ -46,7 +46,7 @@ def test_the_array_has_one_job_a_shard():
     assert script.startswith("#!/bin/bash\n")
     assert "#SBATCH --array=1-12\n" in script
     assert "forficula study binder2025-search --out out/search --collect" in script
-    # directives end where the first command starts
+    # directives must precede the first command
     assert script.rindex("#SBATCH") < script.index("\nforficula study")
 
 
@@ -57,7 +57,7 @@ def test_no_jobs_and_too_many_are_refused(shards):
 
 
 @pytest.mark.parametrize("names", [("a\nrm -rf b.toml", "out"), ("a.toml", "out\necho b"), ("a.toml", "out\r")])
-def test_a_name_that_would_break_out_of_its_line_is_refused(names):
+def test_a_name_with_a_line_break_is_rejected(names):
     with pytest.raises(InputError, match="--slurm: need names on one line"):
         slurm_script(*names, 2)
 

@@ -1,4 +1,4 @@
-"""Which wings fold and open under slowly growing torques, and where a simulation differs."""
+"""Wings that fold and open under slowly growing torques, and differences to a simulation."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_longer_tendons_open_at_lower_torques(statics):
     assert opens.values[1] > opens.values[2] > 0
 
 
-def test_a_wing_of_a_map_is_the_wing_alone(statics, reference):
+def test_a_point_of_a_map_equals_the_wing_alone(statics, reference):
     wings = ensemble_of([reference])
     fold, unfold = wings.structure.transitions
     flat, folded = start_state(wings).position, state_beyond(wings, fold).position
@@ -62,14 +62,14 @@ def test_energies_are_those_of_three_tendons(statics):
     assert float(wing["folded_energy"]) == pytest.approx(0, abs=1e-9)
 
 
-def test_geometry_is_a_factor_and_what_cannot_be_built_is_a_row(reference):
+def test_geometry_is_a_factor_and_invalid_points_have_rows(reference):
     table = static_map(map_study(reference, {"pattern.hub_radius": ["0.5 cm", "1.5 cm", "-1 cm"]}))
     assert table["status"].values[2].startswith("cannot be built")
     assert np.isnan(table["flat_energy"].values[2])
     assert table["flat_energy"].values[0] != table["flat_energy"].values[1]
 
 
-def test_what_counts_as_folded_is_a_factor():
+def test_folded_angle_is_a_factor():
     """Veins that stop at 60 deg leave the last hinge at -70 deg: folded for one wing, not for the other."""
     design = load_design("binder2025", {"hinge.turn_limit": "60 deg"})
     table = static_map(map_study(design, {"protocol.folded_angle": ["150 deg", "60 deg"]}))
@@ -89,7 +89,7 @@ def test_a_letter_that_springs_open_does_not_stay_closed_in_the_map_as_in_its_la
     assert lost_text(table, table_transitions(table)[0]) == " (1 did not stay closed)"
 
 
-def test_torques_of_a_map_that_is_told_none_are_those_of_the_landscape_to_a_tenth_of_the_drive():
+def test_default_torques_of_a_map_agree_with_the_landscape_to_a_tenth_of_the_drive():
     letter = load_design("letter-fold")
     table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m"]}))
     slow = energy_landscape(letter).least_torques
@@ -98,8 +98,8 @@ def test_torques_of_a_map_that_is_told_none_are_those_of_the_landscape_to_a_tent
         assert 0 <= float(table[f"least_{name}_value"][0]) - slow[name] < 0.003 + 0.01 * slow[name]
 
 
-def test_a_key_that_statics_does_not_look_at_is_refused(reference):
-    with pytest.raises(InputError, match=r"protocol\.fold_torque: changes nothing under slowly growing torques"):
+def test_a_key_without_effect_on_statics_is_rejected(reference):
+    with pytest.raises(InputError, match=r"protocol\.fold_torque: has no effect under slowly growing torques"):
         map_study(reference, {"protocol.fold_torque": "10..20 N cm step 10"})
 
 
@@ -111,7 +111,7 @@ def test_a_distribution_is_no_grid(reference):
         )
 
 
-def test_an_unknown_key_is_told(reference):
+def test_an_unknown_key_is_reported(reference):
     with pytest.raises(InputError, match=r"tendon.stifness"):
         map_study(reference, {"tendon.stifness": ["1 N/cm"]})
 
@@ -123,7 +123,7 @@ def test_a_study_without_torques_has_no_static_map(study_file):
 
 
 def simulated(statics, folds, opens):
-    """A table as a search for the least torques leaves it."""
+    """A table as from a search for the least torques."""
     shape = statics["status"].shape
     return xarray.Dataset(
         {
@@ -151,11 +151,11 @@ def test_cells_that_differ_are_named(statics):
     assert less.values.ravel().tolist()[:3] == [ONLY_SIMULATED, BOTH_LESS, BOTH_LESS]
     opens = compare_maps(statics, found, "least_unfold_torque").values.ravel().tolist()
     assert opens[:2] == [ONLY_SIMULATED, ONLY_STATIC]
-    # nothing was opened where nothing folded
+    # opening was not tried without folding
     assert opens[2:] == [NOT_SIMULATED] * 4
 
 
-def test_wings_that_were_not_simulated_are_said_so(statics):
+def test_wings_that_were_not_simulated_are_marked(statics):
     found = simulated(statics, [0.1] * 6, [0.5] * 6).isel(tendon_rest_length=[0, 1])
     words = compare_maps(statics, found, "least_fold_torque")
     assert (words.sel(tendon_rest_length=0.09) == NOT_SIMULATED).all()
@@ -167,8 +167,8 @@ def test_a_table_with_other_factors_is_refused(statics):
         compare_maps(statics, found, "least_fold_torque")
 
 
-def test_the_names_of_a_range_meet_those_of_a_study():
-    """Both read their factors the same way, so every wing of the paper's search is found."""
+def test_values_of_a_range_match_those_of_a_study():
+    """Both read their factors in the same way, so every wing of the paper's search is found."""
     study = load_study("binder2025-search")
     over = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
     assert map_study(load_design("binder2025"), over).points == study.points
@@ -182,7 +182,7 @@ def test_a_map_of_a_million_wings_is_refused_before_it_begins():
     assert str(caught.value) == message
 
 
-def test_a_map_says_how_far_it_is_and_is_the_same_in_parts(reference, statics, monkeypatch):
+def test_a_map_reports_progress_and_does_not_depend_on_batches(reference, statics, monkeypatch):
     study, seen = map_study(reference, OVER | {"tendon.stiffness": ["10 N/cm"]}), []
     whole = statics.sel(tendon_stiffness=[1000])
     monkeypatch.setattr("forficula.study.tables.static_map._SIDE_BY_SIDE", 2)

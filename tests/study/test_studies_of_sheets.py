@@ -1,4 +1,4 @@
-"""Sweeps over sheets: groups of creases by name, and what creases and bars store."""
+"""Sweeps over sheets: groups of creases by name, and the energy of creases and bars."""
 
 import pytest
 
@@ -41,7 +41,7 @@ def test_a_group_of_creases_is_varied_by_its_name(tmp_path):
         state = outcome.states["bent"]
         assert float(table["bent_hinge_energy"][point]) == pytest.approx(state.hinge_energy.sum(), rel=1e-9)
         assert float(table["bent_spring_energy"][point]) == pytest.approx(state.spring_energy.sum(), rel=1e-9)
-    # without tendons what is stored is all of it
+    # without tendons this is all stored energy
     assert table["bent_energy"].values == pytest.approx(
         (table["bent_hinge_energy"] + table["bent_spring_energy"]).values
     )

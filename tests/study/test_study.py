@@ -23,7 +23,7 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     folding = [design.protocol for design in designs.values()]
     assert [protocol.fold_torque for protocol in folding] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
     assert {protocol.stages[-1].drive for protocol in folding} == {"fold"}
-    # once the wing is known to fold it is released, and opened from the wing folded with 500 N cm
+    # a wing that folds is released, and opened from the wing folded with 500 N cm
     known = {key: {"verdict": "reached", "folded": True} for key in designs}
     wanted = [each.protocol for each in search_designs(study.base, study.search, known).values()]
     release, *opening = wanted[len(folding) :]
@@ -32,7 +32,7 @@ def test_the_papers_search_has_sixty_tendons_with_six_fold_torques_and_ten_unfol
     assert [protocol.unfold_torque for protocol in opening] == pytest.approx([0.1 * n for n in range(1, 11)])
 
 
-def test_the_last_factor_runs_fastest(study_file):
+def test_the_last_factor_varies_fastest(study_file):
     study = load_study(study_file('"tendon.stiffness" = "10..20 N/cm step 10"\n"pattern.units" = "1..3 step 1"'))
     assert [tuple(point.values()) for point in study.points] == [
         (stiffness, units) for stiffness in ("10 N/cm", "20 N/cm") for units in (1, 2, 3)
@@ -117,7 +117,7 @@ def test_a_stage_may_be_named_by_its_name(study_file):
 
 
 @pytest.mark.parametrize("method", ["random", "sobol"])
-def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_same_seed(study_file, method):
+def test_sampled_studies_have_the_requested_points_and_depend_only_on_the_seed(study_file, method):
     tail = f'[sampling]\nmethod = "{method}"\ncount = 5\nseed = 3'
     study, again = (load_study(study_file(DRAWN, tail=tail)) for _ in range(2))
     assert study.sampled
@@ -190,7 +190,7 @@ def test_sampled_studies_have_as_many_points_as_were_asked_and_the_same_for_the_
         ),
     ],
 )
-def test_a_study_that_is_none_is_refused_with_its_file_and_what_is_wrong(tmp_path, monkeypatch, text, message):
+def test_an_invalid_study_is_rejected_with_its_file_and_the_error(tmp_path, monkeypatch, text, message):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "study.toml").write_text(text)
     with pytest.raises(InputError) as caught:
@@ -233,7 +233,7 @@ def test_sampling_that_is_no_table_is_refused(study_file):
         load_study(study_file(DRAWN, head="sampling = 3"))
 
 
-def test_whole_numbers_and_words_are_not_drawn(study_file):
+def test_whole_numbers_and_words_are_not_sampled(study_file):
     units = '"pattern.units" = {distribution = "uniform", low = 1, high = 3}'
     with pytest.raises(InputError, match=r"pattern\.units: need a list or a range"):
         load_study(study_file(units, tail="[sampling]\ncount = 3"))
@@ -263,7 +263,7 @@ def test_a_search_over_torques_that_do_not_rise_is_refused(study_file, search, m
 
 
 @pytest.mark.parametrize("name", ["none.toml", "none", "", "x" * 400 + ".toml", "a\0.toml", "folder.toml"])
-def test_a_study_that_is_not_there_is_one_clear_error(tmp_path, monkeypatch, name):
+def test_a_missing_study_is_one_clear_error(tmp_path, monkeypatch, name):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "folder.toml").mkdir()
     with pytest.raises(InputError) as caught:

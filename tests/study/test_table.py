@@ -11,7 +11,7 @@ from forficula.design import with_values
 from forficula.show.study.maps import map_drawings
 from forficula.study import load_study, run_study, table_csv
 
-# the issue that asked for the table: these first, and in this order
+# the first columns of a table, in this order
 COLUMNS = [
     "tendon_stiffness_N_per_m",
     "tendon_rest_length_m",
@@ -36,7 +36,7 @@ def lines(text):
 
 @pytest.fixture(scope="module")
 def searched(tmp_path_factory, write_study_file):
-    """A study of four tendons, of which some fold and some open, and its table."""
+    """A study of four tendons, some of which fold and some open, and its table."""
     study = load_study(
         write_study_file(
             tmp_path_factory.mktemp("searched") / "small.toml",
@@ -48,7 +48,7 @@ def searched(tmp_path_factory, write_study_file):
     return study, run_study(study, tmp_path_factory.mktemp("searched") / "out")
 
 
-def test_the_columns_are_those_that_were_asked_for_in_si_with_units_in_their_names(searched):
+def test_columns_are_in_si_with_units_in_their_names(searched):
     study, table = searched
     text = table_csv(study, table)
     assert text.splitlines()[0].split(",")[: len(COLUMNS)] == COLUMNS
@@ -93,14 +93,14 @@ def test_a_tendons_energy_when_flat_is_that_of_its_length_beyond_rest(searched):
     assert table["flat_energy"].values == pytest.approx(expected.transpose(*table["flat_energy"].dims).values, rel=0.2)
 
 
-def test_coordinates_are_in_si_and_say_their_key_and_units(searched):
+def test_coordinates_are_in_si_with_key_and_units(searched):
     _, table = searched
     assert table["least_fold_torque"].dims == ("tendon_stiffness", "tendon_rest_length")
     attributes = table["tendon_rest_length"].attrs
     assert (attributes["units"], attributes["display"], attributes["key"]) == ("m", "cm", "tendon.rest_length")
     assert table["fold_torque"].values == pytest.approx([0.1, 0.5])
     assert table["fold_work"].attrs["units"] == "J"
-    # a run that failed has them, too
+    # a failed run has them, too
     assert table["fold_work"].attrs["long_name"] == "work of folding, done or not"
     assert table["flat_energy"].attrs["long_name"] == "energy of the tendons, flat"
     assert table["folded_energy"].attrs["long_name"] == "energy of the tendons, folded, or where folding ended"
@@ -108,7 +108,7 @@ def test_coordinates_are_in_si_and_say_their_key_and_units(searched):
     assert np.array_equal(table["folded_by_torque"], np.isfinite(table["fold_time_by_torque"]))
 
 
-def test_the_dataset_comes_back_from_its_file(searched, tmp_path):
+def test_dataset_is_read_back_from_its_file(searched, tmp_path):
     _, table = searched
     (tmp_path / "table.nc").write_bytes(table.to_netcdf(engine="h5netcdf"))
     with xr.open_dataset(tmp_path / "table.nc", engine="h5netcdf") as again:
@@ -131,7 +131,7 @@ def test_angles_are_in_degrees_and_whole_numbers_have_no_unit(tmp_path, study_fi
     assert table["pattern_sector_angle"].values == pytest.approx([math.radians(18), 0.3])
 
 
-def test_a_protocol_as_it_is_tells_whether_the_wing_folded_and_opened(tmp_path, study_file):
+def test_a_plain_run_reports_whether_the_wing_folded_and_opened(tmp_path, study_file):
     table = run_study(load_study(study_file('"tendon.rest_length" = ["5 cm", "9 cm"]')), tmp_path / "out")
     assert table["folded"].dtype == bool
     for number, status in enumerate(table["status"].values):
@@ -155,10 +155,10 @@ def test_words_and_lists_label_a_table_too(tmp_path, study_file, factor, labels)
     assert table.to_netcdf(engine="h5netcdf")
 
 
-def test_a_timestep_of_its_own_choice_stands_beside_given_ones(tmp_path, study_file):
+def test_automatic_and_given_timesteps_share_a_table(tmp_path, study_file):
     study = load_study(study_file('"protocol.timestep" = ["0.4 ms", "auto", "0.25 ms"]'))
     table = run_study(study, tmp_path / "out")
-    # one word makes words of them all: an axis has no number for it
+    # a single word makes all values words, because an axis has no number for it
     assert table["protocol_timestep"].values.tolist() == ["0.4 ms", "auto", "0.25 ms"]
     assert "units" not in table["protocol_timestep"].attrs
     rows = lines(table_csv(study, table))

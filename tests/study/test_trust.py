@@ -1,4 +1,4 @@
-"""Studies with wings whose timestep is too long: nothing of these is told as a number, in tables, files and maps."""
+"""Studies with wings whose timestep is too long: tables, files and maps contain no numbers of these."""
 
 import csv
 import io
@@ -14,9 +14,9 @@ from forficula.show.study.maps import draw_first_times, draw_work_maps, missing_
 from forficula.study import load_study, run_study, table_csv
 from tests.show.study.test_maps import legend, panels
 
-# softer ones than 2 MPa fold; the membrane of 20 MPa is too stiff for 0.2 ms, that of 60 MPa blows up
+# below 2 MPa the wing folds; 20 MPa is too stiff for 0.2 ms, and 60 MPa diverges
 FACTORS = '"membrane.youngs_modulus" = ["1 MPa", "2 MPa", "20 MPa", "60 MPa"]\n"tendon.rest_length" = ["7 cm", "9 cm"]'
-# what the short protocol allows itself
+# the residual limit of the short protocol
 COARSE = (
     'protocol.timestep = "0.4 ms"\nstops.time_constant = "2 ms"\n'
     "protocol.least_hold = 0.0\nprotocol.residual_limit = 0.02"
@@ -48,7 +48,7 @@ def either(request):
     return request.getfixturevalue(request.param)
 
 
-def test_points_that_cannot_be_trusted_say_so_and_hold_no_number(either):
+def test_unreliable_points_say_so_and_have_no_number(either):
     _, table, _ = either
     silent = np.isin(table["verdict"].values, SILENT)
     assert silent[2:].all()
@@ -62,7 +62,7 @@ def test_points_that_cannot_be_trusted_say_so_and_hold_no_number(either):
     assert (residual[~silent] <= 0.005).all()
 
 
-def test_every_row_of_the_journal_has_a_status_a_verdict_and_what_is_missing(either):
+def test_every_row_of_the_journal_has_a_status_a_verdict_and_a_residual(either):
     study, _, folder = either
     rows = [json.loads(line) for line in (folder / "journal.jsonl").read_text("utf-8").splitlines()]
     rows = [row for row in rows if "key" in row]
@@ -70,7 +70,7 @@ def test_every_row_of_the_journal_has_a_status_a_verdict_and_what_is_missing(eit
     for row in rows:
         assert row["status"]
         assert (row["verdict"] in SILENT) == (row["folded"] is None)
-        # of what is undecided only the state that the two runs disagree on is not known
+        # for an undecided run, only the state on which the two runs disagree is unknown
         assert (row["verdict"] in (*SILENT, "undecided")) == (None in (row["folded"], row["opened"]))
         if row["verdict"] in SILENT:
             assert {row[name] for name in row if name.endswith(("_J", "_time_s", "angle_deg"))} == {None}
@@ -78,7 +78,7 @@ def test_every_row_of_the_journal_has_a_status_a_verdict_and_what_is_missing(eit
     assert {row["verdict"] for row in rows} > set(SILENT)
 
 
-def test_the_table_as_text_has_verdicts_and_residuals_and_nothing_where_nothing_is_known(either):
+def test_csv_has_verdicts_and_residuals_and_empty_cells(either):
     study, table, _ = either
     rows = list(csv.DictReader(io.StringIO(table_csv(study, table))))
     assert [row["verdict"] for row in rows] == table["verdict"].values.ravel().tolist()
@@ -90,7 +90,7 @@ def test_the_table_as_text_has_verdicts_and_residuals_and_nothing_where_nothing_
             assert row["status"].startswith(("unreliable: the energy balance misses", "diverged at t = "))
 
 
-def test_maps_show_them_with_their_hatches_and_their_scales_are_those_of_the_others(either):
+def test_maps_hatch_unreliable_points_and_scale_to_the_others(either):
     _, table, _ = either
     silent = {"unreliable", "diverged"} & set(table["outcome"].values.ravel())
     for drawing in study_drawings(table).values():
@@ -102,7 +102,7 @@ def test_maps_show_them_with_their_hatches_and_their_scales_are_those_of_the_oth
     assert (mesh.norm.vmin, mesh.norm.vmax) == pytest.approx((unit * known.min(), unit * known.max()))
 
 
-def test_the_page_has_their_reasons_and_no_numbers(either):
+def test_page_has_reasons_and_no_numbers_for_unreliable_points(either):
     study, table, _ = either
     data = study_data(study, table)
     words = [entry["word"] for entry in data["words"]]
@@ -113,7 +113,7 @@ def test_the_page_has_their_reasons_and_no_numbers(either):
                 assert words[reason] in ("unreliable", "diverged")
 
 
-def test_each_torque_of_a_search_says_what_became_of_it(searched):
+def test_each_torque_of_a_search_has_its_outcome(searched):
     _, table, _ = searched
     outcome = table["fold_outcome_by_torque"].values
     assert (np.isfinite(table["fold_time_by_torque"].values) == (outcome == "folded")).all()
@@ -123,7 +123,7 @@ def test_each_torque_of_a_search_says_what_became_of_it(searched):
         assert np.isin(missing_reasons(table, name).values[2:], ["unreliable", "diverged"]).all()
 
 
-def test_auto_finds_steps_at_which_the_same_wings_are_to_be_trusted(tmp_path, write_study_file):
+def test_automatic_timesteps_make_the_same_wings_reliable(tmp_path, write_study_file):
     path = write_study_file(tmp_path / "auto.toml", '"membrane.youngs_modulus" = ["20 MPa"]')
     path.write_text(path.read_text("utf-8").replace(COARSE, 'protocol.timestep = "auto"'), "utf-8")
     table = run_study(load_study(path), tmp_path / "out")

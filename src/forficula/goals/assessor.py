@@ -1,4 +1,4 @@
-"""Assessing designs in batches: what is in the journal is read, what is not is worked out and appended."""
+"""Rows of designs in batches: known rows are read from the journal, missing ones are computed and appended."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from forficula.study.running.run_study import Evaluate, Progress
 from forficula.study.search import search_designs, search_result
 from forficula.study.search_steps import Search
 
-# Runs side by side: enough that a few slow ones do not leave a core idle for long; of whole records, fewer fit memory.
+# Runs side by side: enough that a few slow ones do not leave a core idle for long. Whole records need more memory.
 _BATCH, _WHOLE_BATCH = 512, 48
-# How long a shard waits for rows of others before it does theirs, too, and how often it looks.
+# How long a shard waits for rows of others before it computes them itself, and how often it checks.
 _PATIENCE_SECONDS, _LOOK_SECONDS = 60.0, 0.5
 
 Values = Mapping[str, object]
@@ -31,7 +31,7 @@ Values = Mapping[str, object]
 
 @dataclass(frozen=True, kw_only=True)
 class _Task:
-    """A row that is wanted: of a design, from a source."""
+    """A row to compute: of a design, from a source."""
 
     key: str
     design: Design
@@ -40,23 +40,23 @@ class _Task:
 
 @dataclass(kw_only=True)
 class Assessor:
-    """What makes rows of designs, each once.
+    """Computes rows of designs, each only once.
 
-    What a row is depends on its design alone, not on order, company or who works it out, so that whatever asks for
-    batches one after another and decides by their rows comes to the same when it is killed and taken up again, and on
-    one machine as on several.
+    A row depends on its design alone, not on the order, the other designs or the process that computes it. Therefore a
+    method that requests batches and decides by their rows gives the same result if it is interrupted and continued, or
+    if several machines share the work.
 
     Attributes:
         folder: with the journals.
-        base: the design that all others are made of.
+        base: design from which all others are derived.
         journal: to append to.
-        rows: that are known, by key.
-        shard: number, from 1 on, and count of the processes that share the work.
-        threads: 0 for one a core.
-        cluster: what makes rows of runs; the cores of this machine do, if None. Whole records are looked at here.
-        progress: called after every row with those done now, those known to be wanted, and the row.
-        done: rows that were worked out or waited for.
-        wanted: rows that were asked for and were not there.
+        rows: known rows, by key.
+        shard: number, from 1, and count of the processes that share the work.
+        threads: number of threads; 0 for one per core.
+        cluster: computes rows of runs; None for this machine. Whole records are always evaluated on this machine.
+        progress: called after every row with the number of completed rows, the number of requested ones, and the row.
+        done: number of rows that were computed or received from other shards.
+        wanted: number of rows that were requested and unknown.
     """
 
     folder: Path
@@ -78,28 +78,32 @@ class Assessor:
         points: Sequence[Values] = (),
         search: Search | None = None,
     ) -> list[Row]:
-        """The rows of designs, in their order.
+        """Return the rows of designs, in their order.
 
         Args:
-            designs: or why there is none, which is a row, too.
-            sources: of which quantities are wanted.
-            points: the values of each that are not the base's, for people who read the journal.
-            search: of the least values, where "search" is among the sources.
+            designs: designs, or why there is none, which also gives a row.
+            sources: sources of the requested quantities.
+            points: values of each design that differ from the base, for people who read the journal.
+            search: search for least values, needed if "search" is among the sources.
 
         Returns:
-            Of each design one row with all of them; those of a search with its least values, `search_result`.
+            For each design one row with all sources, including the least values of a search, see `search_result`.
         """
         values = dict(zip((_name(design) for design in designs), points, strict=False))
-        built = {_name(design): design for design in designs if isinstance(design, Design)}
-        # a whole record tells what the ends of its stages do
+        designs_by_name = {_name(design): design for design in designs if isinstance(design, Design)}
+        # a whole record contains what an ordinary run contains
         plain = "record" if "record" in sources else "run"
         kinds = [source for source in SOURCES if source in sources and source in (*STATIC, plain)]
         self._work_out(
-            [_Task(key=_key(design, kind), design=design, source=kind) for design in built.values() for kind in kinds],
+            [
+                _Task(key=_key(design, kind), design=design, source=kind)
+                for design in designs_by_name.values()
+                for kind in kinds
+            ],
             values,
         )
         if search is not None and "search" in sources:
-            self._look_for(list(built.values()), search, values)
+            self._search(list(designs_by_name.values()), search, values)
         return [self._row(design, kinds, search if "search" in sources else None) for design in designs]
 
     def _row(self, design: Design | str, kinds: Sequence[Source], search: Search | None) -> Row:
@@ -109,25 +113,27 @@ class Assessor:
         for kind in kinds:
             row |= self.rows[_key(design, kind)]
         if search is not None:
-            found = search_result(design, search, self.rows)
-            row |= {f"{step.least_name}{unit_suffix(step.unit.si)}": found[step.least_name] for step in search.steps}
+            result = search_result(design, search, self.rows)
+            row |= {f"{step.least_name}{unit_suffix(step.unit.si)}": result[step.least_name] for step in search.steps}
         return row
 
-    def _look_for(self, designs: Sequence[Design], search: Search, values: Mapping[str, Values]) -> None:
-        """Run what a search for least values takes of every design, value after value."""
+    def _search(self, designs: Sequence[Design], search: Search, values: Mapping[str, Values]) -> None:
+        """Do the runs that a search for least values needs for every design, one value after another."""
         while True:
-            wanted = {
-                key: each for design in designs for key, each in search_designs(design, search, self.rows).items()
+            designs_by_key = {
+                key: searched
+                for design in designs
+                for key, searched in search_designs(design, search, self.rows).items()
             }
-            tasks = [_Task(key=key, design=each, source="search") for key, each in wanted.items()]
+            tasks = [_Task(key=key, design=searched, source="search") for key, searched in designs_by_key.items()]
             if all(task.key in self.rows for task in tasks):
                 return
             self._work_out(tasks, values)
 
     def agreed(self, row: Row) -> Row:
-        """Return the row that the journal holds under the key of a row; append the row where there is none.
+        """Return the row of the journal with the key of a row. If there is none, append the given row.
 
-        Of several shards the first one appends, and the others wait for its row, so that all go on with the same.
+        With several shards, the first appends and the others wait for its row, so that all continue with the same row.
         """
         key = row["key"]
         if key not in self.rows and self.shard[0] > 1:
@@ -138,37 +144,37 @@ class Assessor:
         return self.rows[key]
 
     def _work_out(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
-        """Work out the rows that are missing: this shard's, then wait for the others'."""
-        once = {task.key: task for task in tasks}
-        if self.shard[1] > 1 and any(key not in self.rows for key in once):
+        """Compute the missing rows of this shard, then wait for those of the other shards."""
+        tasks_by_key = {task.key: task for task in tasks}
+        if self.shard[1] > 1 and any(key not in self.rows for key in tasks_by_key):
             self.rows |= read_rows(self.folder, self.base)
-        missing = [task for task in once.values() if task.key not in self.rows]
+        missing = [task for task in tasks_by_key.values() if task.key not in self.rows]
         self.wanted += len(missing)
-        places = {key: place for place, key in enumerate(once)}
-        mine = [task for task in missing if places[task.key] % self.shard[1] == self.shard[0] - 1]
-        self._make(mine, values)
+        positions = {key: position for position, key in enumerate(tasks_by_key)}
+        own_tasks = [task for task in missing if positions[task.key] % self.shard[1] == self.shard[0] - 1]
+        self._make(own_tasks, values)
         others = [task for task in missing if task.key not in self.rows]
         late = self._awaited([task.key for task in others])
         self.done += len(others) - len(late)
         self._make([task for task in others if task.key in late], values)
 
     def _awaited(self, keys: Collection[str]) -> set[str]:
-        """Wait for rows of other shards; return the keys of those that did not come in time."""
+        """Wait for rows of other shards, and return the keys of those that did not arrive in time."""
         late = set(keys)
-        looked = time.monotonic()
+        last_arrival = time.monotonic()
         while late:
             time.sleep(_LOOK_SECONDS)
             self.rows |= read_rows(self.folder, self.base)
-            came = {key for key in late if key in self.rows}
-            late -= came
-            if came:
-                looked = time.monotonic()
-            elif time.monotonic() - looked > _PATIENCE_SECONDS:
+            arrived = {key for key in late if key in self.rows}
+            late -= arrived
+            if arrived:
+                last_arrival = time.monotonic()
+            elif time.monotonic() - last_arrival > _PATIENCE_SECONDS:
                 break
         return late
 
     def _make(self, tasks: Sequence[_Task], values: Mapping[str, Values]) -> None:
-        """Make rows here, or on the cluster, and append them as they come."""
+        """Compute rows on this machine or on the cluster, and append them as they arrive."""
         static = [task for task in tasks if task.source in STATIC]
         known = quantities_of(self.base) if static else {}
         for task in static:
@@ -209,19 +215,19 @@ def open_assessor(
     cluster: Evaluate | None = None,
     progress: Progress | None = None,
 ) -> Iterator[Assessor]:
-    """Open a folder whose journal holds the rows of designs that are made of one, and go on with it.
+    """Open a folder whose journal has the rows of designs derived from one design, and continue it.
 
     Args:
-        folder: made where it is missing.
-        base: the design that all others are made of.
-        shard: number, from 1 on, and count: so many processes share every batch, wait for each other's rows, and come
-            to the same. One that is gone for a minute is done without.
-        threads: 0 for one a core.
+        folder: created if missing.
+        base: design from which all others are derived.
+        shard: number, from 1, and count of processes. They share every batch, wait for each other's rows, and get the
+            same result. A process that has been gone for a minute is ignored.
+        threads: number of threads; 0 for one per core.
         cluster: from `dask_cluster`.
         progress: called after every row.
 
     Raises:
-        InputError: a number is not allowed, or the folder holds another design's rows, or cannot be written.
+        InputError: a number is not allowed, or the folder has another design's rows or cannot be written.
     """
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
@@ -242,7 +248,7 @@ def open_assessor(
 
 
 def value_of(row: Row, quantity: OutcomeQuantity, design: Design | str) -> float | None:
-    """A quantity of a design, SI, by its row; None where there is none."""
+    """Return a quantity of a design, SI, from its row; None if missing."""
     if quantity.source == "design":
         value = None if isinstance(design, str) else key_value(design, quantity.name)
     else:
@@ -251,13 +257,13 @@ def value_of(row: Row, quantity: OutcomeQuantity, design: Design | str) -> float
 
 
 def _static_row(task: _Task, known: Mapping[str, OutcomeQuantity]) -> Row:
-    """What statics says of a design; nothing where that cannot be told, and why."""
+    """Return the row of static values of a design; if they cannot be computed, a row with the reason."""
     try:
-        found = static_values(task.design, [task.source])
+        statics = static_values(task.design, [task.source])
     except InputError as error:
         return {"key": task.key, "refused": str(error)}
-    told = {known[name].column: value for name, value in found.items() if name in known}
-    return {"key": task.key, **{name: None if value is None else float(value) for name, value in told.items()}}
+    columns = {known[name].column: value for name, value in statics.items() if name in known}
+    return {"key": task.key, **{name: None if value is None else float(value) for name, value in columns.items()}}
 
 
 def _name(design: Design | str) -> str:

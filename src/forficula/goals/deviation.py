@@ -1,4 +1,4 @@
-"""Tolerances: how far the values of a built structure may be off its design's, and designs that are off so."""
+"""Manufacturing tolerances: deviations of built structures from their design, and designs with such deviations."""
 
 from __future__ import annotations
 
@@ -21,36 +21,37 @@ from forficula.names import near_name
 from forficula.quantities import Unit, as_written, format_quantity, parse_quantity, show_quantity
 
 DEFAULT_SHARE = 0.1
-SIZE = 'share such as "10 %", or as in a design'
-# what is done with a structure, how it is watched, and what changes nothing in it
+SIZE = 'percentage such as "10 %", or as in a design'
+# sections with the load, the measurements, and values that parts do not have
 _NOT_BUILT = ("protocol", "drive", "measure", "support", "make", "stops")
-# up to where a law was measured, which changes no run
+# range of validity of a law, which changes no run
 _KNOWLEDGE = ("largest_strain", "lowest_strain_rate", "highest_strain_rate")
-# of normal distributions: quantiles beyond 4.8 deviations are not drawn
+# normal distributions are cut at 4.8 standard deviations
 _TAIL = 1e-6
 _SHARE = Unit(display="%", si="", example="10 %")
 _NINETY_FIVE = float(scipy.special.ndtri(0.975))
 
 
 class ToleranceEntry(Section):
-    """A tolerance as files have it where it is no text."""
+    """A tolerance in a file that is a table, not a text."""
 
-    distribution: Literal["uniform", "normal"] = entry("distribution of the values that are built", "uniform")
-    size: Annotated[Any, SIZE] = entry("largest deviation if uniform, standard deviation if normal")
+    distribution: Literal["uniform", "normal"] = entry("distribution of the built values", "uniform")
+    size: Annotated[Any, SIZE] = entry("largest deviation (uniform), or standard deviation (normal)")
     intervals_of: Annotated[str | None, "path"] = entry(
-        "for a tendon's law: a fitted law whose 95 % intervals are taken"
+        "for a tendon's law: file of a fitted law whose 95 % intervals are used"
     )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Deviation:
-    """By how much a value of a design is off when it is built.
+    """Deviation of a built value from its design value.
 
     Attributes:
-        key: of the design, dotted.
-        distribution: "uniform", up to its size either way, or "normal", with its size as the standard deviation.
-        size: SI, or a share of the design's value.
-        relative: whether it is a share.
+        key: dotted key of the design.
+        distribution: "uniform", up to its size in both directions, or "normal", with its size as the standard
+            deviation.
+        size: SI, or a fraction of the design's value.
+        relative: whether the size is a fraction.
     """
 
     key: str
@@ -59,125 +60,126 @@ class Deviation:
     relative: bool
 
     def width(self, value: float) -> float:
-        """Half the width, or the standard deviation, about a value of the design, SI."""
+        """Return the half width or standard deviation about a value of the design, SI."""
         return self.size * abs(value) if self.relative else self.size
 
-    def offsets(self, shares: Array) -> Array:
-        """By how many widths the value is off below which these shares of what is built lie, in the shares' shape."""
+    def offsets(self, probabilities: Array) -> Array:
+        """Return the quantiles of the deviation at these probabilities, in widths, same shape."""
         if self.distribution == "normal":
-            return np.asarray(scipy.stats.norm.ppf(np.clip(shares, _TAIL, 1 - _TAIL)))
-        return np.asarray(2.0 * shares - 1.0)
+            return np.asarray(scipy.stats.norm.ppf(np.clip(probabilities, _TAIL, 1 - _TAIL)))
+        return np.asarray(2.0 * probabilities - 1.0)
 
     def text(self, unit: Unit) -> str:
-        """As sentences have it, such as "10 %" or "normal, 0.1 mm"."""
+        """Return the tolerance in words, such as "± 10 %" or "normal, σ = 0.1 mm"."""
         size = f"{100 * self.size:.4g} %" if self.relative else show_quantity(self.size, unit)
         return f"± {size}" if self.distribution == "uniform" else f"normal, σ = {size}"
 
 
 def default_deviations(design: Design) -> tuple[Deviation, ...]:
-    """10 %, uniform, on every positive number with a unit that is not the protocol's, in the design's order."""
+    """Return 10 %, uniform, for every positive number with a unit outside the protocol, in the design's order."""
     return tuple(
         Deviation(key=key, distribution="uniform", size=DEFAULT_SHARE, relative=True) for key in positive_keys(design)
     )
 
 
 def positive_keys(design: Design) -> tuple[str, ...]:
-    """Keys of a design's positive numbers with units, but for what is done with it and entries of lists of numbers."""
-    found = []
+    """Return the keys of positive numbers with units, without loads, measurements and lists of numbers."""
+    keys = []
     for name in type(design).model_fields:
         if name not in _NOT_BUILT:
-            found += [key for key, value in _numbers(getattr(design, name), name) if value > 0]
-    return tuple(found)
+            keys += [key for key, value in _numbers(getattr(design, name), name) if value > 0]
+    return tuple(keys)
 
 
 def _numbers(value: object, key: str) -> Iterator[tuple[str, float]]:
-    """Numbers with units in a part of a design, or in entries of a list of parts, with their keys."""
+    """Yield the numbers with units in a section of a design, or in a list of sections, with their keys."""
     if isinstance(value, Section):
         for name, field in type(value).model_fields.items():
-            inside = getattr(value, name)
-            if field_quantity(field) is not None and isinstance(inside, float) and name not in _KNOWLEDGE:
-                yield f"{key}.{name}", inside
+            part = getattr(value, name)
+            if field_quantity(field) is not None and isinstance(part, float) and name not in _KNOWLEDGE:
+                yield f"{key}.{name}", part
             else:
-                yield from _numbers(inside, f"{key}.{name}")
+                yield from _numbers(part, f"{key}.{name}")
     elif isinstance(value, tuple):
         for number, entry in enumerate(value):
             yield from _numbers(entry, f"{key}.{getattr(entry, 'name', None) or number}")
 
 
 def read_deviations(given: Mapping[str, object], design: Design) -> tuple[Deviation, ...]:
-    """Read tolerances as a goal file has them.
+    """Read the tolerances of a goal file.
 
     Args:
-        given: by key of the design: text such as "10 %" or "0.1 mm", which is uniform, either way; a table with
-            `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 % intervals
-            are taken, each as a normal distribution, for how its values hang together is not in the file. `all` stands
-            for every positive number with a unit that is not the protocol's; other keys come before it, and "none"
-            takes one out.
-        design: that is built.
+        given: by key of the design: a text such as "10 %" or "0.1 mm", uniform in both directions; a table with
+            `distribution` and `size`; for `tendon.law` a table with `intervals_of`, a law file whose 95 % intervals are
+            used as independent normal distributions, because the file has no correlations. `all` stands for every
+            positive number with a unit that is not in the protocol; other keys take precedence, and "none" removes one.
+        design: the nominal design.
 
     Raises:
-        InputError: an unknown key, or a value that is not allowed; the caller knows the table.
+        InputError: an unknown key, or a value that is not allowed. The caller adds the name of the table.
     """
     check_keys_once(given, design)
-    found: dict[str, Deviation] = {}
+    deviations: dict[str, Deviation] = {}
     if "all" in given:
         size, relative = _size("all", given["all"], None)
-        found = {
+        deviations = {
             key: Deviation(key=key, distribution="uniform", size=size, relative=relative)
             for key in positive_keys(design)
         }
-    # "all" calls entries by their names, a file perhaps by their numbers
-    called = {numbered_key(design, key): key for key in found}
-    for own, value in given.items():
-        if own == "all":
+    # "all" has list entries by their names; a file may have them by their numbers
+    key_by_number = {numbered_key(design, key): key for key in deviations}
+    for key_in_file, value in given.items():
+        if key_in_file == "all":
             continue
-        key = called.get(numbered_key(design, own), own)
+        key = key_by_number.get(numbered_key(design, key_in_file), key_in_file)
         if value == "none":
-            if found.pop(key, None) is None:
-                raise InputError(f'{key}: has no tolerance that "none" could take away{near_name(key, found)}')
+            if deviations.pop(key, None) is None:
+                raise InputError(f'{key}: has no tolerance that "none" could remove{near_name(key, deviations)}')
             continue
         with error_prefix(f"{key}."):
             table = read_part(ToleranceEntry, value if isinstance(value, Mapping) else {"size": value})
         if table.intervals_of is None:
-            found[key] = _deviation(key, table, design)
+            deviations[key] = _deviation(key, table, design)
             continue
-        for each in _fitted(key, table, design):
-            found[called.get(numbered_key(design, each.key), each.key)] = each
-    return tuple(found.values())
+        for deviation in _fitted(key, table, design):
+            deviations[key_by_number.get(numbered_key(design, deviation.key), deviation.key)] = deviation
+    return tuple(deviations.values())
 
 
 def _deviation(key: str, table: ToleranceEntry, design: Design) -> Deviation:
-    """One tolerance of one key."""
+    """Return one tolerance of one key."""
     quantity = key_quantity(key, type(design), table.size)
     value = key_value(design, key)
     if value is None:
-        raise InputError(f"{key}: is not given in {design.name}, and what is not there cannot be off")
+        raise InputError(f"{key}: is not given in {design.name}, so it cannot have a tolerance")
     if isinstance(value, bool) or not isinstance(value, float):
         raise InputError(f"{key}: need a key whose value is a number with fractions, {design.name} has {value!r}")
     if table.size is None:
         raise InputError(f'{key}.size: is missing; give it, as in {{ distribution = "normal", size = "5 %" }}')
     size, relative = _size(key, table.size, quantity)
     if relative and value == 0:
-        raise InputError(f"{key}: is 0 in {design.name}, of which no share is more; give a tolerance with a unit")
+        raise InputError(
+            f"{key}: is 0 in {design.name}, so a relative tolerance has no effect; give a tolerance with a unit"
+        )
     return Deviation(key=key, distribution=table.distribution, size=size, relative=relative)
 
 
-def _size(key: str, given: object, quantity: Quantity | None) -> tuple[float, bool]:
-    """A size, and whether it is a share."""
-    relative = quantity is None or (isinstance(given, str) and given.strip().endswith("%"))
+def _size(key: str, text: object, quantity: Quantity | None) -> tuple[float, bool]:
+    """Return a size, and whether it is a fraction."""
+    relative = quantity is None or (isinstance(text, str) and text.strip().endswith("%"))
     with error_prefix(f"{key}: "):
-        size = parse_quantity(given, _SHARE if relative or quantity is None else quantity.unit)
+        size = parse_quantity(text, _SHARE if relative or quantity is None else quantity.unit)
     if size <= 0 or (relative and size >= 1):
         rule = "> 0 and < 100 %" if relative else "> 0"
-        raise InputError(f"{key}: need a tolerance {rule}, got {as_written(given)}")
+        raise InputError(f"{key}: need a tolerance {rule}, got {as_written(text)}")
     return size, relative
 
 
 def _fitted(key: str, table: ToleranceEntry, design: Design) -> Iterator[Deviation]:
-    """The 95 % intervals of a law's fit as normal distributions about the design's own values."""
+    """Yield the 95 % intervals of a fitted law as normal distributions about the design's own values."""
     if table.model_fields_set != {"intervals_of"} or table.intervals_of is None:
-        given = as_written(table.model_dump(exclude_unset=True))
-        raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} and nothing else, got {given}')
+        entries = as_written(table.model_dump(exclude_unset=True))
+        raise InputError(f'{key}: need {{ intervals_of = "my-law.toml" }} without other keys, got {entries}')
     with error_prefix(f"{key}.intervals_of: "):
         law = load_law(table.intervals_of)
     if not law.intervals:
@@ -185,33 +187,33 @@ def _fitted(key: str, table: ToleranceEntry, design: Design) -> Iterator[Deviati
     for bounds in law.intervals:
         section, _, term = bounds.key.partition(".")
         inside = f"{term}_{section}" if section in ("modulus", "viscosity") else bounds.key
-        own = f"{key}.{inside}"
-        key_value(design, own)
+        key_of_value = f"{key}.{inside}"
+        key_value(design, key_of_value)
         width = (bounds.high - bounds.low) / (2 * _NINETY_FIVE)
-        yield Deviation(key=own, distribution="normal", size=width, relative=False)
+        yield Deviation(key=key_of_value, distribution="normal", size=width, relative=False)
 
 
 def deviation_widths(design: Design, deviations: Sequence[Deviation]) -> Array:
-    """Half widths, or standard deviations, about a design's values, SI, (deviation,)."""
-    return np.array([each.width(float(key_value(design, each.key))) for each in deviations])
+    """Return half widths or standard deviations about a design's values, SI, (deviation,)."""
+    return np.array([deviation.width(float(key_value(design, deviation.key))) for deviation in deviations])
 
 
 def off_values(design: Design, deviations: Sequence[Deviation], offsets: Sequence[float]) -> dict[str, object]:
-    """Values of a design that are off by so many widths each, kept within what their keys allow.
+    """Return deviating values of a design, limited to what their keys allow.
 
     Args:
-        design: whose values they are off.
+        design: the nominal design.
         deviations: of some of its keys.
         offsets: in widths, (deviation,).
 
     Returns:
-        By key, as a design file has them.
+        By key, as in a design file.
     """
     values: dict[str, object] = {}
     for deviation, offset in zip(deviations, offsets, strict=True):
-        own = float(key_value(design, deviation.key))
+        nominal = float(key_value(design, deviation.key))
         quantity = key_quantity(deviation.key, type(design))
-        value = own + float(offset) * deviation.width(own)
+        value = nominal + float(offset) * deviation.width(nominal)
         if quantity is None:
             values[deviation.key] = value
             continue
@@ -221,7 +223,7 @@ def off_values(design: Design, deviations: Sequence[Deviation], offsets: Sequenc
 
 
 def allowed_ends(design: Design, key: str) -> tuple[float, float]:
-    """The least and the largest value that a key of a design may have, SI; infinite where there is none."""
+    """Return the least and the largest value that a key of a design may have, SI; infinite if unlimited."""
     quantity = key_quantity(key, type(design))
     if quantity is None:
         return -math.inf, math.inf

@@ -1,4 +1,4 @@
-"""Goal: what a structure must do, what may vary, and how far off it may be built."""
+"""Goal: what a structure must do, what may vary, and its manufacturing tolerances."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from forficula.study.search_steps import Search
 
 @dataclass(frozen=True, kw_only=True)
 class Objective:
-    """What is to be as small or as large as can be.
+    """A quantity to minimise or maximise.
 
     Attributes:
-        quantity: which.
+        quantity: the quantity.
         kind: "least" or "largest".
     """
 
@@ -28,28 +28,29 @@ class Objective:
     kind: Literal["least", "largest"]
 
     def cost(self, value: float) -> float:
-        """What is to be small, of a value in SI."""
+        """Return the number to minimise for a value in SI."""
         return value if self.kind == "least" else -value
 
 
 @dataclass(frozen=True, kw_only=True)
 class Goal(Displayed):
-    """What is asked of a design.
+    """Requirements for a design, and what may vary to meet them.
 
     Attributes:
-        name: what outputs call it.
-        source: where the question comes from.
-        base: the design that is varied, with the settings of the goal, and the torques of `given`.
+        name: name in outputs.
+        source: source of the goal.
+        base: the design that is varied, with the settings of the goal and the torques of `given`.
         parameters: what may vary.
-        limits: on quantities; on the share of what is built that works among them.
-        given: upper limits on least torques, which are the protocol's torques: what works with these needs no more.
-        objectives: one, or two or three, which give a front.
-        deviations: how far off what is built may be; none where it is built as designed.
-        simulate: whether a design must do what its protocol asks for in a run; otherwise statics alone is asked.
-        search: of the least values, where an objective is about one; else None.
-        runs: how many designs are tried at most.
-        batch: how many of them side by side.
-        neighbours: how many designs within the tolerances are tried of one.
+        limits: limits on quantities, including the probability of working within tolerances.
+        given: upper limits on least torques. They become the torques of the protocol: a design that works with these
+            torques needs no larger ones.
+        objectives: one, or two or three, which give a Pareto front.
+        deviations: manufacturing tolerances; empty if the structure is built exactly as designed.
+        simulate: whether a run must reach the goals of the protocol. Otherwise only statics is computed.
+        search: search for least values if a limit or objective needs one, else None.
+        runs: largest number of designs to try.
+        batch: number of designs that run side by side.
+        neighbours: number of variants within the tolerances that are run for one design.
         seed: of the random numbers.
     """
 
@@ -69,28 +70,28 @@ class Goal(Displayed):
     seed: int
 
     def __repr__(self) -> str:
-        """What is asked, over what."""
-        asked = ", ".join(f"{each.kind} {each.quantity.name}" for each in self.objectives)
-        keys = ", ".join(each.key for each in self.parameters)
-        return f"<Goal {self.name}: {asked} of {self.base.name} over {keys}>"
+        """Return the objectives, the design and the varied keys."""
+        aims = ", ".join(f"{objective.kind} {objective.quantity.name}" for objective in self.objectives)
+        keys = ", ".join(parameter.key for parameter in self.parameters)
+        return f"<Goal {self.name}: {aims} of {self.base.name} over {keys}>"
 
     @property
     def quantities(self) -> tuple[OutcomeQuantity, ...]:
-        """All that limits and objectives are about, once each."""
-        every = [*(each.quantity for each in self.limits), *(each.quantity for each in self.objectives)]
-        return tuple({each.name: each for each in every}.values())
+        """All quantities of limits and objectives, without repetition."""
+        quantities = [*(limit.quantity for limit in self.limits), *(aim.quantity for aim in self.objectives)]
+        return tuple({quantity.name: quantity for quantity in quantities}.values())
 
     @property
     def sources(self) -> tuple[Source, ...]:
-        """What it takes to know them, the cheap before the dear."""
-        needed = {each.source for each in self.quantities} | ({"run"} if self.simulate else set())
+        """Sources of these quantities, the cheapest first."""
+        needed = {quantity.source for quantity in self.quantities} | ({"run"} if self.simulate else set())
         return tuple(source for source in SOURCES if source in needed)
 
     def values(self, shares: Sequence[float]) -> Mapping[str, object]:
-        """The values of a design by key, at a share of the way of each parameter."""
-        return {each.key: each.value(share) for each, share in zip(self.parameters, shares, strict=True)}
+        """Return the values of a design by key, at a fraction of the range of each parameter."""
+        return {parameter.key: parameter.value(share) for parameter, share in zip(self.parameters, shares, strict=True)}
 
 
 def own_limits(goal: Goal) -> tuple[Limit, ...]:
-    """The limits that a design meets or misses by itself, whatever its neighbours do."""
-    return tuple(each for each in goal.limits if each.quantity.source != "neighbours")
+    """Return the limits that a design meets or misses by itself, independent of variants within its tolerances."""
+    return tuple(limit for limit in goal.limits if limit.quantity.source != "neighbours")

@@ -1,4 +1,4 @@
-"""Goals in files: named ones, and those of a user."""
+"""Goal files: named goals and those of a user."""
 
 from __future__ import annotations
 
@@ -48,29 +48,33 @@ _Tolerances = Annotated[dict[str, Any], BeforeValidator(ByKey(allowed=f'{SIZE}, 
 
 
 class GoalSearchTable(TorqueSearchTable):
-    """How many designs are tried, and the torques of searches for least torques."""
+    """Size of the search, and the torques of searches for least torques."""
 
-    runs: _Count = entry("designs that are tried at most; the first fill the space", 512, at_least=1)
-    batch: _Count = entry("designs that run side by side", 32, at_least=4)
-    neighbours: _Count = entry("designs within the tolerances of one that are tried", 64, at_least=8)
+    runs: _Count = entry("largest number of designs to try; the first ones fill the space", 512, at_least=1)
+    batch: _Count = entry("number of designs that run in parallel", 32, at_least=4)
+    neighbours: _Count = entry(
+        "number of variants within the tolerances that are run to compute the probability of a design", 64, at_least=8
+    )
     seed: _Count = entry("random seed", 0, at_least=0)
 
 
 class GoalFile(Section):
-    """A goal as its file has it; a tolerance takes the settings, limits and tolerances of such a file."""
+    """Content of a goal file. `forficula tolerance` uses the settings, limits and tolerances of such a file."""
 
     about: ClassVar[str] = (
         "A forficula goal: what a structure must do, what may vary, and its tolerances; forficula keys --goal lists all"
         " keys"
     )
 
-    name: FolderName = entry("what outputs call it", "goal", left_out="the file's name")
-    source: str = entry("where the question comes from", "")
+    name: FolderName = entry("name of the goal in outputs", "goal", left_out="the file's name")
+    source: str = entry("source of the goal", "")
     design: DesignName = DESIGN
-    simulate: YesOrNo = entry("whether a run must reach the goals of its protocol; false: statics alone decides", True)
+    simulate: YesOrNo = entry(
+        "true: a simulated run must reach the goals of its protocol; false: only statics is computed", True
+    )
     settings: Settings = SETTINGS
     vary: _Parameters = entry(
-        "values that the key may have",
+        "values that the key may have in a design",
         {},
         left_out="needed",
         examples=(
@@ -80,27 +84,27 @@ class GoalFile(Section):
         ),
     )
     limits: _Limits = entry(
-        "what the quantity or key of the design must not fall below, or exceed, beside what the protocol asks for",
+        "lower or upper limit of a quantity or key of the design, in addition to the goals of the protocol",
         {},
         examples=('${first}_time = "<= 0.5 s"', 'probability = ">= 95 %"'),
     )
     objectives: _Objectives = entry(
-        "whether the quantity or key of the design is to be least or largest; two or three objectives give a front",
+        "minimise or maximise a quantity or key of the design; two or three objectives give a Pareto front",
         {},
         left_out="needed",
         examples=('${first}_work = "least"',),
     )
     tolerances: _Tolerances = entry(
-        "by how much the key may deviate when it is built, uniform in both directions; the key all stands for every"
-        " positive number with a unit that is not the protocol's",
+        "manufacturing tolerance of the key, uniform in both directions unless stated; the key all stands for every"
+        " positive number with a unit that is not in the protocol",
         {},
         examples=('all = "10 %"', '"$key" = "5 %"', '"$key" = { distribution = "normal", size = "$step" }'),
     )
-    search: GoalSearchTable = entry("how many designs are tried", GoalSearchTable())
+    search: GoalSearchTable = entry("size and seed of the search", GoalSearchTable())
 
 
 def _texts(design: Design) -> dict[str, str]:
-    """What a new file says beside its keys."""
+    """Return the texts of a new file that depend on its design."""
     return {"limits": f"Quantities are {listed(quantities_of(design))}"}
 
 
@@ -120,7 +124,7 @@ def load_goal(name_or_path: str | Path) -> Goal:
 
 
 def goal_of(tables: Mapping[str, Any]) -> Goal:
-    """Build a goal of tables as a file has them, but for `design`, which may be one.
+    """Build a goal from tables as in a goal file; `design` may be a `Design`.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
@@ -129,35 +133,37 @@ def goal_of(tables: Mapping[str, Any]) -> Goal:
 
 
 def named_goals() -> list[str]:
-    """The names of the goals that come with the package."""
+    """Return the names of the goals that the package contains."""
     return named_files(GOAL)
 
 
 def _goal(file: GoalFile, folder: Path) -> Goal:
     base = base_design(file.design, file.settings, folder)
     limits = read_limits(file.limits, base)
-    given = tuple(each for each in limits if each.quantity.source == "search" and each.kind == "<=")
-    base = with_torques(base, given)
-    limits = tuple(each for each in limits if each not in given)
-    if any(each.quantity.name == PROBABILITY and each.kind == "<=" for each in limits):
+    torque_limits = tuple(limit for limit in limits if limit.quantity.source == "search" and limit.kind == "<=")
+    base = with_torques(base, torque_limits)
+    limits = tuple(limit for limit in limits if limit not in torque_limits)
+    if any(limit.quantity.name == PROBABILITY and limit.kind == "<=" for limit in limits):
         raise InputError(f'limits.{PROBABILITY}: need a lower limit, such as ">= 95 %"')
     objectives = _objectives(file.objectives, base)
     deviations = deviations_within(file.tolerances, base, folder)
     parameters = _parameters(file.vary, base, folder)
-    asked = [*(each.quantity for each in limits), *(each.quantity for each in objectives)]
-    _check_asked([*(each.quantity for each in given), *asked], parameters, deviations, simulate=file.simulate)
-    _check_varied(asked, given, parameters, base)
+    quantities = [*(limit.quantity for limit in limits), *(objective.quantity for objective in objectives)]
+    _check_computable(
+        [*(limit.quantity for limit in torque_limits), *quantities], parameters, deviations, simulate=file.simulate
+    )
+    _check_varied(quantities, torque_limits, parameters, base)
     return Goal(
         name=file.name,
         source=file.source,
         base=base,
         parameters=parameters,
         limits=limits,
-        given=given,
+        given=torque_limits,
         objectives=objectives,
         deviations=deviations,
         simulate=file.simulate,
-        search=_search(file.search, asked, base),
+        search=_search(file.search, quantities, base),
         runs=file.search.runs,
         batch=file.search.batch,
         neighbours=file.search.neighbours,
@@ -165,82 +171,82 @@ def _goal(file: GoalFile, folder: Path) -> Goal:
     )
 
 
-def read_limits(given: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
-    """Read the limits of a file by the quantities' names.
+def read_limits(table: Mapping[str, Any], base: Design) -> tuple[Limit, ...]:
+    """Read the limits of a file, a table by names of quantities.
 
     Raises:
-        InputError: an unknown quantity, or no limit.
+        InputError: an unknown quantity, or an invalid limit.
     """
-    found = []
-    for name, texts in given.items():
+    limits = []
+    for name, texts in table.items():
         with error_prefix("limits."):
             quantity = quantity_of(base, name)
         with error_prefix(f"limits.{name}: "):
-            limits = [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
-            check_limits(limits)
-        found += limits
-    return tuple(found)
+            of_name = [read_limit(quantity, text) for text in (texts if isinstance(texts, list) else [texts])]
+            check_limits(of_name)
+        limits += of_name
+    return tuple(limits)
 
 
-def _objectives(given: Mapping[str, Any], base: Design) -> tuple[Objective, ...]:
-    found = []
-    for name, kind in given.items():
+def _objectives(table: Mapping[str, Any], base: Design) -> tuple[Objective, ...]:
+    objectives = []
+    for name, kind in table.items():
         with error_prefix("objectives."):
             quantity = quantity_of(base, name)
         if kind not in ("least", "largest"):
             raise InputError(f"objectives.{name}: need {one_of(('least', 'largest'), kind)}")
-        found.append(Objective(quantity=quantity, kind=kind))
-    if not 1 <= len(found) <= _MOST_OBJECTIVES:
+        objectives.append(Objective(quantity=quantity, kind=kind))
+    if not 1 <= len(objectives) <= _MOST_OBJECTIVES:
         raise InputError(
-            f'objectives: need one to three quantities, such as mass = "least", got {len(found) or "none"}'
+            f'objectives: need one to three quantities, such as mass = "least", got {len(objectives) or "none"}'
         )
-    return tuple(found)
+    return tuple(objectives)
 
 
-def with_torques(base: Design, given: Sequence[Limit]) -> Design:
-    """The design with the torques of upper limits on least torques as its protocol's."""
-    if not given:
+def with_torques(base: Design, limits: Sequence[Limit]) -> Design:
+    """Return the design whose protocol has the torques of the upper limits on least torques."""
+    if not limits:
         return base
     steps = {step.least_name: step for step in read_search("least-torques", {}, base).steps}
     values: dict[str, object] = {}
-    # of several limits on one, the strictest comes last
-    for limit in sorted(given, key=lambda each: -each.bound):
+    # of several limits on one torque, the strictest comes last
+    for limit in sorted(limits, key=lambda limit: -limit.bound):
         step = steps[limit.quantity.name]
         values[step.key] = step.sign * limit.bound
     return base.with_values(values)
 
 
-def deviations_within(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Deviation, ...]:
-    """Read the tolerances of a file that lies in a folder.
+def deviations_within(table: Mapping[str, Any], base: Design, folder: Path) -> tuple[Deviation, ...]:
+    """Read the tolerances of a file in a folder.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
     """
-    within = {
+    tolerances = {
         key: {**value, "intervals_of": str(folder / value["intervals_of"])}
         if isinstance(value, dict) and str(value.get("intervals_of", "")).endswith(".toml")
         else value
-        for key, value in given.items()
+        for key, value in table.items()
     }
     with error_prefix("tolerances."):
-        return read_deviations(within, base)
+        return read_deviations(tolerances, base)
 
 
-def _parameters(given: Mapping[str, Any], base: Design, folder: Path) -> tuple[Parameter, ...]:
+def _parameters(table: Mapping[str, Any], base: Design, folder: Path) -> tuple[Parameter, ...]:
     with error_prefix("vary."):
-        check_keys_once(given, base)
-        return tuple(read_parameter(key, value_from_folder(key, value, folder), base) for key, value in given.items())
+        check_keys_once(table, base)
+        return tuple(read_parameter(key, value_from_folder(key, value, folder), base) for key, value in table.items())
 
 
-def _check_asked(
-    asked: Sequence[OutcomeQuantity],
+def _check_computable(
+    quantities: Sequence[OutcomeQuantity],
     parameters: Sequence[Parameter],
     deviations: Sequence[Deviation],
     *,
     simulate: bool,
 ) -> None:
-    """Refuse what cannot be known of the designs that are tried."""
-    for quantity in asked:
+    """Reject quantities that cannot be computed for the designs that are tried."""
+    for quantity in quantities:
         if quantity.source in ("run", "record", "search") and not simulate:
             raise InputError(f"{quantity.name}: is known by running a design, which simulate = false leaves out")
         if quantity.name == PROBABILITY and not deviations:
@@ -250,24 +256,28 @@ def _check_asked(
 
 
 def _check_varied(
-    asked: Sequence[OutcomeQuantity], given: Sequence[Limit], parameters: Sequence[Parameter], base: Design
+    quantities: Sequence[OutcomeQuantity], limits: Sequence[Limit], parameters: Sequence[Parameter], base: Design
 ) -> None:
-    """Refuse to vary what a limit on a least torque settles, or a search for one tries."""
-    names = {each.name for each in (*asked, *(limit.quantity for limit in given)) if each.source == "search"}
+    """Reject varying a key whose value a limit on a least torque sets, or a search for a least torque tries."""
+    names = {
+        quantity.name
+        for quantity in (*quantities, *(limit.quantity for limit in limits))
+        if quantity.source == "search"
+    }
     if not names:
         return
     settled = {step.key: step.least_name for step in read_search("least-torques", {}, base).steps}
-    varied = {numbered_key(base, each.key): each.key for each in parameters}
+    varied = {numbered_key(base, parameter.key): parameter.key for parameter in parameters}
     for key, name in settled.items():
-        if name in names and (own := varied.get(numbered_key(base, key))) is not None:
-            raise InputError(f"vary.{own}: is what {name} is about; need it in one of them")
+        if name in names and (key_in_file := varied.get(numbered_key(base, key))) is not None:
+            raise InputError(f"vary.{key_in_file}: is what {name} is about; need it in one of them")
 
 
-def _search(table: GoalSearchTable, asked: Sequence[OutcomeQuantity], base: Design) -> Search | None:
-    """What a search for least values tries, where one of them is asked for."""
+def _search(table: GoalSearchTable, quantities: Sequence[OutcomeQuantity], base: Design) -> Search | None:
+    """Read the search for least torques if a limit or objective needs it, else None."""
     counts = ("runs", "batch", "neighbours", "seed")
-    own = table.model_dump(exclude_unset=True, exclude=set(counts))
-    if any(quantity.source == "search" for quantity in asked):
-        return read_search("least-torques", own, base)
-    check_known(own, counts, "search.")
+    search_keys = table.model_dump(exclude_unset=True, exclude=set(counts))
+    if any(quantity.source == "search" for quantity in quantities):
+        return read_search("least-torques", search_keys, base)
+    check_known(search_keys, counts, "search.")
     return None

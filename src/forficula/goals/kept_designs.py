@@ -1,4 +1,4 @@
-"""Designs that were tried for a goal and are worth a record, so that they can be played."""
+"""Selection of designs that were tried for a goal and whose records are kept, so that they can be played."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from itertools import islice
 from forficula.design import Design
 from forficula.study.running.kept_runs import RunToKeep
 
-# runs that are kept where nothing else is said
+# default number of runs that are kept
 MOST_KEPT = 24
 
 
 def designs_to_keep(designs: Sequence[Design | str], wanted: Iterable[int], most: int = MOST_KEPT) -> list[RunToKeep]:
-    """The runs of some of the designs that were tried, for `kept_runs`.
+    """Return the runs of selected designs, for `kept_runs`.
 
     Args:
-        designs: all of them in the order of their table, or why there is none.
-        wanted: numbers of those that are worth it, the first ones first; one that cannot be built is left out.
-        most: of them.
+        designs: all designs in the order of their table, or why there is none.
+        wanted: indices of the selected designs, most important first. One that cannot be built is omitted.
+        most: largest number of runs.
     """
     return runs_to_keep(len(designs), designs.__getitem__, wanted, most)
 
@@ -26,18 +26,18 @@ def designs_to_keep(designs: Sequence[Design | str], wanted: Iterable[int], most
 def runs_to_keep(
     count: int, design_of: Callable[[int], Design | str], wanted: Iterable[int], most: int
 ) -> list[RunToKeep]:
-    """As `designs_to_keep`, of designs that are built one after another until there are enough.
+    """Do the same as `designs_to_keep`, but build designs one after another until there are enough.
 
     Args:
-        count: of all designs.
-        design_of: builds the one with a number, or says why there is none.
-        wanted: numbers of those that are worth it, the first ones first; one that cannot be built is left out.
-        most: of them.
+        count: number of all designs.
+        design_of: builds the design with an index, or returns why there is none.
+        wanted: indices of the selected designs, most important first. One that cannot be built is omitted.
+        most: largest number of runs.
     """
     width = len(str(count))
-    chosen = ((number, design_of(number)) for number in dict.fromkeys(wanted))
-    built = ((number, design) for number, design in chosen if isinstance(design, Design))
+    chosen = ((index, design_of(index)) for index in dict.fromkeys(wanted))
+    built = ((index, design) for index, design in chosen if isinstance(design, Design))
     return [
-        RunToKeep(point=number, part="run", name=f"{number + 1:0{width}d}", design=design)
-        for number, design in islice(built, max(most, 0))
+        RunToKeep(point=index, part="run", name=f"{index + 1:0{width}d}", design=design)
+        for index, design in islice(built, max(most, 0))
     ]

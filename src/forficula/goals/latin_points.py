@@ -1,27 +1,27 @@
-"""Points of the unit cube for what is counted, and has an interval: even along every axis, independent between them."""
+"""Points of the unit cube for counting with intervals: stratified along every axis, independent between axes."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-# a share of 0 or 1 is an infinite deviation of a normal law
+# 0 and 1 would give infinite deviations of a normal distribution
 _EDGE = 2.0**-33
 
 
 def latin_points(columns: int, count: int, seed: int) -> NDArray[np.float64]:
-    """Draw a Latin hypercube whose halves, quarters and so on, from the first row on, are ones, too.
+    """Draw a Latin hypercube whose first half, first quarter and so on are Latin hypercubes, too.
 
-    The rows so far leave one of two halves of every part of an axis empty; the next ones fill these, in an order that
-    is drawn anew for every axis. Of a Latin hypercube a count scatters hardly more than of independent points, whatever
-    decides it (Owen 1997, doi:10.1137/S0036142994277468: by at most n / (n - 1)), so that intervals made for these
-    hold. Few points of a Sobol sequence in many dimensions have axes that go together, and intervals that do not hold:
-    of 64 in 21 dimensions, some by a correlation of 0.7.
+    The first half leaves one of two halves of every interval of an axis empty. The second half fills these, in an order
+    that is drawn for every axis. A count over a Latin hypercube scatters hardly more than over independent points,
+    whatever the counted property is (Owen 1997, doi:10.1137/S0036142994277468: at most by n / (n - 1)), so intervals
+    for independent points are valid. A short Sobol sequence in many dimensions has correlated axes and invalid
+    intervals: among 64 points in 21 dimensions, some correlations are 0.7.
 
     Args:
-        columns: axes.
-        count: rows, a power of two.
-        seed: of the draw. The first rows are the same, however many there are.
+        columns: number of axes.
+        count: number of rows, a power of two.
+        seed: of the draw. The first rows do not depend on the count.
 
     Returns:
         (count, columns), above 0 and below 1.

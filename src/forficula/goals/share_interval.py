@@ -1,4 +1,4 @@
-"""Shares that are counted: which share of all may be so, where so many of a few are."""
+"""Confidence intervals of proportions."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ LEVEL = 0.95
 
 
 def share_interval(count: int, of: int, looks: int = 1) -> tuple[float, float]:
-    """The exact two-sided 95 % interval of a share (Clopper and Pearson 1934, doi:10.1093/biomet/26.4.404).
+    """Return the exact two-sided 95 % interval of a proportion (Clopper and Pearson 1934, doi:10.1093/biomet/26.4.404).
 
     Args:
-        count: how many of them it holds of.
-        of: how many there are; of none the share may be anything.
-        looks: out of how many shares this one was chosen for what it is: the interval is so much wider that all of
-            theirs hold together 95 times in 100 (Bonferroni).
+        count: number of successes.
+        of: number of trials; with none, the interval is [0, 1].
+        looks: number of proportions from which this one was selected by its value. The interval is widened so that all
+            of them together hold in 95 of 100 cases (Bonferroni).
     """
     if of == 0:
         return 0.0, 1.0
-    beyond = (1 - LEVEL) / looks / 2
-    # the shares of which so many or more, and so few or fewer, come that seldom: quantiles of beta distributions
-    low = float(scipy.special.betaincinv(count, of - count + 1, beyond)) if count else 0.0
-    return low, _least_above(count, of, beyond)
+    tail = (1 - LEVEL) / looks / 2
+    # proportions for which this many successes or more, or this many or fewer, have the tail probability
+    low = float(scipy.special.betaincinv(count, of - count + 1, tail)) if count else 0.0
+    return low, _least_above(count, of, tail)
 
 
 def largest_share(count: int, of: int) -> float:
-    """The upper end at a one-sided 95 %: where none is counted 1 - 0.05^(1/n), about 3/n, the rule of three.
+    """Return the upper end of the one-sided 95 % interval; for 0 successes 1 - 0.05^(1/n), about 3/n (rule of three).
 
-    Hanley and Lippman-Hand 1983, doi:10.1001/jama.1983.03330370053031. It is no end of `share_interval`: an interval
-    that took it at its ends, and halves of what is left elsewhere, would not hold 95 times in 100.
+    Hanley and Lippman-Hand 1983, doi:10.1001/jama.1983.03330370053031. It is not an end of `share_interval`: a
+    two-sided interval with this upper end would hold in fewer than 95 of 100 cases.
 
     Args:
-        count: how many of them it holds of.
-        of: how many there are; of none the share may be anything.
+        count: number of successes.
+        of: number of trials; with none, 1 is returned.
     """
     if of == 0:
         return 1.0
@@ -40,5 +40,5 @@ def largest_share(count: int, of: int) -> float:
 
 
 def _least_above(count: int, of: int, chance: float) -> float:
-    """The share of which so few or fewer come with that chance; 1 where all are counted."""
+    """Return the proportion for which this many successes or fewer have this probability; 1 if all are successes."""
     return float(scipy.special.betainccinv(count + 1, of - count, chance)) if count < of else 1.0

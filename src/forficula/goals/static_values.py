@@ -1,4 +1,4 @@
-"""What statics and the parts say of a design, without any simulation: quantities by name, None where there is none."""
+"""Quantities of a design from statics and parts, without simulation, by name."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from forficula.statics.tree.hinge_landscape import crossed_hinges
 from forficula.statics.tree.potential import ensemble
 from forficula.structure import Structure, mass_of, structure_of
 
-# of a hinge's curves and of a fold's: their ends, tops and peaks are exact or interpolated by cubics
+# points of a hinge's and of a fold's curves; their ends, maxima and peaks are exact or interpolated by cubics
 _HINGE_POINTS, _FOLD_POINTS = 31, 41
 
 Values = dict[str, float | None]
 
 
 def static_values(design: Design, sources: Collection[Source]) -> Values:
-    """Quantities of a design by name, SI, of some sources that need no simulation.
+    """Return quantities of a design by name, SI, from sources that need no simulation.
 
     Args:
-        design: of which.
-        sources: of "parts", "hinges", "fold" and "slow".
+        design: the design.
+        sources: some of "parts", "hinges", "fold" and "slow".
 
     Returns:
-        None where there is no such value, as of the barrier of what has no second stable state.
+        None for a value that does not exist, such as the barrier without a second stable state.
 
     Raises:
         InputError: the design cannot be built.
@@ -46,27 +46,27 @@ def static_values(design: Design, sources: Collection[Source]) -> Values:
 
 
 def _mass(structure: Structure) -> float:
-    """Of all bodies, kg: of bars, plates and what they carry, and of bodies that are points, their own."""
-    own = sum(body.mass for body in structure.bodies)
-    return own + sum(mass_of(structure, number)[0] for number in range(len(structure.bodies)))
+    """Return the mass of all bodies, kg: bars, plates and what they carry, and the mass of points."""
+    points = sum(body.mass for body in structure.bodies)
+    return points + sum(mass_of(structure, number)[0] for number in range(len(structure.bodies)))
 
 
 def _hinges(structure: Structure) -> Values:
-    """Of every hinge that a tendon crosses, alone: what is weakest, and what opposes most."""
-    own = [each.own for each in crossed_hinges(structure, _HINGE_POINTS)]
-    barriers = [each.barrier for each in own if each.barrier is not None]
-    torques = [each.holding_torque for each in own if each.holding_torque is not None]
-    peaks = [each.peak_opening.torque for each in own if each.peak_opening is not None]
-    whole = bool(own) and len(barriers) == len(torques) == len(own)
+    """Return the weakest and the most resistant values among hinges that a tendon crosses, each hinge alone."""
+    landscapes = [hinge.own for hinge in crossed_hinges(structure, _HINGE_POINTS)]
+    barriers = [hinge.barrier for hinge in landscapes if hinge.barrier is not None]
+    torques = [hinge.holding_torque for hinge in landscapes if hinge.holding_torque is not None]
+    peaks = [hinge.peak_opening.torque for hinge in landscapes if hinge.peak_opening is not None]
+    complete = bool(landscapes) and len(barriers) == len(torques) == len(landscapes)
     return {
-        "hinge_barrier": min(barriers) if whole else None,
-        "hinge_holding_torque": min(torques) if whole else None,
+        "hinge_barrier": min(barriers) if complete else None,
+        "hinge_holding_torque": min(torques) if complete else None,
         "hinge_opening_torque": max(peaks, default=None),
     }
 
 
 def _fold(structure: Structure) -> Values:
-    """Barriers along the fold between its first and its last stable state, and what holds the first."""
+    """Return barriers along the fold between first and last stable state, and the holding torque of the first."""
     path = fold_path(ensemble([structure]), _FOLD_POINTS)
     stable = [state for state in path.states if state.stable]
     if len(stable) < 2 or stable[0].coordinate == stable[-1].coordinate:

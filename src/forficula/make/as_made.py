@@ -1,4 +1,4 @@
-"""Parts -> design: the design that a structure of them has, so that one can run the thing as it is made."""
+"""Design of a structure as its parts are made, so that this structure can be run."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ Group = Literal["attachments", "offsets", "stops", "stiffness", "masses", "coupl
 GROUPS: tuple[Group, ...] = get_args(Group)
 AS_MADE = "as-made.toml"
 
-# what differs by less is as designed: rad, and by itself
+# smaller differences count as none: rad, and relative
 _ANGLE, _ALIKE = math.radians(0.01), 1e-9
-# digits of what is measured
+# digits of measured values
 _DIGITS = 6
 
 
 @dataclass(frozen=True, kw_only=True)
 class MadeChange:
-    """A value that parts have otherwise than their design says.
+    """A value that differs between the parts and their design.
 
     Attributes:
-        group: that it is of.
-        key: of the design, dotted.
-        designed: as a sentence has it, "" where the design gives none.
-        made: alike.
+        group: of the value.
+        key: dotted key of the design.
+        designed: in words, "" if the design gives none.
+        made: in words.
     """
 
     group: Group
@@ -47,30 +47,30 @@ class MadeChange:
 
 
 def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValues | None = None) -> Design:
-    """The design that parts have: their pegs, stops, stiffness, masses and inertias about the hinges.
+    """Return the design of parts as made: with their pegs, stops, stiffness, masses and inertias about the hinges.
 
-    - attachments and offsets are those of the pegs; straps at both sides of a bar count as one in their middle
-    - stops are where the two halves begin to overlap; within 0.01 deg of the design's they are the design's
-    - the stiffness is the design's by the area that straps are printed with, in whole layers for a filament, which is
-      printed standing on edge; the law is the design's own, whatever else a strap's material does
-    - bars have the density with which a uniform one has the inertia of the outer halves about their hinges, and half of
-      `vein.added_mass` at the hinge what is missing of their mass; straps weigh by halves at the pegs
+    - Attachments and offsets are those of the pegs. Straps at both sides of a bar count as one in their middle.
+    - Stops are the angles at which the two halves begin to overlap. Differences below 0.01 deg are ignored.
+    - The stiffness is the design's, scaled by the printed cross-section of straps. A filament is printed in whole
+    layers of
+      a strap that stands on its edge. The law is the design's own, whatever other properties a strap's material has.
+    - Bars have the density with which a uniform bar has the inertia of the outer halves about their hinges. Half of
+      `vein.added_mass` at the hinge adds the remaining mass. Half of the mass of straps is at each peg.
+    - A coupling of neighbouring veins is removed, because no part provides it.
 
-    - a coupling of neighbouring veins is left out, for no part does it
-
-    What there is no key for is told by `forficula.make.unkept.unkept`.
+    Properties without a key are returned by `forficula.make.unkept.unkept`.
 
     Args:
         parts: with joints.
         groups: of values that are taken from the parts; the others stay those of the design.
-        values: of the parts, where they are known already.
+        values: of the parts, if they have been measured already.
 
     Returns:
-        A design of its own name, whose source says what of it is measured.
+        A design with a name of its own, whose source says which values were measured.
 
     Raises:
-        InputError: parts without joints, a material without a density, or what the parts have is no design: as where
-            they stop before what counts as folded.
+        InputError: parts without joints, a material without a density, or values that are no design, for example
+            because the parts stop before the angle that counts as folded.
 
     >>> parts = ff.make_parts("binder2025-joint")
     >>> made = as_made(parts)
@@ -84,7 +84,7 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
     for tendon in values.tendons:
         changed |= _tendon(parts, tendon, groups, _place(parts, values, tendon))
     if "masses" in groups:
-        changed |= {"vein.density": _told(values.bars.density), "vein.added_mass": _told(values.bars.hinge_mass)}
+        changed |= {"vein.density": _rounded(values.bars.density), "vein.added_mass": _rounded(values.bars.hinge_mass)}
     design = parts.design
     if "coupling" in groups and uncoupled(parts):
         changed["coupling"] = None
@@ -92,16 +92,16 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
     try:
         made = design.with_values(changed)
     except InputError as error:
-        raise InputError(f"as made, it is no design that can be run: {error}") from None
+        raise InputError(f"the design as made cannot be run: {error}") from None
     words = {"name": f"{design.name}-as-made", "source": _source(design, groups)}
     return made.model_copy(update=words)
 
 
 def write_as_made(parts: PartSet, folder: str | os.PathLike[str]) -> Path:
-    """Write the design as made into a folder, `as-made.toml`; `forficula run` takes it.
+    """Write the design as made into a folder, as `as-made.toml`, which `forficula run` accepts.
 
     Raises:
-        InputError: as of `as_made`, or it cannot be written.
+        InputError: see `as_made`, or the file cannot be written.
     """
     path = Path(folder) / AS_MADE
     save_design(as_made(parts), path)
@@ -109,28 +109,28 @@ def write_as_made(parts: PartSet, folder: str | os.PathLike[str]) -> Path:
 
 
 def changes(parts: PartSet, made: Design) -> tuple[MadeChange, ...]:
-    """What a design as made has otherwise than that of the parts, key by key."""
-    found = []
+    """Return the values that differ between the design as made and the design, key by key."""
+    differences = []
     for group, key in _keys(parts, made):
         before, after = (_value(design, key) for design in (parts.design, made))
         if not _same(before, after):
-            found.append(
+            differences.append(
                 MadeChange(group=group, key=key, designed=_written(made, key, before), made=_written(made, key, after))
             )
     if uncoupled(parts) and not structure_of(made).couplings:
-        told = parts.structure.couplings[0]
-        stiffness = "rigid" if told.rigid else show_quantity(told.stiffness, HINGE_STIFFNESS)
-        found.append(MadeChange(group="coupling", key="coupling.stiffness", designed=stiffness, made=""))
-    return tuple(found)
+        coupling = parts.structure.couplings[0]
+        stiffness = "rigid" if coupling.rigid else show_quantity(coupling.stiffness, HINGE_STIFFNESS)
+        differences.append(MadeChange(group="coupling", key="coupling.stiffness", designed=stiffness, made=""))
+    return tuple(differences)
 
 
 def uncoupled(parts: PartSet) -> bool:
-    """Whether a design ties neighbouring bars at the ground to each other, which rods that bend there do not."""
+    """Return whether the design couples neighbouring bars at the ground, which the made rods do not."""
     return bool(parts.roots and parts.structure.couplings)
 
 
 def _keys(parts: PartSet, made: Design) -> list[tuple[Group, str]]:
-    """The keys that parts may have other values of, each with its group."""
+    """Return the keys whose values may differ in parts, each with its group."""
     of_tendons: tuple[tuple[Group, str], ...] = (
         ("attachments", "proximal_attachment"),
         ("attachments", "distal_attachment"),
@@ -139,66 +139,66 @@ def _keys(parts: PartSet, made: Design) -> list[tuple[Group, str]]:
         ("offsets", "proximal_aside"),
         ("offsets", "distal_aside"),
         ("stiffness", "stiffness"),
-        # without a law its area is nothing but its volume
-        ("stiffness" if any(each.material for each in parts.structure.tendons) else "masses", "area"),
+        # without a law, the area defines only the volume
+        ("stiffness" if any(tendon.material for tendon in parts.structure.tendons) else "masses", "area"),
         ("masses", "density"),
     )
-    own = structure_of(made).tendons
-    places = dict.fromkeys(own[place.tendon].key for place in parts.straps)
+    tendons = structure_of(made).tendons
+    sections = dict.fromkeys(tendons[strap.tendon].key for strap in parts.straps)
     return [
         ("stops", "hinge.overbend"),
         ("stops", "hinge.fold_limit"),
-        *((group, f"{place}.{name}") for place in places for group, name in of_tendons),
+        *((group, f"{section}.{name}") for section in sections for group, name in of_tendons),
         ("masses", "vein.density"),
         ("masses", "vein.added_mass"),
     ]
 
 
 def _stops(parts: PartSet, values: MadeValues) -> dict[str, object]:
-    """The stops of all hinges: where they are furthest from the design's; of several folds that share them, summed."""
-    found: dict[str, object] = {}
+    """Return the stops of all hinges, by the largest deviation from the design; summed over folds that share a stop."""
+    changed: dict[str, object] = {}
     folds = round(float(key_value(parts.design, "hinge.fold_limit")) / -parts.joints[0].lower)
-    for key, less, stops in (
+    for key, sign, stops in (
         ("hinge.fold_limit", 1, [joint.lower for joint in parts.joints]),
         ("hinge.overbend", -1, [joint.upper for joint in parts.joints]),
     ):
-        measured = [each[0 if less > 0 else 1] for each in values.stops]
-        short = max((less * (at - stop) for at, stop in zip(measured, stops, strict=True)), key=abs)
-        if abs(short) > _ANGLE:
-            found[key] = math.radians(round(math.degrees(key_value(parts.design, key) - folds * short), 2))
-    return found
+        measured = [pair[0 if sign > 0 else 1] for pair in values.stops]
+        deviation = max((sign * (at - stop) for at, stop in zip(measured, stops, strict=True)), key=abs)
+        if abs(deviation) > _ANGLE:
+            changed[key] = math.radians(round(math.degrees(key_value(parts.design, key) - folds * deviation), 2))
+    return changed
 
 
-def _tendon(parts: PartSet, tendon: MadeTendon, groups: Collection[Group], place: str) -> dict[str, object]:
-    """What a tendon has as made, by key."""
-    found: dict[str, object] = {}
+def _tendon(parts: PartSet, tendon: MadeTendon, groups: Collection[Group], section: str) -> dict[str, object]:
+    """Return the values of a tendon as made, by key."""
+    changed: dict[str, object] = {}
     for end, side in enumerate(("proximal", "distal")):
         if "attachments" in groups:
-            found[f"{place}.{side}_attachment"] = tendon.attachments[end]
+            changed[f"{section}.{side}_attachment"] = tendon.attachments[end]
         if "offsets" in groups:
             # straps at both sides count as one in their middle, which is on the bar
-            found |= {f"{place}.{side}_offset": tendon.offsets[end], f"{place}.{side}_aside": 0.0}
-    design, own = parts.design, parts.structure.tendons[tendon.number]
-    density, area = key_value(design, f"{place}.density"), key_value(design, f"{place}.area")
-    length = float(key_value(design, f"{place}.rest_length"))
+            changed |= {f"{section}.{side}_offset": tendon.offsets[end], f"{section}.{side}_aside": 0.0}
+    design, built = parts.design, parts.structure.tendons[tendon.number]
+    density, area = key_value(design, f"{section}.density"), key_value(design, f"{section}.area")
+    length = float(key_value(design, f"{section}.rest_length"))
     mass = tendon.mass if "masses" in groups else density * (area or 0.0) * length
     by_area = tendon.by_area if "stiffness" in groups else 1.0
-    if own.material is None:
-        found[f"{place}.stiffness"] = _told(by_area * key_value(design, f"{place}.stiffness"))
-        # without a law it has no other meaning than its volume
+    if built.material is None:
+        changed[f"{section}.stiffness"] = _rounded(by_area * key_value(design, f"{section}.stiffness"))
+        # without a law, the area defines only the volume
         area = tendon.area if "stiffness" in groups or not area else area
     else:
-        area = _told(by_area * area)
-    if own.material is not None or mass:
-        found[f"{place}.area"] = area
+        area = _rounded(by_area * area)
+    if built.material is not None or mass:
+        changed[f"{section}.area"] = area
     if mass:
-        found[f"{place}.density"] = _told(mass / (area * length))
-    return found
+        changed[f"{section}.density"] = _rounded(mass / (area * length))
+    return changed
 
 
 def _place(parts: PartSet, values: MadeValues, tendon: MadeTendon) -> str:
-    """The key of a tendon's section: of all of them where the design has one for all and straps are alike."""
-    alike = all(replace(each, number=tendon.number) == tendon for each in values.tendons)
+    """Return the key of a tendon's section: a common section if the design has one and all straps are equal."""
+    alike = all(replace(other, number=tendon.number) == tendon for other in values.tendons)
     key = parts.structure.tendons[tendon.number].key
     return key if alike or key != "tendon" else _numbered(parts, tendon.number)
 
@@ -208,7 +208,7 @@ def _numbered(parts: PartSet, number: int) -> str:
 
 
 def _value(design: Design, key: str) -> object:
-    """What a design has at a key, in SI; None where it has none."""
+    """Return the value of a design's key, in SI; None if it has none."""
     return cast(object, key_value(design, key))
 
 
@@ -218,8 +218,8 @@ def _same(one: object, other: object) -> bool:
     return one == other
 
 
-def _told(value: float) -> float:
-    """A measured value with as many digits as are worth telling."""
+def _rounded(value: float) -> float:
+    """Round a measured value to significant digits."""
     return float(f"{value:.{_DIGITS}g}")
 
 
@@ -231,7 +231,8 @@ def _written(design: Design, key: str, value: object) -> str:
 
 
 def _source(design: Design, groups: Collection[Group]) -> str:
-    own = [group for group in GROUPS if group in groups]
+    measured = [group for group in GROUPS if group in groups]
     return (
-        f"{design.name} as its parts are made: {listed(own)} measured on their solids; {design.name}: {design.source}"
+        f"{design.name} as its parts are made: {listed(measured)} measured on their solids;"
+        f" {design.name}: {design.source}"
     )

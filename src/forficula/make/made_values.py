@@ -1,4 +1,4 @@
-"""What parts really have of what a design says: measured on their solids, by what groups of values it is."""
+"""Properties of made parts, measured on their solids, in groups of design values."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from forficula.structure.mass import end_inertia
 
 @dataclass(frozen=True, kw_only=True)
 class MadeTendon:
-    """What a tendon is as its straps are made.
+    """A tendon as its straps are made.
 
     Attributes:
         number: of the tendon.
         attachments: distances of the pegs from the hinge along the bars, proximal first, m.
         offsets: of the pegs out of the plane of the sheet, towards the overbend side, m.
-        area: of all straps together as they are printed, m^2.
-        by_area: that by the area that the design's stiffness asks for: what the stiffness is multiplied by.
-        mass: of all straps, eyes and all, kg; None where the density is not known.
+        area: printed cross-section of all straps together, m^2.
+        by_area: printed area / area that the design's stiffness requires: the factor of the stiffness.
+        mass: of all straps including their eyes, kg; None if the density is unknown.
         rest_length: between the pegs, m.
     """
 
@@ -41,15 +41,14 @@ class MadeTendon:
 
 @dataclass(frozen=True, kw_only=True)
 class MadeBars:
-    """A uniform bar, and a mass at the hinge, that turn about it as the outer halves of the joints do.
+    """A uniform bar with a mass at the hinge that is dynamically equivalent to the outer halves of the joints.
 
     Attributes:
-        density: of the bar, by the inertia of a half about its hinge, kg/m^3; the mean of all halves.
-        hinge_mass: twice what is then at the end of the bar so that the half has its mass, kg; the mean, and 0 where
-            the bar alone is heavier.
-        spread: between the largest and the smallest density of single halves, by the mean.
-        missing: by how much the mass of a bar with its hinge mass is short of that of the half, kg; < 0 where the bar
-            alone is heavier.
+        density: of the bar, from the inertia of a half about its hinge, kg/m^3; mean of all halves.
+        hinge_mass: twice the mass to add at the end of the bar to reach the mass of the half, kg; mean, and 0 if the
+            bar alone is heavier.
+        spread: difference between the largest and the smallest density of single halves, relative to the mean.
+        missing: mass of the half minus that of the bar with its hinge mass, kg; < 0 if the bar alone is heavier.
     """
 
     density: float
@@ -60,12 +59,13 @@ class MadeBars:
 
 @dataclass(frozen=True, kw_only=True)
 class MadeValues:
-    """What is measured on parts.
+    """Values that were measured on parts.
 
     Attributes:
-        stops: of every joint, where its halves begin to overlap, rad, fold and overbend, in the hinge's own sense.
-        tendons: that have straps.
-        bars: of the halves that turn and carry no others.
+        stops: for every joint, angles at which its halves begin to overlap, rad, fold and overbend, in the hinge's own
+            sense.
+        tendons: tendons with straps.
+        bars: equivalent of the halves that turn and carry no other halves.
     """
 
     stops: tuple[tuple[float, float], ...]
@@ -77,11 +77,11 @@ def made_values(parts: PartSet) -> MadeValues:
     """Measure stops, pegs, straps, masses and inertias on the solids of parts.
 
     Raises:
-        InputError: parts without joints, a material without a density, or a joint that nothing stops, or whose halves
-            overlap wherever they are.
+        InputError: parts without joints, a material without a density, or a joint without stops or whose halves always
+            overlap.
     """
     if not parts.joints:
-        raise InputError(f"{parts.design.name}: no joint is made of it, so nothing is to be measured on one")
+        raise InputError(f"{parts.design.name}: has no joints that could be measured")
     return MadeValues(
         stops=tuple(_stops(parts, joint) for joint in parts.joints),
         tendons=tuple(_tendon(parts, number) for number in tendons_of(parts)),
@@ -90,18 +90,18 @@ def made_values(parts: PartSet) -> MadeValues:
 
 
 def tendons_of(parts: PartSet) -> tuple[int, ...]:
-    """Numbers of the tendons that straps are made for."""
+    """Return the indices of the tendons for which straps are made."""
     return tuple(place.tendon for place in parts.straps)
 
 
 def printed_width(joint: JointLayout, strap: Strap) -> float:
-    """How wide a strap comes out, m: it is printed standing on its edge, so a filament gives whole layers of it."""
+    """Return the printed width of a strap, m. It is printed standing on its edge, so a filament gives whole layers."""
     layer = joint.make.layer
     return strap.width if joint.make.process == "powder" else layer * max(1, round(strap.width / layer))
 
 
 def printed_shares(parts: PartSet) -> dict[str, float]:
-    """Of every kind of strap, by its name, the printed width by that of its solid."""
+    """Return the printed width / width of the solid for every kind of strap, by its name."""
     return {
         parts.strap_of(joint.tendon).name: printed_width(joint, joint.strap) / joint.strap.width
         for joint in parts.joints
@@ -110,7 +110,7 @@ def printed_shares(parts: PartSet) -> dict[str, float]:
 
 
 def outer_joints(parts: PartSet) -> tuple[JointLayout, ...]:
-    """The joints whose distal half carries no other."""
+    """Return the joints whose distal half carries no other half."""
     carrying = {joint.proximal.body for joint in parts.joints}
     return tuple(joint for joint in parts.joints if joint.distal.body not in carrying)
 
@@ -118,13 +118,13 @@ def outer_joints(parts: PartSet) -> tuple[JointLayout, ...]:
 def _stops(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
     lower, upper = free_range(parts, joint)
     if not (math.isfinite(lower) and math.isfinite(upper) and lower < upper):
-        where = "wherever they are" if lower == upper else "nowhere up to 12 deg beyond a stop of the design"
-        raise InputError(f"{joint.name}: its two halves begin to overlap {where}, so it has no stops as it is made")
+        where = "at every angle" if lower == upper else "at no angle up to 12 deg beyond a stop of the design"
+        raise InputError(f"{joint.name}: its two halves overlap {where}, so the made joint has no stops")
     return lower, upper
 
 
 def _tendon(parts: PartSet, number: int) -> MadeTendon:
-    """What a tendon is as its straps are made, from the joints that it crosses."""
+    """Return a tendon as its straps are made, from the joints that it crosses."""
     pegs: list[tuple[JointLayout, Arm]] = [
         (joint, arm)
         for joint in parts.joints
@@ -134,7 +134,7 @@ def _tendon(parts: PartSet, number: int) -> MadeTendon:
     ]
     (joint, inner), (_, outer) = pegs[0], pegs[-1]
     strap = joint.strap
-    assert strap is not None  # of a tendon that straps are made for
+    assert strap is not None  # the tendon has straps
     share = printed_width(joint, strap) / strap.width
     part = parts.strap_of(number)
     return MadeTendon(
@@ -149,7 +149,7 @@ def _tendon(parts: PartSet, number: int) -> MadeTendon:
 
 
 def _bars(parts: PartSet) -> MadeBars:
-    """The uniform bar that the outer halves are like."""
+    """Return the uniform bar that is equivalent to the outer halves."""
     bars = {bar.body: bar for bar in parts.structure.bars}
     densities, at_hinge = [], []
     for joint in outer_joints(parts):
@@ -168,7 +168,7 @@ def _bars(parts: PartSet) -> MadeBars:
 
 
 def unit_inertia(joint: JointLayout, bar: Bar) -> float:
-    """Inertia of the uniform bar of a joint's outer half about its hinge, by its density, m^5."""
+    """Return the inertia of a joint's uniform outer bar about its hinge / its density, m^5."""
     along = float(joint.distal.along @ joint.frame[:, 1])
     return end_inertia(
         diameter=bar.diameter,
@@ -184,7 +184,7 @@ def _volume(bar: Bar) -> float:
 
 
 def _rounded(value: float) -> float:
-    """Without what the places of bars in space leave of rounding, so that joints that are alike say the same."""
+    """Remove rounding errors that depend on the position of bars in space, so that equal joints give equal values."""
     return float(f"{value:.9g}") + 0.0
 
 

@@ -1,4 +1,4 @@
-"""Design -> parts: what has to be made of it."""
+"""Build the parts of a design."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     """Make the parts of a design: its cut sheet, and bars, pins, straps, hub and roots as solids.
 
     Args:
-        design: or its name or path.
-        part: "sheet"; "joint", the first joint, and those that its tendon crosses, too; "section", all joints with the
-            hub that they turn on; or "all", the sheet and, of a structure of bars, the section.
+        design: design, or its name or path.
+        part: "sheet"; "joint" (the first joint and the others that its tendon crosses); "section" (all joints with the
+            hub on which they turn); or "all" (the sheet and, for a structure with bars, the section).
 
     Raises:
-        InputError: no such part, or one that the design has not.
+        InputError: unknown part, or one that the design does not have.
 
     >>> parts = ff.make_parts("binder2025-joint")
     >>> [part.name for part in parts.parts]
@@ -59,23 +59,23 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
 
 
 def _first(joints: tuple[JointLayout, ...]) -> tuple[JointLayout, ...]:
-    """The first joint; with those that its tendon crosses, too, for straps end at the last one's far side."""
+    """Return the first joint and all others that its tendon crosses, because straps end beyond the last one."""
     tendon = joints[0].tendon
     return joints[:1] if tendon is None else tuple(joint for joint in joints if joint.tendon == tendon)
 
 
 def _bars(structure: Structure, joints: tuple[JointLayout, ...], roots: tuple[Root, ...]) -> list[Part]:
-    """Every bar of a joint, with its half of each joint that it is part of, and the sleeve of its root."""
+    """Return every bar of a joint, with its half of each of its joints, and the sleeve of its root."""
     arms: dict[int, list[tuple[JointLayout, Arm]]] = {}
-    # what turns a bar comes before what it turns, so the chain of its arms goes outwards
+    # a bar comes before the bars that it carries, so the chain of its arms goes outwards
     for joint in joints:
         arms.setdefault(joint.proximal.body, []).append((joint, joint.proximal))
         arms.setdefault(joint.distal.body, []).append((joint, joint.distal))
     rooted = {root.body: root for root in roots}
     parts = []
-    for body, of in sorted(arms.items()):
-        joint, _ = of[0]
-        solid = bar_solid(of)
+    for body, halves in sorted(arms.items()):
+        joint, _ = halves[0]
+        solid = bar_solid(halves)
         parts.append(
             Part(
                 name=structure.bodies[body].name,
@@ -90,7 +90,7 @@ def _bars(structure: Structure, joints: tuple[JointLayout, ...], roots: tuple[Ro
 
 
 def _pins(joints: tuple[JointLayout, ...]) -> list[Part]:
-    """The pins that are not printed with their knuckles."""
+    """Return the pins that are not printed together with their knuckles."""
     return [
         Part(
             name=f"pin_{joint.name}",
@@ -107,22 +107,24 @@ def _pins(joints: tuple[JointLayout, ...]) -> list[Part]:
 
 
 def _straps(design: Design, structure: Structure, places: tuple[StrapPlace, ...]) -> list[Part]:
-    """The straps of all tendons, as they are made: at their resting lengths."""
+    """Return the straps of all tendons as they are made, at their resting lengths."""
     parts = []
     for place in places:
         tendon = structure.tendons[place.tendon]
         along = place.ends[0, 1] - place.ends[0, 0]
         along, up = along / np.linalg.norm(along), place.up
-        own = tendon.material if (design.make or MakeSection()).strap_material is None else None
+        material = tendon.material if (design.make or MakeSection()).strap_material is None else None
         parts.append(
             Part(
                 name=tendon.name.replace("tendon", "strap"),
                 kind="strap",
-                stock=stock_of(own if own is not None and own.name not in named_laws() else place.strap.material),
+                stock=stock_of(
+                    material if material is not None and material.name not in named_laws() else place.strap.material
+                ),
                 solid=made_strap(place),
                 body=None,
                 count=place.strap.count,
-                # on its side: as wide as it is, so high it is printed
+                # printed on its edge: its width is the printed height
                 bed=np.vstack([along, up - along * (up @ along), np.cross(along, up)]),
             )
         )
@@ -130,7 +132,7 @@ def _straps(design: Design, structure: Structure, places: tuple[StrapPlace, ...]
 
 
 def _hub(roots: tuple[Root, ...]) -> list[Part]:
-    """The hub and its rods; none where nothing turns on a root."""
+    """Return the hub and its rods; empty if no bar turns on a root."""
     if not roots:
         return []
     make = roots[0].make
@@ -152,6 +154,6 @@ def _hub(roots: tuple[Root, ...]) -> list[Part]:
 
 
 def _face_down(joint: JointLayout) -> Array:
-    """The rotation that lays a bar on the flat of its overbend side, (3, 3)."""
+    """Return the rotation that lays a bar on the flat of its overbend side, (3, 3)."""
     turned: Array = np.diag([1.0, -1.0, -1.0]) @ joint.frame.T
     return turned

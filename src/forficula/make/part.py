@@ -1,4 +1,4 @@
-"""A part to make, and all parts of a design."""
+"""A part to make, and the set of all parts of a design."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from forficula.make.solid.solids import Solid
 from forficula.make.stock import Stock
 from forficula.structure import Structure
 
-# mm, volume by surface: what is thinner is lost in the single precision of meshes and their files
+# mm, volume / surface: thinner parts are lost in the single precision of meshes and their files
 _THINNEST = 1e-5
 
 
@@ -29,14 +29,14 @@ class Part:
     """A solid of one material.
 
     Attributes:
-        name: of its own.
-        kind: what it is called with others of its kind: bar, pin, strap, hub, root.
-        stock: what it is made of.
-        solid: where it is as the structure is built flat, in the axes of the ground, m.
-        body: number of the body that it moves with; GROUND for one that does not move, None for one that bends.
-        count: how many of it there are, all in its place or beside it.
-        printed: whether it is, or comes ready from a shop.
-        bed: rotation after which it lies as it is printed, (3, 3).
+        name: unique name.
+        kind: bar, pin, strap, hub or root.
+        stock: its material.
+        solid: in its position in the flat structure, in the axes of the ground, m.
+        body: index of the body with which it moves; GROUND for a fixed part, None for one that bends.
+        count: number of pieces.
+        printed: whether it is printed; otherwise it is bought.
+        bed: rotation into its print orientation, (3, 3).
     """
 
     name: str
@@ -50,42 +50,42 @@ class Part:
 
     @cached_property
     def shape(self) -> Manifold:
-        """Its solid as a mesh, mm.
+        """Solid as a mesh, mm.
 
         Raises:
-            InputError: nothing is left of it.
+            InputError: the part is empty.
         """
         shape = solid_of(self.solid)
         if shape.status() != Error.NoError or shape.volume() <= _THINNEST * shape.surface_area():
             raise InputError(
-                f"{self.name}: nothing is left of this part; it is too thin, or bars are too short or too thin for what"
-                " is on them"
+                f"{self.name}: nothing is left of this part; it is too thin, or bars are too short or too thin for the"
+                " features on them"
             )
         return shape
 
     @property
     def volume(self) -> float:
-        """Of one of it, m^3."""
+        """Volume of one piece, m^3."""
         return float(self.shape.volume()) / MILLIMETRES**3
 
     @property
     def mass(self) -> float | None:
-        """Of one of it, kg; None where the density is not known."""
+        """Mass of one piece, kg; None if the density is unknown."""
         return None if self.stock.density is None else self.stock.density * self.volume
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PartSet(Displayed):
-    """What is to be made of a design.
+    """Parts of a design.
 
     Attributes:
-        design: whose parts they are.
-        structure: that is built of them.
-        joints: where everything of each joint is.
-        roots: what bars turn on at the ground.
-        straps: where straps end, in the order of their parts.
-        parts: solids; empty where the sheet alone is made.
-        sheet: what is cut; None where only solids are made.
+        design: the design.
+        structure: the structure that is built from them.
+        joints: layout of each joint.
+        roots: rods on which bars turn at the ground.
+        straps: ends of straps, in the order of their parts.
+        parts: solids; empty if only the sheet is made.
+        sheet: the sheet to cut; None if only solids are made.
     """
 
     design: Design
@@ -97,10 +97,10 @@ class PartSet(Displayed):
     sheet: CutSheet | None
 
     def of_body(self, body: int) -> tuple[Part, ...]:
-        """The parts that move with a body."""
+        """Return the parts that move with a body."""
         return tuple(part for part in self.parts if part.body == body)
 
     def strap_of(self, tendon: int) -> Part:
-        """The straps of a tendon that has some, by its number."""
+        """Return the straps of a tendon, by its index."""
         straps = (part for part in self.parts if part.kind == "strap")
         return next(part for part, place in zip(straps, self.straps, strict=True) if place.tendon == tendon)

@@ -1,4 +1,4 @@
-"""What parts are made of: the numbers of a material that a part is reckoned with, each the least that is told."""
+"""Materials of parts: their values for calculations, each the least one that sources report."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ _DENSITY = Unit(display="g/cm^3", si="kg/m^3", example="1.27 g/cm^3")
 
 @dataclass(frozen=True, kw_only=True)
 class Stock:
-    """A material as what parts are made of.
+    """Material of a part.
 
     Attributes:
         name: of the material.
-        density: kg/m^3; None where its sources give none.
-        youngs_modulus: the least that they give, Pa; None where they give none.
-        strength: the least, in the plane of printed layers, Pa; None where they give none.
-        strength_across: the least across printed layers, or that in their plane where nothing tells the two apart, Pa.
+        density: kg/m^3; None if its sources give none.
+        youngs_modulus: least reported value, Pa; None if there is none.
+        strength: least reported value in the plane of printed layers, Pa; None if there is none.
+        strength_across: least reported value across printed layers, Pa; that in their plane if sources do not
+            distinguish.
         source: of these numbers.
         density_source: of the density; "" without one.
     """
@@ -37,10 +38,10 @@ class Stock:
 
 
 def stock_of(material: str | MaterialLaw) -> Stock:
-    """What the sources of a material say of it as a part, by its name or its law.
+    """Return the values of a material for parts, by its name or its law.
 
     Raises:
-        InputError: no such material, or a fact that is neither a value with a unit nor a range.
+        InputError: unknown material, or a fact that is neither a value with a unit nor a range.
     """
     law = load_law(material) if isinstance(material, str) else material
     density = fact_range(law, "density", _DENSITY)
@@ -62,13 +63,13 @@ def stock_of(material: str | MaterialLaw) -> Stock:
 
 
 def fact_range(law: MaterialLaw, what: str, unit: Unit) -> tuple[float, float] | None:
-    """Between what the sources of a material say that a number of it lies, SI; twice the same for one value.
+    """Return the range of a number of a material according to its sources, SI; both ends are equal for a single value.
 
     Returns:
-        None where they say nothing of it.
+        None if the sources do not report it.
 
     Raises:
-        InputError: what they say is neither a value with a unit nor a range such as "1.25 to 1.29 g/cm^3".
+        InputError: the fact is neither a value with a unit nor a range such as "1.25 to 1.29 g/cm^3".
 
     >>> from forficula.material.law.law_file import load_law
     >>> fact_range(load_law("petg"), "density", Unit(display="g/cm^3", si="kg/m^3", example="1 g/cm^3"))
@@ -81,7 +82,7 @@ def fact_range(law: MaterialLaw, what: str, unit: Unit) -> tuple[float, float] |
     high = high or low
     try:
         top = parse_quantity(high, unit)
-        # the unit of a range stands once, behind it
+        # a range has its unit once, at the end
         bottom = parse_quantity(low if " " in low.strip() else f"{low} {high.strip().partition(' ')[2]}", unit)
     except InputError as error:
         raise InputError(f"{law.name}: facts: {what}: {error}") from None

@@ -1,4 +1,4 @@
-"""What parts really have that their design has no key for: told as numbers, so that nothing is lost silently."""
+"""Properties of made parts for which a design has no key, reported so that they are not lost silently."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from forficula.make.solid.mass_properties import MassProperties, parts_propertie
 from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames, gathered_mass, mass_of, structure_of
 
-# angles of a hinge at which two straps are set beside one tendon
+# number of hinge angles at which two straps are compared with one tendon
 _ANGLES = 181
 
 
 @dataclass(frozen=True, kw_only=True)
 class Unkept:
-    """A real value that the design as made has otherwise, or not at all.
+    """A real value that the design as made does not reproduce.
 
     Attributes:
-        name: of what it is.
-        part: whose.
-        real: of the parts, SI.
-        modelled: of the design as made; nan where it has nothing of the kind.
+        name: of the value.
+        part: to which it belongs.
+        real: value of the parts, SI.
+        modelled: value in the design as made; nan if it has no such property.
         unit: SI.
         text: a sentence.
     """
@@ -44,35 +44,35 @@ class Unkept:
 
 
 def unkept(parts: PartSet, made: Design) -> tuple[Unkept, ...]:
-    """What a design as made does not have of the parts.
+    """Return the properties of parts that the design as made does not reproduce.
 
     Args:
         parts: with joints.
-        made: their design as made.
+        made: design as made.
 
     Raises:
         InputError: a material without a density.
     """
     structure = structure_of(made)
     bodies = [body for joint in parts.joints for body in (joint.proximal.body, joint.distal.body)]
-    found = [each for body in dict.fromkeys(bodies) for each in _mass(parts, structure, body)]
+    gaps = [mass_row for body in dict.fromkeys(bodies) for mass_row in _mass(parts, structure, body)]
     places = {place.tendon: place for place in parts.straps}
-    found += [
+    gaps += [
         _two_straps(structure, joint, places[joint.tendon])
         for joint in parts.joints
         if joint.tendon in places and joint.aside and structure.tendons[joint.tendon].crossing is not None
     ]
     joint = parts.joints[0]
     standoff, play = joint.standoff, joint.play
-    found += [
+    gaps += [
         Unkept(
             name="standoff of the bars",
             part="all bars",
             real=standoff,
             modelled=0.0,
             unit="m",
-            text=f"The bars lie {show_value(standoff, 'm')} off the plane of the hinges and the sheet, in which the"
-            " design has them; the inertia about the hinges counts that, nothing else does.",
+            text=f"The bars are {show_value(standoff, 'm')} away from the plane of the hinges and the sheet, in which"
+            " they lie in the design; only the inertia about the hinges includes this distance.",
         ),
         Unkept(
             name="play of the hinges",
@@ -80,40 +80,44 @@ def unkept(parts: PartSet, made: Design) -> tuple[Unkept, ...]:
             real=play,
             modelled=0.0,
             unit="m",
-            text=f"A pin has {show_value(play, 'm')} of room in its hole, all around; the design's hinges have none.",
+            text=f"A pin has a radial clearance of {show_value(play, 'm')} in its hole; the design's hinges have none.",
         ),
     ]
-    return (*found, *_roots(parts))
+    return (*gaps, *_roots(parts))
 
 
 def _mass(parts: PartSet, structure: Structure, body: int) -> list[Unkept]:
-    """Mass, first moment and inertias of a bar beside those of the model, which has it as a uniform one."""
+    """Return mass, first moment and inertias of a bar, compared with those of the uniform bar of the model."""
     origins, frames = built_frames(structure)
     origin, name = origins[body], structure.bodies[body].name
-    own = parts_properties(parts.of_body(body))
-    carried = [each for each in structure.masses if each.body == body and each.role != "hinge"]
+    made = parts_properties(parts.of_body(body))
+    carried = [mass for mass in structure.masses if mass.body == body and mass.role != "hinge"]
     mass, centre, inertia = mass_of(structure, body)
     model = MassProperties(
         mass=mass, centre=origin + frames[body] @ centre, inertia=frames[body] @ inertia @ frames[body].T
     )
     if carried:
         model = _without(model, *_placed(gathered_mass(carried), origin, frames[body]))
-    bar = next(each for each in structure.bars if each.body == body)
+    bar = next(bar for bar in structure.bars if bar.body == body)
     along = frames[body] @ bar.end / np.linalg.norm(bar.end)
     hinge = next((joint for joint in parts.joints if joint.distal.body == body), None)
     axis, about = (np.array([0.0, 0.0, 1.0]), "across the sheet at its inner end")
     if hinge is not None:
         axis, about = hinge.frame[:, 1], "about its hinge"
     rows: tuple[tuple[str, str, Callable[[MassProperties], float]], ...] = (
-        ("mass", "kg", lambda it: it.mass),
-        ("first moment along the bar", "kg m", lambda it: it.mass * float((it.centre - origin) @ along)),
-        (f"inertia {about}", "kg m^2", lambda it: it.about(axis, origin)),
-        ("inertia about its own axis", "kg m^2", lambda it: it.about(along, origin)),
+        ("mass", "kg", lambda properties: properties.mass),
+        (
+            "first moment along the bar",
+            "kg m",
+            lambda properties: properties.mass * float((properties.centre - origin) @ along),
+        ),
+        (f"inertia {about}", "kg m^2", lambda properties: properties.about(axis, origin)),
+        ("inertia about its own axis", "kg m^2", lambda properties: properties.about(along, origin)),
     )
-    found = []
+    gaps = []
     for what, unit, read in rows:
-        real, modelled = read(own), read(model)
-        found.append(
+        real, modelled = read(made), read(model)
+        gaps.append(
             Unkept(
                 name=what,
                 part=name,
@@ -124,16 +128,16 @@ def _mass(parts: PartSet, structure: Structure, body: int) -> list[Unkept]:
                 f" {show_value(modelled, unit)} in the design as made.",
             )
         )
-    return found
+    return gaps
 
 
-def _placed(of: tuple[float, Array, Array], origin: Array, frame: Array) -> tuple[float, Array, Array]:
-    mass, centre, inertia = of
+def _placed(gathered: tuple[float, Array, Array], origin: Array, frame: Array) -> tuple[float, Array, Array]:
+    mass, centre, inertia = gathered
     return mass, origin + frame @ centre, frame @ inertia @ frame.T
 
 
 def _without(whole: MassProperties, mass: float, centre: Array, inertia: Array) -> MassProperties:
-    """What is left of a body where some of it is taken away."""
+    """Return the mass properties of a body after the removal of a part."""
     left = whole.mass - mass
     middle = (whole.mass * whole.centre - mass * centre) / left
 
@@ -145,19 +149,19 @@ def _without(whole: MassProperties, mass: float, centre: Array, inertia: Array) 
 
 
 def strap_energy(joint: JointLayout, place: StrapPlace, structure: Structure, angle: float) -> float:
-    """Energy of all straps of a tendon across one joint at an angle of its hinge, each between its own pegs, J."""
+    """Return the energy of all straps of a tendon across one joint at a hinge angle, each between its own pegs, J."""
     law = structure.tendons[place.tendon].law.elastic
     lengths = [np.linalg.norm(turned(joint, angle).of(ends[1]) - ends[0]) for ends in place.ends]
     return float(np.mean([law.energy(length) for length in lengths]))
 
 
 def _two_straps(structure: Structure, joint: JointLayout, place: StrapPlace) -> Unkept:
-    """The barrier of two straps beside the bars, and that of one tendon in their middle."""
+    """Return the barrier of two straps beside the bars, and that of one tendon in their middle."""
     angles = np.linspace(joint.upper, joint.lower, _ANGLES)
     middle = _in_the_middle(place)
     barriers = []
-    for each in (place, middle):
-        energies = np.array([strap_energy(joint, each, structure, float(angle)) for angle in angles])
+    for layout in (place, middle):
+        energies = np.array([strap_energy(joint, layout, structure, float(angle)) for angle in angles])
         barriers.append(float(energies.max() - energies[0]))
     real, modelled = barriers
     return Unkept(
@@ -166,8 +170,8 @@ def _two_straps(structure: Structure, joint: JointLayout, place: StrapPlace) -> 
         real=real,
         modelled=modelled,
         unit="J",
-        text=f"{structure.tendons[place.tendon].name} is two straps, {show_value(joint.aside, 'm')} beside the bars:"
-        f" from the overbend stop they climb {show_value(real, 'J')}, one tendon in their middle"
+        text=f"{structure.tendons[place.tendon].name} consists of two straps, {show_value(joint.aside, 'm')} beside the"
+        f" bars: their barrier from the overbend stop is {show_value(real, 'J')}; that of one tendon in their middle is"
         f" {show_value(modelled, 'J')}.",
     )
 
@@ -185,7 +189,7 @@ def _in_the_middle(place: StrapPlace) -> StrapPlace:
 
 
 def _roots(parts: PartSet) -> list[Unkept]:
-    """Where rods bend at the ground, beside where the design has joints."""
+    """Return the shift between the bending rods at the ground and the joints of the design."""
     return [
         Unkept(
             name="shift of the root",
@@ -194,8 +198,8 @@ def _roots(parts: PartSet) -> list[Unkept]:
             modelled=0.0,
             unit="m",
             text=f"{parts.structure.bodies[root.body].name} bends {show_value(root.bends, 'm')} further out than the"
-            " joint that the design has at its root, over a length, and against a stiffness; the design's joint is a"
-            " point, and free.",
+            " joint at its root in the design. It bends over a length and with a stiffness; the joint of the design is"
+            " a point without stiffness.",
         )
         for root in parts.roots
         if math.isfinite(root.bends)

@@ -1,4 +1,4 @@
-"""A structure after many cycles: through its protocol with its tendons as they are at each of them."""
+"""Behaviour of a structure after many cycles: its protocol is run with the tendons of each cycle."""
 
 from __future__ import annotations
 
@@ -19,23 +19,24 @@ from forficula.study.running.journal import Row
 
 Progress = Callable[[int, int, dict[str, Any]], None]
 
-_EVERY_COUNT = 20
-_BY_DECADE = 10  # counts beyond
-_LARGEST_MISS = 0.02  # of a softened spring, that goes without saying
+_EVERY_COUNT = 20  # all cycles up to this one are run
+_BY_DECADE = 10  # number of cycles per decade beyond
+_LARGEST_MISS = 0.02  # deviation of a softened spring from its law that needs no remark
 
 
 @dataclass(frozen=True, kw_only=True)
 class CycleRun:
-    """One cycle: what its tendons are, and what became of the structure.
+    """One cycle: its tendons and the outcome of its run.
 
     Attributes:
-        cycle: number, from 1 on.
-        measured: whether the tests of the material saw this cycle.
-        stiffness: of the tendons by that of the first cycle, but for softening: value, 95 % confidence interval.
-        residual_strain: of the tendons, the largest.
-        row: outcome of the run, as `outcome_row` has it.
-        margins: by transition, the protocol's torque by the least that makes it when it grows slowly, see
-            `least_slow_torques`; None where none up to ten times it does.
+        cycle: number, from 1.
+        measured: whether this cycle was within the tests of the material.
+        stiffness: stiffness of the tendons divided by that of the first cycle, without softening: value, 95 %
+            confidence interval.
+        residual_strain: largest one of the tendons.
+        row: outcome of the run, as returned by `outcome_row`.
+        margins: by transition, the protocol's torque divided by the least torque that makes the transition when it
+            grows slowly, see `least_slow_torques`; None if no torque up to ten times the protocol's does.
     """
 
     cycle: int
@@ -48,15 +49,15 @@ class CycleRun:
 
 @dataclass(frozen=True, kw_only=True)
 class Cycling:
-    """A structure over cycles.
+    """Behaviour of a structure over cycles.
 
     Attributes:
         design: at the first cycle.
         runs: in the order of cycles.
-        seen: first and last cycle that the tests of the material saw; None where they do not tell.
-        transitions: that the protocol drives.
-        verdict: in a sentence.
-        remarks: what a person should know, one sentence each.
+        seen: first and last cycle of the material's tests; None if the tests do not report cycles.
+        transitions: transitions that the protocol drives.
+        verdict: conclusion, in a sentence.
+        remarks: notes on the validity of the result, one sentence each.
     """
 
     design: Design
@@ -67,73 +68,75 @@ class Cycling:
     remarks: tuple[str, ...]
 
     def works(self, run: CycleRun) -> bool:
-        """Whether a cycle did what the protocol asks for: its last transition."""
+        """Return whether the last transition of the protocol was reached in a cycle."""
         return bool(self.transitions and run.row.get(self.transitions[-1].state))
 
     @property
     def first_failure(self) -> int | None:
-        """The first cycle that did not work, after one that did; None where there is none."""
+        """The first cycle that did not work after one that did; None if there is none."""
         works = [self.works(run) for run in self.runs]
         later = (index for index in range(1, len(works)) if works[index - 1] and not works[index])
         return next((self.runs[index].cycle for index in later), None)
 
 
 def cycle_counts(last: int) -> tuple[int, ...]:
-    """The cycles to look at: each up to 20, and ten a decade beyond, the last one among them.
+    """Return the cycles to run: all up to 20, ten per decade beyond, and the last one.
 
     Raises:
-        InputError: the last is not >= 1.
+        InputError: the last one is not >= 1.
     """
     if last < 1:
         raise InputError(f"need a whole number >= 1, got {last}")
     counts = list(range(1, min(last, _EVERY_COUNT) + 1))
     if last > _EVERY_COUNT:
         steps = int(np.ceil(_BY_DECADE * np.log10(last / _EVERY_COUNT)))
-        counts += [round(each) for each in np.geomspace(_EVERY_COUNT, last, steps + 1)[1:-1]] + [last]
+        counts += [round(cycle) for cycle in np.geomspace(_EVERY_COUNT, last, steps + 1)[1:-1]] + [last]
     return tuple(sorted(set(counts)))
 
 
 def why_unchanged(design: Design) -> str:
-    """Why the tendons of a design are the same at every cycle, in a sentence; empty where they change."""
+    """Return a sentence that says why the tendons of a design are the same at every cycle; empty if they change."""
     structure = structure_of(design)
     strained = _strained(structure)
     if not strained:
-        return "the design has no tendon.law, so nothing tells how cycles change its tendons: every cycle is the first"
+        return "the design has no tendon.law that says how cycles change its tendons: every cycle is like the first"
     law = _material(structure)
     name = law.name or "the tendons"
     softens = law.softening is not None and max(strained.values()) > law.residual_strain
     if softens or any(drift.kind != "none" for drift in drifts_of(law).values()):
         return ""
-    seen = _seen(law)
-    if seen is None:
-        return f"the law of {name} has no drift, so nothing tells how cycles change it: every cycle is the first"
-    return f"the tests of {name}, cycles {seen[0]} to {seen[1]}, show no drift: every cycle is the first"
+    tested = _seen(law)
+    if tested is None:
+        return (
+            f"the law of {name} has no drift, so the effect of cycles on it is unknown: every cycle is like the first"
+        )
+    return f"the tests of {name}, cycles {tested[0]} to {tested[1]}, show no drift: every cycle is like the first"
 
 
 def design_at_cycle(design: Design, cycle: int) -> Design:
-    """A design with its tendons as they are at a cycle.
+    """Return a design with the tendons of a cycle.
 
-    The drift of the law is taken to that cycle. A law that softens is, from the second cycle on, what it is after the
-    stretch of the built shape. Every cycle is a run of its own that begins with rested tendons.
+    The drift of the law is evaluated at this cycle. From the second cycle on, a law that softens has been stretched as
+    in the built shape. The run of every cycle begins with rested tendons.
 
     Args:
-        design: whose tendons have a law.
-        cycle: from 1 on.
+        design: with a law for its tendons.
+        cycle: from 1.
     """
     laws = _laws_at(structure_of(design), cycle)
     return with_values(design, {f"{key}.law": law for key, (law, _) in laws.items()})
 
 
 def run_cycles(design: AnyDesign, last: int, progress: Progress | None = None) -> Cycling:
-    """Take a structure through its protocol with its tendons as they are at each of many cycles, side by side.
+    """Run the protocol of a structure with its tendons as they are at each of many cycles. The runs are independent.
 
     Args:
-        design: whose tendons change.
-        last: cycle to look at; which others, see `cycle_counts`.
-        progress: called with the runs done, the most that there can be, and the last one's row.
+        design: a design whose tendons change with cycles.
+        last: last cycle; for the others see `cycle_counts`.
+        progress: called with the number of completed runs, the largest possible number, and the row of the last run.
 
     Raises:
-        InputError: the tendons do not change, the protocol drives no transition, or the last is not >= 1.
+        InputError: the tendons do not change, the protocol drives no transition, or the last cycle is not >= 1.
     """
     design = as_design(design)
     check_cycles(design, last)
@@ -142,38 +145,40 @@ def run_cycles(design: AnyDesign, last: int, progress: Progress | None = None) -
     structure, counts = structure_of(design), cycle_counts(last)
     law = _material(structure)
     designs = [design_at_cycle(design, cycle) for cycle in counts]
-    distinct = {row_key(each): each for each in designs}
+    distinct = {row_key(cycled): cycled for cycled in designs}
     rows: dict[str, Row] = {}
     for row in evaluate(list(distinct.values())):
         rows[str(row["key"])] = row
         if progress is not None:
             progress(len(rows), len(distinct), row)
-    by_transition = [each.tolist() for each in least_slow_torques(list(distinct.values()))]
+    by_transition = [torques.tolist() for torques in least_slow_torques(list(distinct.values()))]
     least = dict(zip(distinct, zip(*by_transition, strict=True), strict=True))
     cycling = Cycling(
         design=design,
         runs=tuple(
-            _run_at(law, cycle, each, rows[row_key(each)], least[row_key(each)])
-            for cycle, each in zip(counts, designs, strict=True)
+            _run_at(law, cycle, cycled, rows[row_key(cycled)], least[row_key(cycled)])
+            for cycle, cycled in zip(counts, designs, strict=True)
         ),
         seen=_seen(law),
         transitions=driven_transitions(structure),
         verdict="",
         remarks=tuple(_remarks(structure, counts)),
     )
-    rough = any(hinge.friction for hinge in structure.hinges)
-    left_out = (
-        ("the least slow torques, and the margins over them, leave out the dry friction of hinges",) if rough else ()
+    has_friction = any(hinge.friction for hinge in structure.hinges)
+    friction_remark = (
+        ("the least slow torques, and the margins over them, ignore the dry friction of hinges",)
+        if has_friction
+        else ()
     )
-    remarks = (*cycling.remarks, *left_out, *_unsettled(cycling), *_beside_statics(cycling))
+    remarks = (*cycling.remarks, *friction_remark, *_unsettled(cycling), *_beside_statics(cycling))
     return replace(cycling, verdict=_verdict(cycling), remarks=remarks)
 
 
 def check_cycles(design: Design, last: int) -> None:
-    """Refuse what cannot be cycled, before a run that takes a while.
+    """Reject a design that cannot be cycled, before runs that take a while.
 
     Raises:
-        InputError: the protocol drives no transition, the last cycle is not >= 1, or tendons are of several materials.
+        InputError: the protocol drives no transition, the last cycle is not >= 1, or tendons have several materials.
     """
     cycle_counts(last)
     structure = structure_of(design)
@@ -185,12 +190,12 @@ def check_cycles(design: Design, last: int) -> None:
 
 
 def driven_transitions(structure: Structure) -> tuple[Transition, ...]:
-    """The transitions that a structure's protocol drives."""
-    return tuple(each for each in structure.transitions if each.stage is not None)
+    """Return the transitions that a structure's protocol drives."""
+    return tuple(transition for transition in structure.transitions if transition.stage is not None)
 
 
 def _strained(structure: Structure) -> dict[str, float]:
-    """The largest strain, as built, of the tendons of each key of the design under which there is a law."""
+    """Return the largest built strain of the tendons under each key of the design that has a law."""
     strained: dict[str, float] = {}
     for tendon, strain in zip(structure.tendons, built_strains(structure).tolist(), strict=True):
         if tendon.material is not None:
@@ -199,23 +204,23 @@ def _strained(structure: Structure) -> dict[str, float]:
 
 
 def _material(structure: Structure) -> MaterialLaw:
-    """The material of the tendons that are of one.
+    """Return the common material of the tendons.
 
     Raises:
-        InputError: there is none, or there are several.
+        InputError: no material, or several.
     """
-    given = dict.fromkeys(tendon.material for tendon in structure.tendons if tendon.material is not None)
-    if not given:
+    materials = dict.fromkeys(tendon.material for tendon in structure.tendons if tendon.material is not None)
+    if not materials:
         raise InputError(f"{structure.name}: has no tendon.law")
-    first, *others = given
+    first, *others = materials
     if others:
-        names = ", ".join(each.name or "one without a name" for each in given)
-        raise InputError(f"cycles: need tendons of one material, whose tests saw the same cycles, got {names}")
+        names = ", ".join(material.name or "one without a name" for material in materials)
+        raise InputError(f"cycles: need tendons of one material, got {names}")
     return first
 
 
 def _laws_at(structure: Structure, cycle: int) -> dict[str, tuple[MaterialLaw, float]]:
-    """Laws at a cycle by the key of their tendons, and what their softened springs miss, shares of the peak stress."""
+    """Return laws at a cycle by the key of their tendons, with the misfit of softened springs / peak stress."""
     law = law_at_cycle(_material(structure), cycle)
     laws = {}
     for key, strain in _strained(structure).items():
@@ -225,99 +230,108 @@ def _laws_at(structure: Structure, cycle: int) -> dict[str, tuple[MaterialLaw, f
 
 
 def _run_at(law: MaterialLaw, cycle: int, design: Design, row: Row, least: Sequence[float]) -> CycleRun:
-    """A cycle of tendons that had a law at the first, its design and what became of it."""
-    seen, drift = _seen(law), law.stiffness_drift
+    """Return the result of a cycle: its tendons, its design and its outcome."""
+    tested, drift = _seen(law), law.stiffness_drift
     structure = structure_of(design)
-    sets = [each.material.residual_strain for each in structure.tendons if each.material is not None]
+    residual_strains = [tendon.material.residual_strain for tendon in structure.tendons if tendon.material is not None]
     return CycleRun(
         cycle=cycle,
-        measured=seen is not None and seen[0] <= cycle <= seen[1],
+        measured=tested is not None and tested[0] <= cycle <= tested[1],
         stiffness=(1.0, 1.0, 1.0) if drift is None else change_at_cycle(drift, cycle),
-        residual_strain=max(sets, default=0.0),
+        residual_strain=max(residual_strains, default=0.0),
         row=row,
         margins={
-            each.name: margin(abs(drive_of(structure, each.drive).strength), torque)
-            for each, torque in zip(structure.transitions, least, strict=True)
+            transition.name: margin(abs(drive_of(structure, transition.drive).strength), torque)
+            for transition, torque in zip(structure.transitions, least, strict=True)
         },
     )
 
 
 def _seen(law: MaterialLaw) -> tuple[int, int] | None:
-    """First and last cycle that all drifts have seen."""
+    """Return the first and last cycle that the tests of all drifts contain."""
     drifts = drifts_of(law).values()
-    return (max(each.seen[0] for each in drifts), min(each.seen[1] for each in drifts)) if drifts else None
+    return (max(drift.seen[0] for drift in drifts), min(drift.seen[1] for drift in drifts)) if drifts else None
 
 
 def _remarks(structure: Structure, counts: Sequence[int]) -> Iterator[str]:
     last, law = counts[-1], _material(structure)
-    seen = _seen(law)
-    if seen is None:
-        yield "the tests do not tell whether the material drifts: all that changes is its softening after cycle 1"
+    tested = _seen(law)
+    if tested is None:
+        yield "the tests do not report drift of the material: only its softening after cycle 1 is modelled"
     else:
-        if seen[0] > 1:
-            unseen = "cycle 1 is" if seen[0] == 2 else f"cycles 1 to {seen[0] - 1} are"
-            yield f"{unseen} taken to be like cycle {seen[0]}, the first that the tests tell of"
-        if last > seen[1]:
-            yield f"cycles beyond {seen[1]} are extrapolated: the tests saw cycles {seen[0]} to {seen[1]}"
+        if tested[0] > 1:
+            untested = "cycle 1 is" if tested[0] == 2 else f"cycles 1 to {tested[0] - 1} are"
+            yield f"{untested} assumed to be like cycle {tested[0]}, the first tested one"
+        if last > tested[1]:
+            yield f"cycles beyond {tested[1]} are extrapolated: the tests contain cycles {tested[0]} to {tested[1]}"
     drift = law.stiffness_drift
     if drift is not None and drift.kind != "none":
         middle, low, high = change_at_cycle(drift, last)
         yield f"at cycle {last} the tendons are {middle:.3g} times as stiff ({low:.3g} to {high:.3g}) as at cycle 1"
     drift = law.residual_strain_drift
     if drift is not None and drift.kind != "none":
-        middle, low, high = (100 * each for each in change_at_cycle(drift, last))
-        yield f"at cycle {last} their set is longer by {middle:.3g} % of their length ({low:.3g} to {high:.3g} %)"
+        middle, low, high = (100 * share for share in change_at_cycle(drift, last))
+        yield (
+            f"at cycle {last} their residual strain is larger by {middle:.3g} % of their length"
+            f" ({low:.3g} to {high:.3g} %)"
+        )
     if law.branches:
         whole = structure.appearance.whole
-        yield f"every cycle begins with tendons at rest: their Maxwell branches have relaxed in the flat {whole}"
+        yield f"every cycle begins with tendons at rest, whose Maxwell branches have relaxed in the flat {whole}"
     if last > _EVERY_COUNT:
-        yield f"beyond cycle {_EVERY_COUNT} only every few are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
-    told = {counts[-1], counts[min(1, len(counts) - 1)]}
-    missed = max(share for cycle in told for _, share in _laws_at(structure, cycle).values())
+        yield f"beyond cycle {_EVERY_COUNT} only these cycles are run: {', '.join(map(str, counts[_EVERY_COUNT:]))}"
+    checked_cycles = {counts[-1], counts[min(1, len(counts) - 1)]}
+    missed = max(share for cycle in checked_cycles for _, share in _laws_at(structure, cycle).values())
     if missed > _LARGEST_MISS:
-        yield f"the softened spring is a polynomial that misses the law by up to {missed:.0%} of its largest stress"
+        yield (
+            "the softened spring is a polynomial that deviates from the law by up to"
+            f" {missed:.0%} of its largest stress"
+        )
 
 
 def _unsettled(cycling: Cycling) -> Iterator[str]:
-    """What it means where cycles that work and cycles that do not take turns."""
+    """Yield a remark if cycles that work and cycles that fail alternate."""
     works = [cycling.works(run) for run in cycling.runs]
     turns = [index for index in range(1, len(works)) if works[index] != works[index - 1]]
     if len(turns) > 1:
         first, last = (cycling.runs[index].cycle for index in (turns[0], turns[-1]))
         yield (
-            f"from cycle {first} to {last} it is on an edge: what decides is how its hinges swing when they arrive,"
-            " which the timestep alters, too"
+            f"between cycles {first} and {last} success alternates: it depends on how the hinges swing on arrival,"
+            " which the timestep changes, too"
         )
 
 
 def _beside_statics(cycling: Cycling) -> Iterator[str]:
-    """What a margin means where the simulation says something else."""
-    for place, transition in enumerate(cycling.transitions):
+    """Yield remarks on margins that contradict the simulation."""
+    for index, transition in enumerate(cycling.transitions):
         name, goal = transition.name, transition.state
         margins = [run.margins[name] for run in cycling.runs if run.row.get(goal)]
-        if any(each is None or each < 1 for each in margins):
-            yield f"its {name} torque, grown slowly, is too small at some cycles: there it is inertia that carries it"
-        before = cycling.transitions[place - 1].state if place else None
-        left = [run for run in cycling.runs if not run.row.get(goal) and (before is None or run.row.get(before))]
-        if any((run.margins[name] or 0) > 1 for run in left):
+        if any(value is None or value < 1 for value in margins):
             yield (
-                f"at some cycles its {name} torque fails where a slow one succeeds: it comes at once and leads"
-                " elsewhere, or its stage is too short"
+                f"at some cycles the {name} torque would be too small if it grew slowly: the transition succeeds by"
+                " inertia"
+            )
+        before = cycling.transitions[index - 1].state if index else None
+        failed = [run for run in cycling.runs if not run.row.get(goal) and (before is None or run.row.get(before))]
+        if any((run.margins[name] or 0) > 1 for run in failed):
+            yield (
+                f"at some cycles the {name} torque fails although a slowly growing one succeeds: it acts at once and"
+                " leads to another state, or its stage is too short"
             )
 
 
 def _verdict(cycling: Cycling) -> str:
-    """Whether it still works after the last cycle, and up to which or from which on where it does not."""
+    """Return a sentence: whether the structure works after the last cycle, and otherwise at which cycles it works."""
     first, last = cycling.transitions[0], cycling.transitions[-1]
     began = [bool(run.row.get(first.state)) for run in cycling.runs]
-    verbs = [each.wording.does for each in cycling.transitions]
+    verbs = [transition.wording.does for transition in cycling.transitions]
     if first is not last and any(began) and not any(run.row.get(last.state) for run in cycling.runs):
-        return f"{verbs[-1]} at none of the {_cycles(cycling.runs[-1].cycle)}; {_course(cycling, began, verbs[0])}"
-    return _course(cycling, [cycling.works(run) for run in cycling.runs], " and ".join(verbs))
+        return f"{verbs[-1]} at none of the {_cycles(cycling.runs[-1].cycle)}; {_history(cycling, began, verbs[0])}"
+    return _history(cycling, [cycling.works(run) for run in cycling.runs], " and ".join(verbs))
 
 
-def _course(cycling: Cycling, works: Sequence[bool], goal: str) -> str:
-    """At which cycles it does something, in words."""
+def _history(cycling: Cycling, works: Sequence[bool], goal: str) -> str:
+    """Return a text that states at which cycles a goal is reached."""
     runs, last = cycling.runs, cycling.runs[-1].cycle
     if all(works):
         return f"still {goal} after {_cycles(last)}"
@@ -325,7 +339,7 @@ def _course(cycling: Cycling, works: Sequence[bool], goal: str) -> str:
         return f"{goal} at none of the {_cycles(last)}: {runs[0].row['status']}"
     begins = works.index(True)
     if all(works[begins:]):
-        return f"{goal} only from cycle {runs[begins].cycle} on, before: {runs[0].row['status']}"
+        return f"{goal} only from cycle {runs[begins].cycle} on; before: {runs[0].row['status']}"
     ends = begins + list(works[begins:]).index(False)
     again = "; some later cycles do" if any(works[ends:]) else ""
     start = "" if begins == 0 else f" from cycle {runs[begins].cycle} on,"

@@ -1,4 +1,4 @@
-"""Factors of a study: which values a key of the design takes."""
+"""Factors of a study: keys of the design and their values."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ _LONGEST_RANGE = 200
 
 @dataclass(frozen=True, kw_only=True)
 class Factor:
-    """A key of the design and the values that it takes.
+    """Key of the design and the values that it takes.
 
     Attributes:
-        key: of the design, dotted.
+        key: dotted key of the design.
         model: class of the design.
-        values: as a design file has them: text with units, numbers, words. Empty where the values are drawn.
-        distribution: what they are drawn from, or None.
+        values: as in a design file: texts with units, numbers, words. Empty if the values are sampled.
+        distribution: distribution of the values, or None.
     """
 
     key: str
@@ -46,7 +46,7 @@ class Factor:
 
     @property
     def unit(self) -> Unit | None:
-        """Of its values; None where they have none, or one of them is a word."""
+        """Unit of the values; None if they have none or if one of them is a word."""
         quantity = key_quantity(self.key, self.model)
         if quantity is None or any(word in self.values for word in quantity.words):
             return None
@@ -54,13 +54,13 @@ class Factor:
 
     @property
     def dimension(self) -> str:
-        """Its name in tables."""
+        """Name in tables."""
         return self.key.replace(".", "_")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Distribution:
-    """What the values of a factor are drawn from, SI.
+    """Distribution of the values of a factor, SI.
 
     Attributes:
         name: "uniform", "log-uniform" or "normal".
@@ -72,16 +72,16 @@ class Distribution:
     first: float
     second: float
 
-    def quantiles(self, shares: Array) -> Array:
-        """The values below which these shares of draws lie."""
+    def quantiles(self, probabilities: Array) -> Array:
+        """Return the quantiles at these probabilities, same shape."""
         match self.name:
             case "normal":
-                drawn = scipy.stats.norm.ppf(shares, self.first, self.second)
+                quantiles = scipy.stats.norm.ppf(probabilities, self.first, self.second)
             case "log-uniform":
-                drawn = scipy.stats.loguniform.ppf(shares, self.first, self.second)
+                quantiles = scipy.stats.loguniform.ppf(probabilities, self.first, self.second)
             case _:
-                drawn = scipy.stats.uniform.ppf(shares, self.first, self.second - self.first)
-        return np.asarray(drawn)
+                quantiles = scipy.stats.uniform.ppf(probabilities, self.first, self.second - self.first)
+        return np.asarray(quantiles)
 
 
 # the parameters of each distribution
@@ -90,15 +90,13 @@ VALUES = 'list, or range such as "10..60 N/cm step 10"'
 
 
 class DistributionEntry(Section):
-    """A distribution as files have it."""
+    """Content of a distribution in a file."""
 
-    distribution: Literal["uniform", "log-uniform", "normal"] = entry(
-        "distribution that values of the key are drawn from", ...
-    )
-    low: DesignValue = entry("least value, of uniform and log-uniform")
-    high: DesignValue = entry("largest value, of uniform and log-uniform")
-    mean: DesignValue = entry("mean of the normal distribution")
-    deviation: DesignValue = entry("standard deviation of the normal distribution")
+    distribution: Literal["uniform", "log-uniform", "normal"] = entry("distribution of the values of the key", ...)
+    low: DesignValue = entry("least value (uniform, log-uniform)")
+    high: DesignValue = entry("largest value (uniform, log-uniform)")
+    mean: DesignValue = entry("mean (normal)")
+    deviation: DesignValue = entry("standard deviation (normal)")
 
 
 Values = Annotated[Any, VALUES]
@@ -108,53 +106,53 @@ Factors = Annotated[
 ]
 
 
-def read_factor(key: str, given: object, model: type[Design]) -> Factor:
-    """Read a factor as a study file has it.
+def read_factor(key: str, value: object, model: type[Design]) -> Factor:
+    """Read a factor of a study file.
 
     Args:
-        key: of the design, dotted.
-        given: a list of values, for "tendon.law" names of materials, paths of law files, or "none"; a range such as
-            "10..60 N/cm step 10"; or a table with `distribution` and its two parameters: uniform and log-uniform take
-            low and high, normal takes mean and deviation.
+        key: dotted key of the design.
+        value: a list of values (for "tendon.law" names of materials, paths of law files, or "none"); a range such as
+            "10..60 N/cm step 10"; or a table with `distribution` and its two parameters: low and high for uniform and
+            log-uniform, mean and deviation for normal.
         model: class of the design.
 
     Raises:
-        InputError: an unknown key, one that no run depends on, or values that are not allowed.
+        InputError: an unknown key, a key on which no run depends, or values that are not allowed.
     """
-    given = plain_value(given)
-    given = [plain_value(value) for value in given] if isinstance(given, list) else given
-    quantity = key_quantity(key, model, given)
+    value = plain_value(value)
+    value = [plain_value(item) for item in value] if isinstance(value, list) else value
+    quantity = key_quantity(key, model, value)
     if key in WORDS:
         raise InputError(f"{key}: need a key on which runs depend; this one is a word about the design")
-    if isinstance(given, list):
-        if not given:
+    if isinstance(value, list):
+        if not value:
             raise InputError(f"{key}: need at least one value, got an empty list")
-        _check_values(key, given, model)
-        return Factor(key=key, values=tuple(given), model=model)
-    if isinstance(given, str) and not names_law(key):
-        values = range_values(key, given, numbers=quantity is None)
+        _check_values(key, value, model)
+        return Factor(key=key, values=tuple(value), model=model)
+    if isinstance(value, str) and not names_law(key):
+        values = range_values(key, value, numbers=quantity is None)
         _check_values(key, values[:1], model)
         return Factor(key=key, values=values, model=model)
-    if isinstance(given, Mapping):
+    if isinstance(value, Mapping):
         with error_prefix(f"{key}."):
-            table = read_part(DistributionEntry, given)
+            table = read_part(DistributionEntry, value)
         return Factor(key=key, distribution=_distribution(key, table, quantity), model=model)
     rule = 'a list, a range such as "1..5 cm step 1", or a distribution'
     if names_law(key):
         rule = 'a list such as ["tpu-82a"]'
-    raise InputError(f"{key}: need {rule}, got {given!r}")
+    raise InputError(f"{key}: need {rule}, got {value!r}")
 
 
 def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object, ...]:
-    """The values of a range such as "10..60 N/cm step 10", ends included, as a design file has them.
+    """Return the values of a range such as "10..60 N/cm step 10", ends included, as in a design file.
 
     Args:
-        key: what errors call it.
+        key: key that error messages name.
         text: the range.
-        numbers: whether they are numbers where the range has no unit, and not texts whose unit is missing.
+        numbers: whether a range without a unit gives numbers. Otherwise it gives texts without a unit.
 
     Raises:
-        InputError: not a range, a step that does not lead from one end to the other, or more than a million values.
+        InputError: not a range, a step that does not divide the range, or more than a million values.
     """
     match = _RANGE.fullmatch(text) if len(text) <= _LONGEST_RANGE else None
     if match is None:
@@ -174,7 +172,7 @@ def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object,
     if hint := undivided(low, high, width):
         raise InputError(f'{key}: need a step that divides the range, {hint}, got "{text}"')
     count = math.floor(steps) + 1
-    # in decimals, so that 0.1 three times is 0.3 as a person would write it
+    # decimal arithmetic: three times 0.1 is 0.3, as a person would write it
     values = [float(Decimal(first) + index * Decimal(step)) for index in range(count)]
     if numbers and not unit:
         return tuple(int(value) if value.is_integer() else value for value in values)
@@ -182,69 +180,71 @@ def range_values(key: str, text: str, *, numbers: bool = False) -> tuple[object,
 
 
 def undivided(low: float, high: float, step: float) -> str:
-    """Name the nearest ends and steps of a range whose step does not lead from one end to the other; "" where it does.
+    """Suggest ends and steps for a range that its step does not divide; "" if it does.
 
     Args:
         low: first value, in the unit in which the range is written.
         high: last value, >= low.
-        step: between two values, > 0.
+        step: difference between two values, > 0.
     """
-    count = (high - low) / step
-    if math.isclose(count, round(count), rel_tol=1e-9, abs_tol=1e-9):
+    number = (high - low) / step
+    if math.isclose(number, round(number), rel_tol=1e-9, abs_tol=1e-9):
         return ""
-    around = (math.floor(count), math.floor(count) + 1)
-    ends = [f"{low + steps * step:.12g}" for steps in around if steps]
-    # those that can be written in a few digits
-    shares = [f"{(high - low) / steps:.6g}" for steps in around if steps]
+    nearest_counts = (math.floor(number), math.floor(number) + 1)
+    ends = [f"{low + steps * step:.12g}" for steps in nearest_counts if steps]
+    # only steps that can be written in a few digits
+    texts = [f"{(high - low) / steps:.6g}" for steps in nearest_counts if steps]
     widths = [
-        text for text in shares if float(text) and abs(math.remainder(high - low, float(text))) <= 1e-9 * float(text)
+        text for text in texts if float(text) and abs(math.remainder(high - low, float(text))) <= 1e-9 * float(text)
     ]
     hint = f"such as an end of {' or '.join(ends)}"
     return f"{hint} or a step of {' or '.join(widths)}" if widths else hint
 
 
 def grid_points(factors: tuple[Factor, ...], times: int = 1) -> list[dict[str, object]]:
-    """Every combination of the factors' values, the last factor fastest.
+    """Return every combination of the factors' values; the last factor varies fastest.
 
     Args:
         factors: with values.
-        times: how often the study has this grid.
+        times: number of times that the study repeats this grid.
 
     Raises:
-        InputError: more than a million in all.
+        InputError: more than a million points in total.
     """
     keys = [factor.key for factor in factors]
     count = times * math.prod(len(factor.values) for factor in factors)
     if count > MOST_VALUES:
         raise InputError(f"factors: need at most {MOST_VALUES} points, got {count}")
-    return [dict(zip(keys, values, strict=True)) for values in itertools.product(*(each.values for each in factors))]
+    return [
+        dict(zip(keys, values, strict=True)) for values in itertools.product(*(factor.values for factor in factors))
+    ]
 
 
 def drawn_values(factors: tuple[Factor, ...], method: str, count: int, seed: int) -> list[dict[str, object]]:
-    """Draw points from the distributions of all factors, as a design file has them.
+    """Sample points from the distributions of all factors, with values as in a design file.
 
     Args:
-        factors: each with a distribution.
+        factors: with distributions.
         method: "random", or "sobol" for scrambled Sobol points (Owen 1998), which fill the space more evenly.
-        count: how many.
-        seed: of the generator; the same seed draws the same points.
+        count: number of points.
+        seed: of the generator; the same seed gives the same points.
     """
     if method == "sobol":
-        # a power of two keeps the points balanced; the first `count` of it are what was asked
+        # a power of two keeps the points balanced; the first `count` of them are returned
         power = math.ceil(math.log2(max(count, 1)))
-        shares = scipy.stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
+        probabilities = scipy.stats.qmc.Sobol(len(factors), rng=np.random.default_rng(seed)).random_base2(power)[:count]
     else:
-        shares = np.random.default_rng(seed).random((count, len(factors)))
+        probabilities = np.random.default_rng(seed).random((count, len(factors)))
     columns = [
         [_written(factor.key, float(value), factor.model) for value in factor.distribution.quantiles(column)]
-        for factor, column in zip(factors, shares.T, strict=True)
+        for factor, column in zip(factors, probabilities.T, strict=True)
         if factor.distribution is not None
     ]
     return [dict(zip((factor.key for factor in factors), row, strict=True)) for row in zip(*columns, strict=True)]
 
 
 def _check_values(key: str, values: Sequence[object], model: type[Design]) -> None:
-    """Refuse what no coordinate of a table can be, and equal values; what is out of bounds is a row of its own."""
+    """Reject values that cannot be coordinates of a table, and equal values. Bounds are not checked here."""
     quantity = key_quantity(key, model)
     known: dict[object, object] = {}
     for value in values:
@@ -261,7 +261,7 @@ def _check_values(key: str, values: Sequence[object], model: type[Design]) -> No
             same = value
         else:
             with error_prefix(f"{key}: "):
-                same = float(f"{quantity.parse(value):.12g}")  # a unit's factor rounds: 50 mm is 5 cm
+                same = float(f"{quantity.parse(value):.12g}")  # rounded, because units have factors: 50 mm equals 5 cm
         if same in known:
             twice = as_written(value) if value == known[same] else f"{as_written(known[same])} and {as_written(value)}"
             raise InputError(f"{key}: need values that differ, got {twice}{' twice' * (value == known[same])}")
@@ -269,14 +269,14 @@ def _check_values(key: str, values: Sequence[object], model: type[Design]) -> No
 
 
 def _comparable(value: object) -> object:
-    """A value without a unit such that equal ones are equal and yes is not 1."""
+    """Return a value without a unit in a form in which equal values are equal, but true differs from 1."""
     if isinstance(value, list):
-        return tuple(_comparable(each) for each in value)
+        return tuple(_comparable(item) for item in value)
     return type(value) is bool, value
 
 
 def _finite(value: object) -> float:
-    """A finite number as it is; raise InputError for anything else."""
+    """Return a finite number; raise InputError for anything else."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(f"need a number, got {as_written(value)}")
     try:
@@ -297,8 +297,8 @@ def _distribution(key: str, table: DistributionEntry, quantity: Quantity | None)
     name = table.distribution
     names = DISTRIBUTIONS[name]
     if table.model_fields_set != {"distribution", *names}:
-        given = ", ".join(field for field in type(table).model_fields if field in table.model_fields_set)
-        raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {given}")
+        fields = ", ".join(field for field in type(table).model_fields if field in table.model_fields_set)
+        raise InputError(f"{key}: a {name} distribution needs {names[0]} and {names[1]}, got {fields}")
     numbers = []
     for parameter in names:
         value = getattr(table, parameter)

@@ -1,4 +1,4 @@
-"""A design's landscape and, beside it, a run that is sampled finely enough to be compared."""
+"""Energy landscape of a design, with a run that is sampled finely enough for a comparison."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ def landscape_and_run(
     progress: Progress | None = None,
     steps: Callable[[str], None] = lambda _: None,
 ) -> tuple[EnergyLandscape, Record | None]:
-    """Find a design's energy landscape, and run it where that is wanted.
+    """Compute a design's energy landscape, and run the design if requested.
 
     Args:
-        design: of which.
-        simulation: whether to run it, too.
-        progress: of the run, which comes first.
-        steps: is told what is surveyed.
+        design: the design.
+        simulation: whether to run the design.
+        progress: progress callback of the run, which comes first.
+        steps: called with a text for each step of the survey.
     """
     record = run(finely_sampled(design), progress) if simulation else None
     return energy_landscape(design, progress=steps), record

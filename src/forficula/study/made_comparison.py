@@ -1,4 +1,4 @@
-"""A design beside what its parts make of it: barriers, holding torques, what runs come to, and what did it."""
+"""Comparison of a design with its made parts: barriers, holding torques, outcomes of runs, causes of differences."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from forficula.study.running.runs import run_each
 
 @dataclass(frozen=True, kw_only=True)
 class HingePair:
-    """A hinge that one tendon lies across, as designed and as made.
+    """A hinge with one tendon across it, as designed and as made.
 
     Attributes:
         name: of the hinge.
-        designed: over its range.
-        made: alike.
+        designed: landscape over its range, as designed.
+        made: landscape over its range, as made.
     """
 
     name: Annotated[str, Key("hinge")]
@@ -61,9 +61,9 @@ class MadeTrial:
     """A run with the values of some groups as made, and all others as designed.
 
     Attributes:
-        groups: as made.
-        outcome: what it came to; None of what cannot be built.
-        why: it cannot be built; mostly empty.
+        groups: groups of values that are as made.
+        outcome: of the run; None if the design cannot be built.
+        why: reason why it cannot be built, else empty.
     """
 
     groups: Annotated[tuple[Group, ...], Key("as_made")]
@@ -72,27 +72,27 @@ class MadeTrial:
 
     @property
     def held(self) -> Annotated[Mapping[str, bool | None], Key("holds")]:
-        """By name of a state, whether it was reached and held; empty where nothing was run."""
+        """Whether each state was reached and held, by its name; empty without a run."""
         return {} if self.outcome is None else self.outcome.holds
 
     @property
     def status(self) -> Annotated[str, Written.ALWAYS]:
-        """What it came to, in a few words."""
+        """Outcome in a few words."""
         return f"cannot be built: {self.why}" if self.outcome is None else self.outcome.status
 
     def holds(self, state: str) -> bool | None:
-        """Whether a state was reached and held; None where the run tells nothing of it."""
+        """Return whether a state was reached and held; None if the run has no answer."""
         return self.held.get(state)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Blame:
-    """Which of what was made otherwise keeps the design from a state that it reaches as designed.
+    """Causes why the made design misses a state that the designed one reaches.
 
     Attributes:
         state: such as "folded".
-        alone: groups each of which is enough to keep it from there, with all others as designed.
-        mends: groups each of which is enough to let it get there again, put back as designed with all others as made.
+        alone: groups whose change alone, with all others as designed, makes the design miss the state.
+        mends: groups that restore the state if they are as designed, with all others as made.
         text: a sentence.
     """
 
@@ -104,17 +104,17 @@ class Blame:
 
 @dataclass(frozen=True, kw_only=True)
 class MadeComparison:
-    """A design beside what its parts make of it.
+    """Comparison of a design with its made parts.
 
     Attributes:
         designed: the design.
-        made: as it is made.
-        changes: its values that are other ones.
-        unkept: what it cannot have of the parts.
-        hinges: that one tendon lies across each.
-        trials: runs: of the design, of it as made, and where the two differ with each group put back, and each alone;
-            empty where nothing was to be run.
-        blame: for each state that the design reaches and the design as made does not.
+        made: the design as made.
+        changes: values that differ.
+        unkept: features of the design that the parts do not have.
+        hinges: hinges with one tendon across each.
+        trials: runs of the design and of the design as made. If these differ, also runs with each group as designed,
+            and with each group alone as made. Empty without simulation.
+        blame: causes for each state that only the designed one reaches.
     """
 
     designed: Annotated[Design, Written.NEVER]
@@ -137,33 +137,33 @@ class MadeComparison:
 
     @property
     def as_designed(self) -> MadeTrial | None:
-        """The run of the design; None where nothing was run."""
+        """Run of the design; None without simulation."""
         return self.trials[0] if self.trials else None
 
     @property
     def as_made(self) -> MadeTrial | None:
-        """The run of the design as made; None where nothing was run."""
+        """Run of the design as made; None without simulation."""
         return self.trials[1] if self.trials else None
 
     @property
     def groups(self) -> tuple[Group, ...]:
-        """Of what is otherwise."""
-        return tuple(group for group in GROUPS if any(each.group == group for each in self.changes))
+        """Groups of values that differ."""
+        return tuple(group for group in GROUPS if any(change.group == group for change in self.changes))
 
 
 def made_comparison(
     parts: PartSet, simulate: bool = False, steps: Callable[[str], None] = lambda _: None
 ) -> MadeComparison:
-    """Set a design beside what its parts make of it.
+    """Compare a design with its made parts.
 
     Args:
         parts: with joints.
-        simulate: whether to run both; where the design as made misses a state that the design reaches, also with each
-            group of values put back, and with each alone.
-        steps: is told what is done.
+        simulate: whether to run both. If the design as made misses a state that the design reaches, it is also run with
+            each group as designed, and with each group alone as made.
+        steps: called with a text for each step.
 
     Raises:
-        InputError: as of `as_made`.
+        InputError: see `as_made`.
 
     Example:
         >>> from forficula.make.make_parts import make_parts
@@ -183,22 +183,22 @@ def made_comparison(
     )
     if not simulate:
         return compared
-    steps("run it as designed and as made")
+    steps("run the design as designed and as made")
     groups = compared.groups
     trials = _trials(parts, values, [(), groups])
-    lost = [state for state, held in _holds(trials[0]) if held and trials[1].holds(state) is False]
-    if lost and len(groups) > 1:
-        steps("run it with each change put back, and each alone")
-        without = [tuple(each for each in groups if each != group) for group in groups]
+    missed = [state for state, held in _holds(trials[0]) if held and trials[1].holds(state) is False]
+    if missed and len(groups) > 1:
+        steps("run the design without each change, and with each change alone")
+        without = [tuple(kept for kept in groups if kept != group) for group in groups]
         alone = [(group,) for group in groups]
         trials += _trials(parts, values, list(dict.fromkeys([*without, *alone])))
-    return replace(compared, trials=tuple(trials), blame=tuple(_blame(state, groups, trials) for state in lost))
+    return replace(compared, trials=tuple(trials), blame=tuple(_blame(state, groups, trials) for state in missed))
 
 
 def comparison_or_why(
     parts: PartSet, simulate: bool = False, steps: Callable[[str], None] = lambda _: None
 ) -> MadeComparison | str:
-    """As `made_comparison`; or why there is none, in a sentence: parts may be made that make no design."""
+    """Return `made_comparison`, or a sentence that says why there is none: not all parts correspond to a design."""
     try:
         return made_comparison(parts, simulate, steps)
     except InputError as error:
@@ -206,33 +206,34 @@ def comparison_or_why(
 
 
 def _hinges(designed: Design, made: Design) -> tuple[HingePair, ...]:
-    """The hinges that one tendon lies across each, over their ranges."""
+    """Return the hinges with one tendon across each, over their ranges."""
     before, after = structure_of(designed), structure_of(made)
     crossings = [before.tendons[tendon].crossing for tendon in crossing_tendons(before)]
     names = [before.hinges[crossing.hinge].name for crossing in crossings if crossing is not None]
     pairs = zip(names, tendon_hinges(before), tendon_hinges(after), strict=True)
     return tuple(
-        HingePair(name=name, designed=hinge_landscape(here), made=hinge_landscape(there)) for name, here, there in pairs
+        HingePair(name=name, designed=hinge_landscape(hinge_before), made=hinge_landscape(hinge_after))
+        for name, hinge_before, hinge_after in pairs
     )
 
 
 def _trials(parts: PartSet, values: MadeValues, chosen: Sequence[Collection[Group]]) -> list[MadeTrial]:
-    """Run the design with some groups as made, one run for each choice."""
-    built: dict[int, Design] = {}
+    """Run the design with each choice of groups as made."""
+    designs: dict[int, Design] = {}
     trials = {}
-    for number, groups in enumerate(chosen):
+    for choice, groups in enumerate(chosen):
         try:
-            built[number] = as_made(parts, groups, values) if groups else parts.design
+            designs[choice] = as_made(parts, groups, values) if groups else parts.design
         except InputError as error:
-            trials[number] = MadeTrial(groups=tuple(groups), outcome=None, why=str(error))
-    order = list(built)
-    for place, record in run_each([built[number] for number in order], sparse=True):
-        groups = tuple(chosen[order[place]])
+            trials[choice] = MadeTrial(groups=tuple(groups), outcome=None, why=str(error))
+    order = list(designs)
+    for index, record in run_each([designs[choice] for choice in order], sparse=True):
+        groups = tuple(chosen[order[index]])
         if isinstance(record, InputError):
-            trials[order[place]] = MadeTrial(groups=groups, outcome=None, why=str(record))
+            trials[order[index]] = MadeTrial(groups=groups, outcome=None, why=str(record))
         else:
-            trials[order[place]] = MadeTrial(groups=groups, outcome=measure(record))
-    return [trials[number] for number in range(len(chosen))]
+            trials[order[index]] = MadeTrial(groups=groups, outcome=measure(record))
+    return [trials[choice] for choice in range(len(chosen))]
 
 
 def _holds(trial: MadeTrial) -> list[tuple[str, bool | None]]:
@@ -240,25 +241,24 @@ def _holds(trial: MadeTrial) -> list[tuple[str, bool | None]]:
 
 
 def _blame(state: str, groups: tuple[Group, ...], trials: Sequence[MadeTrial]) -> Blame:
-    """Which groups keep the design from a state."""
+    """Return the groups that make the design miss a state."""
     by_groups = {trial.groups: trial.holds(state) for trial in trials}
     alone = tuple(group for group in groups if by_groups.get((group,)) is False)
-    mends = tuple(group for group in groups if by_groups.get(tuple(each for each in groups if each != group)) is True)
+    mends = tuple(group for group in groups if by_groups.get(tuple(kept for kept in groups if kept != group)) is True)
     return Blame(state=state, alone=alone, mends=mends, text=_sentence(state, groups, alone, mends))
 
 
 def _sentence(state: str, groups: tuple[Group, ...], alone: tuple[Group, ...], mends: tuple[Group, ...]) -> str:
-    """Which groups keep the design from a state, in words."""
-    missed = f'as made it does not come to "{state}", as designed it does'
+    """Return a sentence on the groups that make the design miss a state."""
+    missed = f'the design reaches "{state}" as designed, but not as made'
     if len(groups) == 1:
-        return f"{missed}: nothing but the {groups[0]} differs."
-    told = []
+        return f"{missed}; the only difference is in the {groups[0]}."
     if alone:
-        told.append(f"{'each of ' if len(alone) > 1 else ''}the {listed(alone)} as made would do for that alone")
+        causes = f"{'each of ' if len(alone) > 1 else ''}the {listed(alone)} as made would alone prevent this"
     else:
-        told.append("no change is enough for that alone")
+        causes = "no single change prevents this"
     if mends:
-        told.append(f"with the {' or with the '.join(mends)} put back as designed it does")
+        repairs = f"it is reached again with the {' or the '.join(mends)} as designed"
     else:
-        told.append("putting back any one of them is not enough")
-    return f"{missed}: {', and '.join(told)}."
+        repairs = "undoing a single change does not restore it"
+    return f"{missed}: {causes}, and {repairs}."

@@ -1,4 +1,4 @@
-"""Commented files to start from, of studies, goals and observations: the examples of every key that has one."""
+"""Commented templates of study, goal and observations files, built from the examples of all keys."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ _WIDTH = 118  # of comments
 
 
 def write_new_file(path: str | os.PathLike[str], file: FileKind[Any], kind: str = "earwig-fan") -> None:
-    """Write a file that can be used as it is, with a comment on every key that has an example or a default.
+    """Write a file that can be run unchanged, with a comment on every key that has an example or a default.
 
     Args:
-        path: of the file.
-        file: what kind of file it is.
-        kind: of the pattern of the design that the file is about, one of `KINDS`.
+        path: path of the new file.
+        file: kind of file.
+        kind: kind of the pattern of the design that the file refers to, one of `KINDS`.
 
     Raises:
-        InputError: no such kind, or the file exists already, or cannot be written.
+        InputError: unknown kind, or the file exists already or cannot be written.
     """
     if kind not in KINDS:
         raise InputError(f"kind: need {one_of(KINDS, kind)}")
@@ -57,12 +57,14 @@ def write_new_file(path: str | os.PathLike[str], file: FileKind[Any], kind: str 
         "state": transitions[0].state,
         **file.texts(design),
     }
-    about = f"{file.model.about}, forficula keys --kind {kind} those of the design. What is behind # may be left out"
+    about = (
+        f"{file.model.about}, forficula keys --kind {kind} those of the design. Lines that begin with # are optional"
+    )
     write_text(path, "\n".join([*_comment(about), *_lines(file.model, texts)]) + "\n")
 
 
 def value_text(design: Design, key: str, share: float, *, few_digits: bool = False) -> str:
-    """Return a multiple of a value of a design as a file has it: with all digits, or with a few."""
+    """Return a multiple of a design's value as text for a file, with all digits or with few."""
     quantity = key_quantity(key, type(design))
     assert quantity is not None
     write = show_quantity if few_digits else format_quantity
@@ -70,7 +72,7 @@ def value_text(design: Design, key: str, share: float, *, few_digits: bool = Fal
 
 
 def _lines(model: type[Section], texts: Mapping[str, str]) -> Iterator[str]:
-    """The lines of a file of a class: keys of its own, then its tables."""
+    """Yield the lines of a file of a class: first its own keys, then its tables."""
     for name, field in model.model_fields.items():
         examples, is_needed = _examples(name, field, texts), left_out(field) == "needed"
         comment = ["", *_comment(". ".join(filter(None, (field.description, texts.get(name)))))]
@@ -90,18 +92,18 @@ def _lines(model: type[Section], texts: Mapping[str, str]) -> Iterator[str]:
 
 
 def _examples(name: str, field: FieldInfo, texts: Mapping[str, str]) -> list[str]:
-    """Lines with a key: its examples, or else its default where that is a word or a number that counts."""
+    """Return lines with a key: its examples, or its default if this is a word or a number."""
     if field.examples or left_out(field) or not isinstance(field.default, str | int):
         return [Template(example).substitute(texts) for example in field.examples or []]
     return [tomli_w.dumps({name: field.default}).strip()]
 
 
 def _line(text: str, *, active: bool) -> str:
-    """A line of a file, or several, behind # where it is not active."""
+    """Return one or several lines of a file, commented out if not active."""
     return text if active else "\n".join(f"# {line}" for line in text.splitlines())
 
 
 def _comment(text: str) -> Iterator[str]:
-    """A sentence on comment lines."""
+    """Yield a sentence as comment lines."""
     for line in wrap(f"{text[0].upper()}{text[1:]}.", _WIDTH, break_long_words=False, break_on_hyphens=False):
         yield f"# {line}"

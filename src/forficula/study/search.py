@@ -1,4 +1,4 @@
-"""The least values that bring a structure to its states: which runs find them, and what these say."""
+"""Search for the least values with which a structure reaches its states: the runs to do and their evaluation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from forficula.study.search_steps import Search, SearchStep
 
 Rows = Mapping[str, Row]
 
-# how a status names the values that were tried; pages fill in the same fields
+# texts that add the tried values to a status; pages fill in the same fields
 SEARCH_TEXTS = {
     "with": "{text} with {value}",
     "used": "{text} ({used})",
@@ -26,51 +26,51 @@ _NUMBERS = {"time": "s", "work": "J"}
 
 
 def search_designs(design: Design, search: Search, rows: Rows) -> dict[str, Design]:
-    """The designs that must run to find the least values, as far as the rows so far tell, by the keys of their rows.
+    """Return the designs to run next in order to find the least values, by the keys of their rows.
 
-    The first transition is tried with every value, for it need not be monotone, and only the least that does it is also
-    released. The second is tried where there is a least value of the first, from where the search's reference value
-    left the first, rising, up to the least value that does it; a search that does not ask for it leaves that out. What
-    runs next can depend on the last rows: ask again until none is missing.
+    The first transition is tried with every value, because success need not be monotone. Only its least successful
+    value is also released. If there is one, the second transition is tried in rising order, starting from the state
+    that the search's reference value leads to, until a value succeeds. It is skipped if the search has no second
+    transition. Later runs can depend on the rows of earlier ones: call again until no row is missing.
     """
     values = _values(design, search, rows, search.first)
-    tried = [first_design(design, search, value) for value in values]
-    keys = [row_key(each) for each in tried]
-    wanted, found = dict(zip(keys, tried, strict=True)), [rows.get(key) for key in keys]
-    if any(row is None for row in found):
-        return wanted
-    least, _ = _decided({value: row for value, row in zip(values, found, strict=True) if row}, search.first.state)
+    designs = [first_design(design, search, value) for value in values]
+    keys = [row_key(first_try) for first_try in designs]
+    designs_by_key, results = dict(zip(keys, designs, strict=True)), [rows.get(key) for key in keys]
+    if any(row is None for row in results):
+        return designs_by_key
+    least, _ = _decided({value: row for value, row in zip(values, results, strict=True) if row}, search.first.state)
     if least is None:
-        return wanted
+        return designs_by_key
     if search.next_drive is not None:
         release = release_design(design, search, least)
-        wanted[row_key(release)] = release
+        designs_by_key[row_key(release)] = release
     for value in _values(design, search, rows, search.second):
         second = second_design(design, search, value)
-        wanted[key := row_key(second)] = second
+        designs_by_key[key := row_key(second)] = second
         if search.second is not None and rows.get(key, {}).get(search.second.state):
             break
-    return wanted
+    return designs_by_key
 
 
 def most_runs(search: Search) -> int:
-    """How many runs a point takes at most."""
+    """Return the largest number of runs for one point."""
     steps = len(search.first.values) + (0 if search.second is None else len(search.second.values))
     return steps + 1 + 2 * search.refinements
 
 
 def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
-    """What the rows say of one point: the least values (SI), times (s), work and energies (J), and its ending.
+    """Evaluate the rows of one point: least values (SI), times (s), work and energies (J), and the outcome.
 
-    Times, work and energies of a transition are those at the least value that does it; None where no value does. By
-    value there are times and outcomes of the first transition, `times_tried` and `outcomes_tried`.
+    Times, work and energies of a transition belong to its least successful value; None if no value succeeds.
+    `times_tried` and `outcomes_tried` have the times and outcomes of the first transition by tried value.
     """
     first, second = search.first, search.second
     tried = {
         value: rows[row_key(first_design(design, search, value))] for value in _values(design, search, rows, first)
     }
     least_first, done = _decided(tried, first.state)
-    # there are none above the least value that does it
+    # the second transition is not tried above its least successful value
     later = {
         value: row
         for value in _values(design, search, rows, second)
@@ -103,33 +103,34 @@ def search_result(design: Design, search: Search, rows: Rows) -> dict[str, Any]:
 
 
 def _numbers(step: SearchStep, row: Row) -> dict[str, Any]:
-    """Time and work of a transition, and the energies of the state that it led to."""
+    """Return time and work of a transition, and the energies of the state that it leads to."""
     numbers = {f"{step.transition}_{name}": row[f"{step.transition}_{name}_{unit}"] for name, unit in _NUMBERS.items()}
     return numbers | _energies(step.state, row)
 
 
 def _energies(state: str, row: Row) -> dict[str, Any]:
-    """What the tendons store in a state, and each kind of springs."""
+    """Return the energy that the tendons store in a state, and that of each kind of spring."""
     names = ("energy", *(f"{kind}_energy" for kind in SPRUNG))
     return {f"{state}_{name}": row.get(f"{state}_{name}_J") for name in names}
 
 
-def _decided(found: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
-    """The least value that reaches a goal and its row, or none and the row that says why.
+def _decided(tried: Mapping[float, Row], goal: str) -> tuple[float | None, Row]:
+    """Return the least value that reaches a goal, and its row; or None and the row that explains the failure.
 
-    That is the first one, in the order of the values, that does not say whether it reaches the goal: before what does
-    it may hide a value that does. Otherwise it is that of the last value; an empty one where nothing was tried.
+    Values are examined in their order. If a row without a conclusive verdict comes before the first success, the search
+    fails with this row, because a smaller value might succeed. If no value succeeds, the row is that of the last value,
+    or an empty row if nothing was tried.
     """
-    for value, row in found.items():
+    for value, row in tried.items():
         if not Verdict(row["verdict"]).tells and row.get(goal) is None:
             return None, row
         if row.get(goal):
             return value, row
-    return None, list(found.values())[-1] if found else {}
+    return None, list(tried.values())[-1] if tried else {}
 
 
 def _reference(search: Search, row: Row) -> str:
-    """What became of the first transition with the reference value, in a word; empty where that was not tried."""
+    """Return one word for the outcome of the first transition at the reference value; empty if it was not tried."""
     if not row:
         return ""
     return search.first.done if row[search.first.state] else str(row["outcome"])
@@ -142,18 +143,20 @@ def _used(
     later: Mapping[float, Row],
     least_second: float | None,
 ) -> tuple[str, str]:
-    """The values that the ending of a search is of: of the first transition, and of both; empty where not tried."""
+    """Return texts with the values in the status: of the first transition, and of both; empty if not tried."""
     first, second = search.first, search.second
     if first.unit is not TORQUE:  # the value of another key is in the row itself
         return "", ""
-    last = least_first if least_first is not None else next(reversed(list(tried)), None)
-    one = "" if last is None else _with_value(first.transition, show_quantity(last, first.unit))
+    last_of_first = least_first if least_first is not None else next(reversed(list(tried)), None)
+    used_first = (
+        "" if last_of_first is None else _with_value(first.transition, show_quantity(last_of_first, first.unit))
+    )
     if second is None or not later:
-        return one, ""
+        return used_first, ""
     value = least_second if least_second is not None else list(later)[-1]
     large = show_quantity(search.reference, first.unit)
     last_of_second = show_quantity(value, second.unit)
-    return one, f"{_with_value(first.transition, large)}, {_with_value(second.transition, last_of_second)}"
+    return used_first, f"{_with_value(first.transition, large)}, {_with_value(second.transition, last_of_second)}"
 
 
 def _with_value(text: str, value: str) -> str:
@@ -161,37 +164,38 @@ def _with_value(text: str, value: str) -> str:
 
 
 def _ending(search: Search, done: Row, next_done: Row, used: tuple[str, str]) -> dict[str, Any]:
-    """How the second transition went where some value does the first, or what failed before.
+    """Return status, verdict and outcome of a search.
 
-    That is the release of the first one, or the first one with the reference value. The status names the values.
+    They are those of the second transition if the first succeeds and the second was tried at the reference value.
+    Otherwise they are those of the first transition or its release. The status contains the values.
 
     Args:
-        search: what was looked for.
+        search: the search.
         done: row of the first transition.
-        next_done: of the second; empty where that was not tried.
-        used: the values of the first transition, and of both, in words.
+        next_done: row of the second transition; empty if it was not tried.
+        used: texts with the values of the first transition, and of both.
     """
     state = search.first.state
-    told = done if not (done.get(state) and next_done) else next_done
-    ending = {"status": told["status"], "verdict": told["verdict"], "outcome": told["outcome"]}
+    row = done if not (done.get(state) and next_done) else next_done
+    ending = {"status": row["status"], "verdict": row["verdict"], "outcome": row["outcome"]}
     large = show_quantity(search.reference, search.first.unit)
-    if told is done:
+    if row is done:
         if next_done:
-            ending["status"] = SEARCH_TEXTS["then"].format(text=told["status"], value=large, next=next_done["status"])
-        elif used[0] and Verdict(told["verdict"]).tells:
-            ending["status"] = SEARCH_TEXTS["used"].format(text=told["status"], used=used[0])
+            ending["status"] = SEARCH_TEXTS["then"].format(text=row["status"], value=large, next=next_done["status"])
+        elif used[0] and Verdict(row["verdict"]).tells:
+            ending["status"] = SEARCH_TEXTS["used"].format(text=row["status"], used=used[0])
     elif next_done[state]:
         if used[1]:
-            ending["status"] = SEARCH_TEXTS["used"].format(text=told["status"], used=used[1])
+            ending["status"] = SEARCH_TEXTS["used"].format(text=row["status"], used=used[1])
     else:
         ending["status"] = SEARCH_TEXTS["failed"].format(value=large, next=next_done["status"])
         if Verdict(next_done["verdict"]).tells:
-            ending["outcome"] = _with_value(told["outcome"], large)
+            ending["outcome"] = _with_value(row["outcome"], large)
     return ending
 
 
 def first_design(design: Design, search: Search, value: float) -> Design:
-    """The design with a value, SI, of the first transition; where another follows, its protocol ends with the first."""
+    """Return the design with a value (SI) of the first transition; its protocol ends before the next drive, if any."""
     stages, first = design.protocol.stages, search.first
     if search.next_drive is not None:
         stages = until_driven(stages, _first_driven(stages, first.drive))
@@ -199,7 +203,7 @@ def first_design(design: Design, search: Search, value: float) -> Design:
 
 
 def until_driven(stages: Sequence[StageSection], last: int) -> tuple[StageSection, ...]:
-    """The stages up to a driven one, which ends in the state that its release was to end in.
+    """Return the stages up to a driven one, which takes over the final state of the release after it.
 
     Args:
         stages: of a protocol.
@@ -209,21 +213,21 @@ def until_driven(stages: Sequence[StageSection], last: int) -> tuple[StageSectio
 
 
 def _ending_in(stage: StageSection, following: Sequence[StageSection]) -> StageSection:
-    """A driven stage with the state that the release after it, which is cut off, is to end in."""
-    release = next((each for each in following[:1] if not stage_drives(each)), None)
+    """Return a driven stage with the state in which the release after it, which is removed, would end."""
+    release = next((stage_after for stage_after in following[:1] if not stage_drives(stage_after)), None)
     if stage.state is not None or release is None or release.state is None:
         return stage
     return stage.model_copy(update={"state": release.state})
 
 
 def release_design(design: Design, search: Search, value: float) -> Design:
-    """The design whose protocol ends before any second transition, with a value, SI, of the first."""
+    """Return the design with a value (SI) of the first transition, whose protocol ends before the second."""
     stages, first = design.protocol.stages, search.first
     return _with(design, stages[: _first_driven(stages, search.next_drive or "")], {first.key: first.sign * value})
 
 
 def second_design(design: Design, search: Search, value: float) -> Design:
-    """The design with the reference value of the first transition and a value, SI, of the second."""
+    """Return the design with the reference value of the first transition and a value (SI) of the second."""
     if search.second is None:
         return design
     first, second = search.first, search.second
@@ -232,14 +236,14 @@ def second_design(design: Design, search: Search, value: float) -> Design:
 
 
 def _first_driven(stages: Sequence[StageSection], drive: str) -> int:
-    """Number of the first stage with a drive; how many there are where none has it."""
+    """Return the number of the first stage that has a drive; the number of stages if none has it."""
     return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), len(stages))
 
 
 def _with(design: Design, stages: Sequence[StageSection], values: Mapping[str, float]) -> Design:
-    """Replace stages and strengths of drives, which were checked when they were read, and whatever else as it is set.
+    """Replace stages and values. Strengths of drives were checked when they were read; other values are checked here.
 
-    With another value than a drive's others may follow, as a stiffness follows its law.
+    Other values may change dependent ones: a law determines the stiffness.
     """
     design = put(design, "protocol.stages", tuple(stages))
     for key, value in values.items():
@@ -248,34 +252,34 @@ def _with(design: Design, stages: Sequence[StageSection], values: Mapping[str, f
 
 
 def _values(design: Design, search: Search, rows: Rows, step: SearchStep | None) -> list[float]:
-    """Values to try: the grid, and halves of the step before the first that works as far as it is known."""
+    """Return the values to try: the grid, and points that halve the step below the first success, as far as known."""
     if step is None:
         return []
     tried = list(step.values)
     if not search.refinements:
         return tried
     designs = first_design if step is search.first else second_design
-    found = [rows.get(row_key(designs(design, search, value))) for value in tried]
+    results = [rows.get(row_key(designs(design, search, value))) for value in tried]
     for _ in range(search.refinements):
-        least = next((index for index, row in enumerate(found) if row is None or row.get(step.state)), 0)
-        if least == 0 or found[least] is None:
+        first_success = next((index for index, row in enumerate(results) if row is None or row.get(step.state)), 0)
+        if first_success == 0 or results[first_success] is None:
             return tried
-        half = (tried[least - 1] + tried[least]) / 2
-        tried.insert(least, half)
-        found.insert(least, rows.get(row_key(designs(design, search, half))))
+        half = (tried[first_success - 1] + tried[first_success]) / 2
+        tried.insert(first_success, half)
+        results.insert(first_success, rows.get(row_key(designs(design, search, half))))
     return tried
 
 
 def point_design(base: Design, point: Mapping[str, object], search: Search | None = None) -> Design:
-    """The design at a point of a study.
+    """Return the design at a point of a study.
 
     Args:
-        base: that is varied.
+        base: the design that is varied.
         point: values by key.
-        search: whose values the design must be able to take, too.
+        search: the design must also accept the values of this search.
 
     Raises:
-        InputError: the values do not fit together there.
+        InputError: the values are not allowed together.
     """
     design = with_values(base, dict(point))
     for step in search.steps if search is not None else ():

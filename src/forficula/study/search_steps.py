@@ -1,4 +1,4 @@
-"""What a search looks for: the transitions whose least values it finds, and the values that it tries."""
+"""Search for least values: the transitions that are searched and the values that are tried."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from forficula.quantities import Unit
 
 @dataclass(frozen=True, kw_only=True)
 class SearchStep:
-    """A transition whose least value is looked for.
+    """A transition whose least value is searched for.
 
     Attributes:
-        transition: its name, such as "fold".
+        transition: name of the transition, such as "fold".
         drive: name of its drive.
-        state: name of the state that it leads to, such as "folded".
-        done: what it comes to where it succeeds, in a word.
-        key: of the design's value that is tried, such as "protocol.fold_torque".
-        values: that are tried, SI, one after another, rising or falling; none where it is not asked for.
-        unit: of the values.
-        sign: by which a value is multiplied before it is the key's: that of the drive.
+        state: name of the state that the transition leads to, such as "folded".
+        done: one word for the outcome if the transition succeeds.
+        key: key of the design whose values are tried, such as "protocol.fold_torque".
+        values: values to try in this order, SI, rising or falling; empty if this transition is not searched.
+        unit: unit of the values.
+        sign: sign of the drive. A value is multiplied by it before it is assigned to the key.
     """
 
     transition: str
@@ -33,27 +33,27 @@ class SearchStep:
 
     @property
     def value_name(self) -> str:
-        """What tables call the values, such as "fold_torque"."""
+        """Name of the values in tables, such as "fold_torque"."""
         return "_".join(self.key.split(".")[1:])
 
     @property
     def least_name(self) -> str:
-        """What tables call the least value that does it, such as "least_fold_torque"."""
+        """Name of the least successful value in tables, such as "least_fold_torque"."""
         return f"least_{self.value_name}"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Search:
-    """Which values are tried for the least that bring a structure to its states.
+    """Values to try in order to find the least ones with which a structure reaches its states.
 
     Attributes:
-        first: the first transition.
-        second: the next one; None where there is none, or where it is not asked for.
-        reference: value of the first one's key, SI, at which the second one is tried.
-        next_drive: of the transition after the first one, before whose stage its release ends; None where there is
-            none: the whole protocol then runs with every value.
-        start_state: name of the state before the first transition; "" where there is none.
-        refinements: how often the step below the least value that worked is halved.
+        first: search of the first transition.
+        second: search of the next transition; None if there is none or if it is not searched.
+        reference: value (SI) of the first transition's key while the second is searched.
+        next_drive: drive of the transition after the first. The first transition's release ends before the stage of
+            this drive. None if there is no such transition: every value then runs the whole protocol.
+        start_state: name of the state before the first transition; "" if there is none.
+        refinements: number of times the step below the least successful value is halved.
     """
 
     first: SearchStep
@@ -65,5 +65,5 @@ class Search:
 
     @property
     def steps(self) -> tuple[SearchStep, ...]:
-        """The transitions that are asked for."""
+        """The transitions that are searched."""
         return (self.first,) if self.second is None else (self.first, self.second)

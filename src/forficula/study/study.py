@@ -1,4 +1,4 @@
-"""Study: a design, factors, and what is asked of every point."""
+"""Study: a design, its factors, and what to compute at every point."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ class Study(Displayed):
     """Many runs of one design.
 
     Attributes:
-        name: what outputs call it.
-        source: where the question comes from.
+        name: name in outputs.
+        source: source of the values.
         base: the design that is varied.
         factors: what is varied.
-        points: the values of every point by dotted key, as a design file has them; what is not there is the base's.
-        sampled: whether the points were drawn; otherwise they are the grid of all factors, the last fastest.
-        search: the values to try for the least ones; None runs the protocol as it is.
-        choices: where factors are varied one at a time, the value of one of them each, by key; the first is empty, the
-            base. Otherwise none.
-        grid: the factors whose whole grid is repeated at every choice, the last fastest.
-        reproduces: name of the paper that its results are set beside; None for none.
+        points: values of every point by dotted key, as in a design file. Other keys have the value of the base.
+        sampled: whether the points were sampled. Otherwise they are the grid of all factors; the last varies fastest.
+        search: values to try in searches for least values; None to run the protocol unchanged.
+        choices: if factors are varied one at a time, the changed value of each choice, by key; the first choice is
+            empty (the base). Otherwise empty.
+        grid: factors whose whole grid is repeated at every choice; the last varies fastest.
+        reproduces: name of the paper with which the results are compared; None for no paper.
     """
 
     name: str
@@ -41,6 +41,6 @@ class Study(Displayed):
     reproduces: str | None = None
 
     def __repr__(self) -> str:
-        """How many points over what."""
+        """Return the number of points and the varied keys."""
         keys = ", ".join(factor.key for factor in (*self.factors, *self.grid))
         return f"<Study {self.name}: {len(self.points)} points of {self.base.name} over {keys}>"

@@ -1,10 +1,10 @@
-"""Rows of runs by closed forms of one tendon across one hinge, for tests that need many of them."""
+"""Rows of runs from closed forms of one tendon across one hinge, for tests that need many of them."""
 
 import math
 
 from forficula.study.running.evaluate import row_key
 
-# of the paper; and kg m^2, of the hinge
+# values of the paper; and inertia of the hinge, kg m^2
 TENDONS = {"tendon.stiffness": "10..60 N/cm step 10", "tendon.rest_length": "0..9 cm step 1"}
 INERTIA = 4e-4
 
@@ -18,10 +18,10 @@ def holding_torque(design):
 
 
 def row_of(design):
-    """What a run would say were the wing that hinge: it folds where the torque is enough, sooner where it is stiff."""
+    """Row of a run if the wing were this hinge: it folds if the torque suffices, and sooner if it is stiff."""
     tendon = design.tendon
     folds = design.protocol.fold_torque >= holding_torque(design)
-    # time scale sqrt(I / (k a b)), and as much again for the damping
+    # time scale sqrt(I / (k a b)), and an additional delay by the damping
     scale = math.sqrt(INERTIA / (tendon.stiffness * tendon.proximal_attachment * tendon.distal_attachment))
     time = scale * (1 + design.hinge.damping / 1e-3)
     return {
@@ -39,7 +39,7 @@ def assess(runs):
 
 
 def count_fact(name, **more):
-    """A fact on how many of the paper's 60 tendons fold with 50 N cm."""
+    """A fact on the number of the paper's 60 tendons that fold with 50 N cm."""
     return {
         "name": name,
         "quantity": "folded",
@@ -54,7 +54,7 @@ def count_fact(name, **more):
 
 
 def time_fact(name, **more):
-    """A fact on how long the reference takes to fold."""
+    """A fact on the fold time of the reference."""
     return {
         "name": name,
         "quantity": "fold_time",

@@ -1,4 +1,4 @@
-"""Ranges of unknown values between samples hold what was planted, and samples that are too few exclude nothing."""
+"""Agreeing ranges between samples contain planted values, and too few samples exclude nothing."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ TOLERANCE = 0.04
 
 
 def numbers(points):
-    """A time and an energy over a stiffness and a damping, (points, 2)."""
+    """A time and an energy as functions of stiffness and damping, (points, 2)."""
     stiffness, damping = 0.2 + 0.8 * points[:, 0], 10 ** points[:, 1]
     return np.column_stack([0.2 + 0.1 * damping**0.6 / stiffness**0.5, stiffness + stiffness**2 + 0.02 * damping])
 
@@ -31,7 +31,7 @@ def looked_for(emulators, bounds, tolerances):
     return [AgreementWindow(emulator=each, low=bound - within, high=bound + within) for each, bound, within in found]
 
 
-def test_planted_values_lie_in_ranges_that_are_far_narrower_than_what_was_believed(emulators):
+def test_planted_values_lie_in_ranges_much_narrower_than_the_priors(emulators):
     held, widths = [], []
     for seed in range(8):
         generator = np.random.default_rng([seed, 7])
@@ -42,45 +42,43 @@ def test_planted_values_lie_in_ranges_that_are_far_narrower_than_what_was_believ
         low, high = np.quantile(found.points, [0.025, 0.975], axis=0)
         held += ((low <= truth[0]) & (truth[0] <= high)).tolist()
         widths += (high - low).tolist()
-    # benchmarks/identify.py has a hundred of these
+    # benchmarks/identify.py runs a hundred of these
     assert np.mean(held) >= 0.9
     assert np.median(widths) < 0.2
 
 
-def test_where_no_sample_meets_both_facts_though_the_truth_does_values_between_them_are_not_excluded(
-    samples, emulators
-):
+def test_values_between_samples_are_not_excluded_if_no_sample_but_the_truth_meets_both_facts(samples, emulators):
     exact = numbers(np.array([[0.43, 0.61]]))[0]
     within = 0.01 * exact
     assert not (np.abs(numbers(samples) - exact) <= within).all(axis=1).any()
     found = agreement(looked_for(emulators, exact, within), (0, 0), 0)
     assert found.apart <= 1
-    # as many as would be met, of 48: too few to meet one
+    # too few of 48 samples meet the facts to expect one that meets both
     assert 0 < 48 * found.share < 1
     assert least_apart(looked_for(emulators, exact, within), (0, 0), 0) <= 1
 
 
-def test_two_facts_that_no_value_meets_are_many_standard_errors_apart(emulators):
-    # the longest time with the most energy: a soft tendon has the one, a stiff one the other
+def test_contradicting_facts_deviate_by_many_standard_errors(emulators):
+    # the longest time with the largest energy: a soft tendon has the former, a stiff one the latter
     far = looked_for(emulators, [numbers(np.array([[0.0, 1.0]]))[0, 0], 2.0], [0.02, 0.02])
     assert agreement(far, (0, 0), 0).apart > 3
     assert least_apart(far, (0, 0), 0) > 3
 
 
-def test_the_share_that_meets_a_fact_is_that_of_the_closed_form(samples):
+def test_fraction_of_priors_that_meets_a_fact_equals_closed_form(samples):
     emulator = fit_emulator(samples, samples[:, 0])
     found = agreement([AgreementWindow(emulator=emulator, low=0.4, high=0.5)], (0, 0), 0)
     assert found.share == pytest.approx(0.1, rel=0.2)
     assert 0.4 - 1e-3 <= found.points[:, 0].min() <= found.points[:, 0].max() <= 0.5 + 1e-3
-    # of the other value nothing follows
+    # the other value is not constrained
     assert np.quantile(found.points[:, 1], [0.025, 0.975]).tolist() == pytest.approx([0.025, 0.975], abs=0.06)
-    # facts with one end
+    # facts with one bound
     below = agreement([AgreementWindow(emulator=emulator, low=-np.inf, high=0.25)], (0, 0), 0)
     assert below.share == pytest.approx(0.25, rel=0.2)
     assert below.errors.tolist() == [0]
 
 
-def test_choices_are_known_at_their_middles_only(samples):
+def test_choices_snap_to_the_middle_of_their_part(samples):
     middles = snapped(samples, (2, 0))
     assert set(middles[:, 0].tolist()) == {0.25, 0.75}
     assert (middles[:, 1] == samples[:, 1]).all()
@@ -90,7 +88,7 @@ def test_choices_are_known_at_their_middles_only(samples):
     assert found.share == pytest.approx(0.5, rel=0.2)
 
 
-def test_standard_errors_hold_values_that_were_not_run_also_where_the_quantity_jumps():
+def test_standard_errors_cover_unseen_values_even_at_a_jump():
     held = []
     for seed in range(4):
         points, elsewhere = latin_points(2, 64, seed), np.random.default_rng([seed, 1]).random((200, 2))
@@ -109,10 +107,10 @@ def test_a_smooth_quantity_is_predicted_far_better_than_it_scatters():
     assert np.mean(np.abs(values[1] - mean) <= 2 * error) >= 0.9
 
 
-def test_of_too_few_samples_there_is_no_emulator():
+def test_too_few_samples_give_no_emulator():
     assert least_samples(15) == 34
     assert fit_emulator(latin_points(15, 32, 0), np.zeros(32)) is None
-    # of what does not vary there is
+    # a constant quantity has an emulator
     mean, error = fit_emulator(latin_points(2, 16, 0), np.full(16, 3.0)).predict(np.full((1, 2), 0.3))
     assert mean.tolist() == pytest.approx([3.0])
     assert error[0] < 1e-3

@@ -1,4 +1,4 @@
-"""What it means that no sample meets two facts: shares with intervals, and when none says nothing."""
+"""Verdict if no sample meets two facts together: proportions with intervals, and cases without a verdict."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ from forficula.goals.share_interval import largest_share
 
 
 def evidence(met, tells=None, excess=None, targets=None):
-    """What samples say that tell of all facts, and miss those that they do not meet by their scale."""
+    """Results of samples that are conclusive for all facts, and miss unmet ones by one scale."""
     return Evidence(
         met=met,
         tells=np.ones_like(met) if tells is None else tells,
@@ -29,33 +29,33 @@ def evidence(met, tells=None, excess=None, targets=None):
 
 
 def halves(placed=()):
-    """Of 40 drawn samples 20 meet fact 0, the others fact 1, 2 of these fact 2; then those that were placed."""
+    """Of 40 drawn samples, 20 meet fact 0, the others fact 1, and 2 of these fact 2; placed samples follow."""
     met = np.zeros((40 + len(placed), 4), dtype=bool)
     met[:20, 0] = met[20:40, 1] = met[20:22, 2] = True
     return met, [()] * 40 + list(placed)
 
 
-def test_facts_exclude_one_another_only_where_each_is_met_and_samples_that_were_placed_to_meet_both_do_not():
+def test_facts_exclude_one_another_only_if_each_is_met_and_placed_samples_miss_both_together():
     met, targets = halves(placed=[(0, 1)])
     pair = conjunction((0, 1), evidence(met, targets=targets))
     assert pair.verdict is Together.EXCLUDED
     assert (pair.told, pair.drawn, pair.alone, pair.tried) == (40, 0, (20, 20), 1)
     assert pair.independent == 10
-    # none of 40: what Clopper and Pearson leave, without a word on whether one fact minds the other
+    # none of 40: the Clopper-Pearson bound, without assuming independence of the facts
     assert pair.most == pytest.approx(1 - 0.05 ** (1 / 40))
-    # nobody tried, or tried something else
+    # no sample was placed, or samples were placed for other facts
     assert conjunction((0, 1), evidence(met[:40])).verdict is Together.UNTRIED
     assert conjunction((0, 1), evidence(met, targets=[*targets[:40], (0, 1, 2, 3)])).verdict is Together.UNTRIED
-    # one that was placed to does meet both
+    # a placed sample meets both
     met[40, :2] = True
     assert conjunction((0, 1), evidence(met, targets=targets)).verdict is Together.PLACED
 
 
-def test_facts_that_are_met_by_too_few_tell_nothing_of_whether_they_exclude_one_another():
+def test_rarely_met_facts_give_no_verdict_on_exclusion():
     met, targets = halves(placed=[(0, 2)])
     pair = conjunction((0, 2), evidence(met, targets=targets))
     assert pair.verdict is Together.RARE
-    # of two that meet the rarer one neither meets the other: at 95 % up to 78 of 100 such may
+    # of two samples that meet the rarer fact, none meets the other: at 95 %, up to 78 of 100 such samples may
     assert 1 - 0.05 ** (1 / 2) > 0.5
     assert conjunction((1, 2), evidence(met, targets=targets)).verdict is Together.MET
     assert conjunction((0, 3), evidence(met, targets=targets)).verdict is Together.NEVER
@@ -72,7 +72,7 @@ def test_facts_that_values_between_the_samples_may_meet_do_not_exclude_one_anoth
 
     seen = replace(evidence(met, targets=targets), open_between=open_between)
     assert conjunction((0, 1), seen).verdict is Together.OPEN
-    # what is settled by samples is not asked for
+    # emulators are not evaluated if samples are decisive
     assert conjunction((1, 2), seen).verdict is Together.MET
     assert asked == [(0, 1)]
 
@@ -86,19 +86,19 @@ def test_facts_that_one_sample_nearly_meets_do_not_exclude_one_another():
     assert pair.verdict is Together.NEARLY
 
 
-def test_samples_that_do_not_tell_are_not_counted_and_widen_the_bound():
+def test_inconclusive_samples_are_not_counted_and_widen_the_bound():
     met, targets = halves(placed=[(0, 1)])
     tells = np.ones_like(met)
-    # of 4 that meet fact 0 it is open whether they meet fact 1; of 4 that meet fact 1, whether they meet fact 3
+    # 4 samples that meet fact 0 are inconclusive for fact 1; 4 that meet fact 1 are inconclusive for fact 3
     tells[:4, 1] = tells[20:24, 3] = False
     pair = conjunction((0, 1), evidence(met, tells=tells, targets=targets))
     assert (pair.told, pair.alone) == (36, (16, 20))
     assert pair.most == pytest.approx(largest_share(4, 40))
-    # what misses one for certain does not meet both, whatever the other is
+    # a sample that certainly misses one fact does not meet both, whatever the other is
     assert conjunction((0, 3), evidence(met, tells=tells, targets=targets)).most == pytest.approx(largest_share(0, 40))
 
 
-def test_every_three_facts_of_which_any_two_are_met_are_told_with_whether_they_were_tried():
+def test_unmet_triples_of_facts_are_listed_with_the_number_of_placed_samples():
     met = np.repeat(np.array([[1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=bool), 6, axis=0)
     (three,) = triples_of(evidence(met))
     assert (three.facts, three.alone, three.verdict) == ((0, 1, 2), (12, 12, 12), Together.UNTRIED)
@@ -107,25 +107,25 @@ def test_every_three_facts_of_which_any_two_are_met_are_told_with_whether_they_w
     assert (three.verdict, three.tried) == (Together.EXCLUDED, 1)
 
 
-def test_the_smallest_sets_that_no_sample_meets_leave_out_what_follows_from_them():
-    # any two of facts 0, 1 and 2, never all three; fact 3 never
+def test_smallest_unmet_sets_contain_no_larger_implied_sets():
+    # any two of facts 0, 1 and 2 are met together, never all three; fact 3 is never met
     met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [1, 0, 1, 0]], dtype=bool)
     assert smallest_unmet(met) == [(3,), (0, 1, 2)]
     assert smallest_unmet(np.ones((1, 4), dtype=bool)) == []
 
 
-def test_what_is_looked_for_is_what_no_sample_met():
+def test_targets_are_sets_of_facts_that_no_sample_met():
     met = np.array([[1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]], dtype=bool)
     assert open_targets(met) == [(0, 1, 2, 3), (3,), (0, 2)]
     assert open_targets(np.ones((2, 3), dtype=bool)) == []
-    # three of which any two are met, once nothing smaller is left
+    # a triple whose pairs are met becomes a target when no smaller target is left
     assert open_targets(np.array([[1, 1, 0, 1], [0, 1, 1, 1], [1, 0, 1, 1]], dtype=bool)) == [(0, 1, 2, 3), (0, 1, 2)]
 
 
-def test_placed_samples_stay_in_the_cube_and_gather_where_a_target_is_near():
+def test_placed_samples_stay_in_the_cube_and_concentrate_near_the_target():
     generator = np.random.default_rng(0)
     shares = generator.random((64, 3))
-    # the facts are met at the corner where all shares are 1
+    # the facts are met at the corner where all coordinates are 1
     excess = 1 - shares[:, :2]
     for round_number in range(8):
         placed = directed_shares(shares, excess, [(0, 1)], 16, (0, round_number))
@@ -134,11 +134,11 @@ def test_placed_samples_stay_in_the_cube_and_gather_where_a_target_is_near():
     assert misses(excess, (0, 1))[-16:].mean() < 0.3 * misses(excess, (0, 1))[:64].mean()
 
 
-def test_samples_that_could_not_run_are_infinitely_far():
+def test_samples_that_could_not_run_have_infinite_distance():
     assert misses(np.array([[0.0, np.nan], [0.0, 0.0]]), (0, 1)).tolist() == [np.inf, 0]
 
 
-def test_what_agrees_is_the_nearest_tenth_where_hardly_any_meets_everything():
+def test_nearest_tenth_agrees_if_hardly_any_sample_meets_all_facts():
     excess = np.linspace(0, 4, 50)[:, None] * [1, 1]
     met = excess == 0
     placed = np.arange(50) < 2

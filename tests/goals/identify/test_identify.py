@@ -1,4 +1,4 @@
-"""Values that are hidden are found again by what they bring about, and facts that exclude one another are told."""
+"""Hidden values are identified from their effects, and mutually exclusive facts are reported."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from forficula.goals.identify.result import build_result
 from forficula.show.goals.identify_text import agrees_sentences, print_identification, together_sentences
 from tests.goals.identify.closed_form import assess, count_fact, row_of, time_fact
 
-# less than any overbend
+# below the smallest overbend
 SETTINGS = {"protocol.initial_overbend": "0 deg"}
 UNKNOWN = {
     "hinge.overbend": {"distribution": "uniform", "low": "1 deg", "high": "8 deg"},
@@ -21,7 +21,7 @@ UNKNOWN = {
 
 
 def observed(facts, samples=64, directed=0, unknown=UNKNOWN, rows=assess):
-    """The result of observations of the reference wing."""
+    """Result of observations of the reference wing."""
     tables = {
         "name": "planted",
         "design": "binder2025",
@@ -41,7 +41,7 @@ def planted(overbend, damping):
 
 
 def what_it_does(hidden):
-    """How many of the paper's tendons fold with 50 N cm, and how long the reference takes, s."""
+    """The number of the paper's tendons that fold with 50 N cm, and the fold time of the reference, s."""
     folds = [
         row_of(hidden.with_values({"tendon.stiffness": 1e3 * k, "tendon.rest_length": 0.01 * l0}))["folded"]
         for k in range(1, 7)
@@ -56,7 +56,7 @@ HIDDEN = [(3.0, 1e-3), (5.5, 4e-3), (2.2, 3e-4)]
 
 @pytest.fixture(scope="module")
 def looked_for():
-    """What each of the hidden values brings about, looked for among the same samples: two facts for each."""
+    """Effects of each hidden value, searched among the same samples: two facts for each value."""
     facts = []
     for hidden in HIDDEN:
         count, time = what_it_does(planted(*hidden))
@@ -66,14 +66,14 @@ def looked_for():
 
 
 @pytest.mark.parametrize(("overbend", "damping"), HIDDEN)
-def test_hidden_values_are_found_again_by_what_they_bring_about(looked_for, overbend, damping):
+def test_hidden_values_are_identified_from_their_effects(looked_for, overbend, damping):
     own = 2 * HIDDEN.index((overbend, damping))
     met = looked_for.sel(sample=looked_for.met.isel(fact=[own, own + 1]).all("fact"))
     assert 3 <= met.sizes["sample"] < 64
-    # five tendons more or fewer fold within a third of the overbend; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
+    # within a third of the overbend the count changes by five; 5 ms is 0.43 of the hinge's time scale, 11.5 ms
     np.testing.assert_allclose(np.degrees(met.hinge_overbend), overbend, rtol=1 / 3)
     np.testing.assert_allclose(met.hinge_damping, damping, atol=0.44e-3)
-    # and what agrees lies around what was hidden
+    # the agreeing range contains the hidden value
     assert float(np.degrees(met.hinge_overbend).mean()) == pytest.approx(overbend, rel=0.1)
 
 
@@ -83,12 +83,12 @@ def contradicted():
     return observed([count_fact("many", at_least=40), count_fact("few", at_most=30)], samples=64, directed=32)
 
 
-def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contradicted):
+def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     result = contradicted
     assert result.met.any("sample").all()
     assert int(result.met_together[0, 1]) == int(result.met_together_placed[0, 1]) == 0
     assert result.together.values[0, 1] == Together.EXCLUDED
-    # none of 64: less than 3 / 64 of the priors, as the rule of three has it
+    # none of 64: less than 3 / 64 of the priors, by the rule of three
     assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
@@ -97,19 +97,19 @@ def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contra
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
 
-def test_facts_that_every_sample_meets_tell_the_prior_back():
+def test_facts_that_every_sample_meets_return_the_prior():
     result = observed([count_fact("some", at_least=0), time_fact("ever", at_most="1 s")], samples=64, directed=32)
     assert result.met.all()
     assert result.agrees.all()
-    # nothing is left to refute, so no sample is placed
+    # no sample is placed, because there is nothing to refute
     assert result.sizes["sample"] == result.attrs["drawn"] == 64
-    # a scrambled Sobol sequence has as many points in every sixteenth
+    # a scrambled Sobol sequence has equally many points in every sixteenth
     for share in (result.hinge_overbend_share, result.hinge_damping_share):
         assert np.histogram(share.values, bins=16, range=(0, 1))[0].tolist() == [4] * 16
 
 
-def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
-    # one corner of what is believed: both facts leave a band of each unknown, which few drawn samples hit
+def test_placed_samples_refute_an_accidental_exclusion():
+    # one corner of the priors: both facts leave a narrow band of each unknown, which few drawn samples reach
     count, time = what_it_does(planted(2.2, 3e-4))
     facts = [
         count_fact("count", equals=count, tolerance=1),
@@ -118,7 +118,7 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     drawn = observed(facts, samples=64)
     assert int(drawn.met_together[0, 1]) == 0
     assert drawn.together.values[0, 1] != Together.EXCLUDED
-    # though the hidden values meet both
+    # although the hidden values meet both
     assert (
         "No sample meets all 2 facts, but samples are too few to say that no values do" in together_sentences(drawn)[0]
     )
@@ -128,12 +128,12 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     placed = observed(facts, samples=64, directed=96)
     assert int(placed.met_together_placed[0, 1]) > 0
     assert placed.together.values[0, 1] == Together.PLACED
-    # what was placed says nothing of how likely values are
+    # placed samples are not used for the likelihood of values
     assert not placed.agrees.sel(sample=placed.directed).any()
     assert float(placed.together_share_high[0, 1]) == float(drawn.together_share_high[0, 1])
 
 
-def test_a_value_among_choices_is_found_by_what_it_does():
+def test_a_hidden_choice_is_identified_from_its_effect():
     unknown = {"tendon.distal_attachment": ["4 cm", "5 cm", "5.5 cm"], **UNKNOWN}
     hidden = planted(3.0, 1e-3).with_values({"tendon.distal_attachment": "4 cm"})
     time = row_of(hidden)["fold_time_s"]
@@ -146,7 +146,7 @@ def test_a_value_among_choices_is_found_by_what_it_does():
     assert {each.key: each.agrees for each in marginals(result)}["tendon.distal_attachment"] == ("4 cm",)
 
 
-def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way():
+def test_a_fact_with_inconclusive_runs_is_met_only_if_every_outcome_meets_it():
     def silent(runs):
         rows = assess(runs)
         for run, row in zip(runs, rows, strict=True):
@@ -165,7 +165,7 @@ def test_a_fact_whose_runs_do_not_tell_is_met_only_where_it_would_be_either_way(
 
 
 def silent_at(length):
-    """Rows of which those with one resting length do not tell."""
+    """Rows in which the runs with one resting length are inconclusive."""
 
     def rows(runs):
         found = assess(runs)
@@ -183,7 +183,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
 @pytest.mark.parametrize(
     ("statistic", "asked", "met", "tells"),
     [
-        # the run that tells has its 11.5 ms and more: the least is at most that, the largest at least
+        # the conclusive run takes 11.5 ms or more: the least is at most this, the largest at least
         ("least", {"at_most": "1 s"}, True, True),
         ("least", {"at_least": "1 s"}, False, True),
         ("least", {"at_least": "1 ms"}, False, False),
@@ -194,9 +194,7 @@ LENGTHS = {"over": {"tendon.rest_length": ["8 cm", "9 cm"]}}
         ("least at", {"at": {"tendon.rest_length": "8 cm"}}, False, False),
     ],
 )
-def test_a_number_of_runs_of_which_one_does_not_tell_is_met_or_missed_only_where_that_one_cannot_matter(
-    statistic, asked, met, tells
-):
+def test_a_number_with_an_inconclusive_run_is_decided_only_if_this_run_cannot_matter(statistic, asked, met, tells):
     fact = time_fact("time", statistic=statistic, **LENGTHS, **asked)
     result = observed([fact], samples=4, rows=silent_at("9 cm"))
     assert (result.met == met).all()
@@ -205,11 +203,11 @@ def test_a_number_of_runs_of_which_one_does_not_tell_is_met_or_missed_only_where
     assert np.isfinite(result.distance).all()
     assert int(result.told[0]) == (4 if tells else 0)
     if not tells:
-        # four of four may meet it, or none
+        # four of four may meet the fact, or none
         assert (float(result.met_share_low[0]), float(result.met_share_high[0])) == (0.0, 1.0)
 
 
-def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_holds():
+def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success():
     def silent(runs):
         found = assess(runs)
         for run, row in zip(runs, found, strict=True):
@@ -226,14 +224,14 @@ def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_hold
         result = observed([{**asked, **bound}], samples=2, unknown=unknown, rows=silent)
         return [result[name].sortby("hinge_overbend").values[:, 0].tolist() for name in ("met", "tells")]
 
-    # 10 N cm are enough at 3 deg; at 8 deg 20 may be, and 30 are
+    # 10 N cm suffice at 3 deg; at 8 deg 20 N cm may, and 30 N cm do
     assert told(at_most="30 N cm") == [[True, True], [True, True]]
     assert told(equals="30 N cm") == [[False, False], [True, False]]
     assert told(at_least="20 N cm") == [[False, True], [True, True]]
     assert told(equals="40 N cm") == [[False, False], [True, True]]
 
 
-def test_what_exclusion_rests_on_is_told_with_its_numbers(contradicted):
+def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
     many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
     told = together_sentences(contradicted)
     assert "Exclude one another, as far as samples tell" in told[-2]
@@ -242,7 +240,7 @@ def test_what_exclusion_rests_on_is_told_with_its_numbers(contradicted):
     assert int(contradicted.tried_together[0, 1]) == 32
 
 
-def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing():
+def test_a_sample_without_a_valid_design_is_reported_and_not_counted():
     unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "5 cm", "high": "15 cm"}, **UNKNOWN}
     result = observed([count_fact("some", at_least=0)], samples=32, unknown=unknown)
     missing = result.status.values != "ran"
@@ -254,17 +252,17 @@ def test_a_sample_that_there_is_no_such_design_of_is_told_and_counts_for_nothing
     assert not result.agrees.values[missing].any()
 
 
-def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
+def test_names_with_brackets_are_unchanged_in_the_table(capsys):
     print_identification(observed([count_fact("b [red]/[9 cm]", at_least=0)], samples=1))
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
-    # of a single sample nothing follows for the values beside it
+    # a single sample gives no range between samples
     assert "Too few samples to say what agrees: 1 ran" in said
     assert "One sample meets the fact." in said
 
 
-def test_where_nothing_can_be_built_the_reason_is_told():
+def test_reason_is_reported_if_no_sample_can_be_built():
     unknown = {"tendon.distal_attachment": {"distribution": "uniform", "low": "12 cm", "high": "15 cm"}}
     result = observed([count_fact("some", at_least=0)], samples=4, directed=4, unknown=unknown)
     assert result.attrs["could_not_run"] == 4

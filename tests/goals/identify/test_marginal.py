@@ -1,4 +1,4 @@
-"""Which unknowns facts tell something of, among many of which they tell nothing."""
+"""Unknowns on which facts give information, among many on which they give none."""
 
 import numpy as np
 import xarray
@@ -9,7 +9,7 @@ REPETITIONS, UNKNOWNS, SAMPLES = 200, 15, 256
 
 
 def result(shares, agrees):
-    """Samples at shares, (samples, unknowns), of which some agree."""
+    """Samples at coordinates, (samples, unknowns), some of which agree."""
     count = len(shares)
     return xarray.Dataset(
         {
@@ -26,16 +26,16 @@ def result(shares, agrees):
     )
 
 
-def test_where_facts_tell_nothing_any_of_many_unknowns_is_told_in_no_more_than_one_of_twenty():
+def test_uninformative_facts_give_a_significant_unknown_in_at_most_one_of_twenty_cases():
     told = 0
     for seed in range(REPETITIONS):
         shares = np.random.default_rng(seed).random((SAMPLES, UNKNOWNS))
         told += any(each.told for each in marginals(result(shares, np.arange(SAMPLES) < SAMPLES // 10)))
-    # 0.05, and three of its standard errors
+    # 0.05, plus three of its standard errors
     assert told / REPETITIONS <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / REPETITIONS)
 
 
-def test_the_one_that_decides_is_told_first_with_where_it_lies():
+def test_the_decisive_unknown_comes_first_with_its_range():
     shares = np.random.default_rng(0).random((SAMPLES, UNKNOWNS))
     first, *others = marginals(result(shares, shares[:, 7] < 0.2))
     assert (first.name, first.told) == ("u7", True)

@@ -1,4 +1,4 @@
-"""Observations in files: what they may hold, and what errors say."""
+"""Observations files: allowed content, and errors."""
 
 import pytest
 
@@ -22,11 +22,11 @@ def tables(**fact):
     return {"design": "binder2025", "unknown": UNKNOWN, "fact": [fact]}
 
 
-def test_named_observations_are_the_papers_lost_values():
+def test_named_observations_have_the_values_that_the_paper_does_not_report():
     assert named_observations() == ["binder2025-lost"]
     seen = load_observations("binder2025-lost")
     keys = [prior.key for prior in seen.priors]
-    # lengths, angles, masses and damping are lost; stiffness, resting length and overbend are not
+    # the paper does not report lengths, angles, masses and damping, but stiffness, resting length and overbend
     assert {"pattern.hub_radius", "vein.diameter", "pattern.tangent", "hinge.damping"} <= set(keys)
     assert not {"tendon.stiffness", "tendon.rest_length", "hinge.overbend"} & set(keys)
     asked = {fact.name: asked_text(fact) for fact in seen.facts}
@@ -35,7 +35,7 @@ def test_named_observations_are_the_papers_lost_values():
     assert asked["least work at 7 to 8 cm"] == "least at tendon.rest_length 7 cm or 8 cm"
     assert asked["unfolding costs twice"] == "at least 2 fold_work"
     assert asked["32 of 60 fold"] == "32 within 2"
-    # the reference wing is among what is believed
+    # the values of the reference wing lie within the priors
     for prior in seen.priors:
         now = key_value(seen.base, prior.key)
         if prior.distribution is None:
@@ -44,7 +44,7 @@ def test_named_observations_are_the_papers_lost_values():
             assert prior.distribution.first <= now <= prior.distribution.second
 
 
-def test_what_is_unknown_is_not_set_too():
+def test_an_unknown_key_must_not_be_under_settings():
     with pytest.raises(InputError, match=r"^unknown\.hinge\.overbend: is under \[settings\], too; need it in one"):
         observations_of({**tables(**TIME), "settings": {"hinge.overbend": "3 deg"}})
 
@@ -59,7 +59,7 @@ def test_what_is_unknown_is_not_set_too():
         (["1 deg", "2 deg", "3 deg", "4 deg"], "2 deg"),
     ],
 )
-def test_a_quarter_of_what_is_believed_lies_below_the_value_at_a_quarter(believed, quarter):
+def test_value_at_a_quarter_is_the_lower_quartile_of_the_prior(believed, quarter):
     (prior,) = observations_of({**tables(**TIME), "unknown": {"hinge.overbend": believed}}).priors
     assert values_at([prior], [0.25]) == {"hinge.overbend": quarter}
 
@@ -81,7 +81,10 @@ def test_longer_draws_begin_with_the_shorter_ones():
         ),
         (tables(quantity="folded"), "fact 0: name: is missing; give it"),
         (tables(**{**TIME, "quantity": "fold_tim"}), 'fact t: quantity: need .* did you mean "fold_time"'),
-        (tables(**{**TIME, "quantity": "fold_time + fold_work"}), "need a sum of what has one unit, got J and s"),
+        (
+            tables(**{**TIME, "quantity": "fold_time + fold_work"}),
+            "need a sum of quantities with one unit, got J and s",
+        ),
         (tables(**{**TIME, "statistic": "count"}), 'statistic: need "least", "largest", "mean"'),
         (tables(**{**TIME, "at_most": "5 J"}), 'at_most: .*"5 J"'),
         (tables(**{**TIME, "at_most": 5}), "at_most: the unit is missing"),
@@ -93,7 +96,7 @@ def test_longer_draws_begin_with_the_shorter_ones():
         (tables(**PLACE, at={"tendon.stiffnes": "10 N/cm"}), "at: need .*tendon.stiffness"),
         (tables(name="n", quantity="least value", equals="1 N cm"), '"least value" needs a table least'),
         (tables(name="n", quantity="least value", least={**LEAST, "values": ["2 N cm", "1 N cm"]}), "values that rise"),
-        (tables(name="n", quantity="folded", equals=1), 'equals: has no place beside statistic = "all"'),
+        (tables(name="n", quantity="folded", equals=1), 'equals: is not allowed with statistic = "all"'),
         (tables(**count_fact("n", equals=1, rising=["tendon.length"])), "rising: need"),
         (tables(**count_fact("n", equals="1 s")), 'equals: need a number, got "1 s"'),
         (
@@ -118,7 +121,7 @@ def test_facts_need_names_of_their_own():
         observations_of({**tables(**TIME), "fact": [TIME, TIME]})
 
 
-def test_every_key_of_a_file_is_told():
+def test_every_key_of_an_observations_file_is_listed():
     told = {fact.key for fact in key_facts("", ObservationsFile)}
     assert {"unknown.KEY", "fact.0.quantity", "fact.0.least.key", "sampling.directed"} <= told
     assert all(fact.meaning and fact.allowed for fact in key_facts("fact", ObservationsFile))
@@ -146,7 +149,7 @@ def test_an_observations_file_names_itself_and_paths_start_from_it(tmp_path):
         ({"over": {"tendon.7.stiffness": ["4 N/cm"]}}, "need one of 0, 1 or 2 after tendon"),
     ],
 )
-def test_a_fact_that_no_run_could_answer_is_refused(change, says):
+def test_a_fact_that_no_run_can_decide_is_rejected(change, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**TIME, **change))
     assert says in str(error.value)
@@ -163,13 +166,13 @@ def test_a_fact_that_no_run_could_answer_is_refused(change, says):
         (["-1 N/cm", "4 N/cm"], "unknown.tendon.stiffness: need >= 0, got -1 N/cm"),
     ],
 )
-def test_what_is_believed_must_be_what_a_design_may_have(believed, says):
+def test_priors_must_lie_within_the_bounds_of_their_keys(believed, says):
     with pytest.raises(InputError) as error:
         observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}})
     assert says in str(error.value)
 
 
-def test_a_normal_belief_may_have_a_tail_that_no_design_has():
+def test_a_normal_prior_may_extend_beyond_the_bounds_of_its_key():
     believed = {"distribution": "normal", "mean": "1 N/cm", "deviation": "4 N/cm"}
     assert observations_of({**tables(**TIME), "unknown": {"tendon.stiffness": believed}}).priors
 
@@ -185,7 +188,7 @@ def test_a_normal_belief_may_have_a_tail_that_no_design_has():
         ),
     ],
 )  # fmt: skip
-def test_what_is_unknown_is_no_condition_of_a_fact(fact, says):
+def test_an_unknown_key_cannot_be_a_condition_of_a_fact(fact, says):
     with pytest.raises(InputError) as error:
         observations_of(tables(**fact))
     assert says in str(error.value)

@@ -1,4 +1,4 @@
-"""What is asked for is as much as a fact needs, and comes to the same as everything would."""
+"""The requested runs suffice for a fact, and give the same value as all runs."""
 
 import itertools
 
@@ -27,7 +27,7 @@ LEAST = {
 FOLDED = {"name": "folded", "quantity": "folded", "until": "fold", "over": TENDONS}
 
 
-# less than any overbend that is tried
+# below the smallest tried overbend
 SETTINGS = {"protocol.initial_overbend": "0 deg"}
 
 
@@ -38,7 +38,7 @@ def observed_wing(overbend, fact):
 
 
 def found(overbend="3 deg", rows=assess, **fact):
-    """What a sample says of a fact, and the conditions that were run for it."""
+    """Result of a sample for a fact, and the conditions that were run for it."""
     asked = observed_wing(overbend, fact)
     runs, known, ran = SampleRuns(asked.base, {"hinge.overbend": overbend}), {}, []
     while not isinstance(result := find(asked.facts[0], runs, known), Finding):
@@ -48,7 +48,7 @@ def found(overbend="3 deg", rows=assess, **fact):
 
 
 def least_steps(overbend):
-    """The first of 2, 4, .. 100 N cm that folds each of the paper's softest tendons, N m; 102 N cm where none does."""
+    """The first of 2, 4, .. 100 N cm that folds each of the paper's softest tendons, N m; 102 N cm if none does."""
     design = load_design("binder2025", {**SETTINGS, "hinge.overbend": overbend, "tendon.stiffness": "10 N/cm"})
     torques = [holding_torque(design.with_values({"tendon.rest_length": 0.01 * length})) for length in range(10)]
     return [next((step for step in 0.02 * np.arange(1, 51) if step >= torque), 1.02) for torque in torques]
@@ -57,7 +57,7 @@ def least_steps(overbend):
 @given(st.lists(st.integers(0, 10), min_size=6, max_size=6))
 @settings(max_examples=60, deadline=None)
 def test_a_staircase_is_found_by_its_boundary(firsts):
-    # by stiffness, the shortest tendon that does it: longer ones do, and softer ones
+    # by stiffness, the shortest tendon that folds; longer and softer ones fold, too
     firsts = sorted(firsts)
     truth = np.array([[place >= first for place in range(10)] for first in firsts])
     known = np.full(truth.shape, OPEN, dtype=np.int8)
@@ -66,7 +66,7 @@ def test_a_staircase_is_found_by_its_boundary(firsts):
         known[point], asked = (HOLDS if truth[point] else FAILS), asked + 1
         states = follows(known, [1], [0])
     assert (states == np.where(truth, HOLDS, FAILS)).all()
-    # a boundary across 6 by 10 has at most as many corners on both sides as it has steps
+    # a boundary across 6 by 10 has at most as many corners on each side as it has steps
     assert asked <= 17
 
 
@@ -82,31 +82,31 @@ def test_a_count_along_a_boundary_is_that_of_all_conditions(overbend):
 
 @pytest.mark.parametrize("overbend", ["1 deg", "3 deg", "8 deg"])
 @pytest.mark.parametrize("statistic", ["least", "largest", "mean"])
-def test_least_torques_by_halving_are_those_by_trying_all_and_bound_the_closed_form(overbend, statistic):
+def test_least_torques_by_bisection_equal_those_of_a_full_scan_and_bound_the_closed_form(overbend, statistic):
     tried, many = found(overbend, **{**LEAST, "statistic": statistic})
     halved, few = found(overbend, **{**LEAST, "statistic": statistic, "least": {**LEAST["least"], "monotone": True}})
     assert halved == tried
-    # of fifty values one alone, or halves of them six times
+    # of fifty values a single one, or six bisections
     assert len(few) <= 7 * 10
     assert len(many) == sum(round(step / 0.02) for step in least_steps(overbend)) or statistic == "least"
     exact = {"least": min, "largest": max, "mean": np.mean}[statistic](least_steps(overbend))
     assert halved.value == pytest.approx(exact)
 
 
-def test_the_least_of_all_least_torques_is_looked_for_where_it_may_be():
+def test_only_conditions_that_may_have_the_least_torque_of_all_are_searched():
     _, everywhere = found(**{**LEAST, "statistic": "largest", "least": {**LEAST["least"], "monotone": True}})
     _, where_it_may_be = found(**{**LEAST, "statistic": "least", "least": {**LEAST["least"], "monotone": True}})
     assert len(where_it_may_be) < len(everywhere)
 
 
-def test_where_none_is_enough_the_least_torque_is_a_step_above_all():
+def test_least_torque_is_one_step_above_all_if_none_succeeds():
     least = {**LEAST["least"], "values": "1..3 N cm step 1"}
     result, _ = found("8 deg", **{**LEAST, "least": least, "over": {"tendon.rest_length": "0..2 cm step 1"}})
     assert result.value == pytest.approx(0.04)
     assert result.distance == pytest.approx(0.16)
 
 
-def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
+def test_deviation_of_a_position_is_the_difference_of_its_number_to_the_least():
     fact = {
         "name": "fastest",
         "quantity": "fold_time",
@@ -119,13 +119,13 @@ def test_a_place_is_as_far_off_as_its_number_is_from_the_least():
     stiff, _ = found(**fact, at={"tendon.stiffness": "40 N/cm"})
     assert stiff == Finding(value=0.0, miss=0.0, distance=0.0, met=True, tells=True, untold=0)
     soft, _ = found(**fact, at={"tendon.stiffness": "10 N/cm"})
-    # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each twice over
+    # sqrt(I / (k a b)) of 4e-4 kg m^2 and 5.5 cm twice: 11.5 ms at 10 N/cm and half of it at 40, each doubled
     assert soft.distance == pytest.approx(11.5e-3, rel=1e-2)
     never, _ = found(**{**fact, "settings": {"protocol.fold_torque": "0 N cm"}}, at={"tendon.stiffness": "10 N/cm"})
     assert (never.distance, never.met) == (1.0, False)
 
 
-def test_two_statistics_are_held_against_each_other():
+def test_two_statistics_can_be_compared():
     by_length = {
         "name": "long ones fold rather than short ones",
         "quantity": "folded",
@@ -168,12 +168,12 @@ def test_sums_of_quantities_and_runs_that_do_not_count():
     assert nothing.value == 7.0
 
 
-def test_what_runs_does_not_depend_on_what_else_is_known():
+def test_requested_runs_do_not_depend_on_other_known_rows():
     fact = {**FOLDED, "statistic": "count", "equals": 32, "settings": {"protocol.fold_torque": "50 N cm"}}
     fact |= {"rising": ["tendon.rest_length"], "falling": ["tendon.stiffness"]}
 
     def odd(runs):
-        # a lone short, stiff tendon folds, which no boundary has
+        # an isolated short, stiff tendon folds, which contradicts any boundary
         rows = assess(runs)
         for run, row in zip(runs, rows, strict=True):
             row["folded"] |= (run.values["tendon.stiffness"], run.values["tendon.rest_length"]) == ("50 N/cm", "1 cm")
@@ -190,8 +190,8 @@ def test_what_runs_does_not_depend_on_what_else_is_known():
     assert len(ran) < 60
 
 
-def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run():
-    # the softest and longest tendons do not fold, as the paper has it: a band folds, and no staircase
+def test_every_condition_is_run_if_the_far_corner_has_another_boundary():
+    # the softest and longest tendons do not fold, as in the paper: a band folds, and no staircase
     def band(runs):
         rows = assess(runs)
         for run, row in zip(runs, rows, strict=True):
@@ -206,12 +206,12 @@ def test_where_the_far_corner_has_a_boundary_of_its_own_every_condition_is_run()
     assert len(ran) == 60
 
 
-def test_what_runs_tell_has_the_names_that_goals_have():
+def test_row_quantities_have_the_names_of_goal_quantities():
     design = load_design("force-clasp")
     told = row_quantities(design)
     asked = {name for name, each in quantities_of(design).items() if each.source == "run" and each.unit.si}
     assert asked < set(told)
-    # a state by its own name, and its numbers by one without spaces
+    # a state has its own name, and its numbers have one without spaces
     assert {"shut again", "shut_again_energy", "shut_again_angle"} <= set(told)
     row = {"shut again_stored_energy_J": 0.2, "shut again_angle_deg": 180.0, "shut again": True}
     assert told["shut_again_energy"].of(row) == 0.2

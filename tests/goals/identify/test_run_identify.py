@@ -1,4 +1,4 @@
-"""Identifications in folders: killed and taken up again they come to the same, and leave their files."""
+"""Identifications in folders: interrupted ones give the same result, and all write their files."""
 
 import json
 import os
@@ -30,7 +30,7 @@ UNKNOWN = {
 
 @pytest.fixture(scope="module")
 def planted():
-    """Observations of a sheet whose values are hidden: when it closed, and what it stored while open."""
+    """Observations of a sheet with hidden values: when it closed, and its energy while open."""
     letter = load_design("letter-fold", LONG_STEPS)
     outcome = ff.measure(ff.run(letter.with_values(HIDDEN), confirm=False))
     time, stored = outcome.transitions["close"].time, stored_energy(outcome.states["flat"])
@@ -51,20 +51,20 @@ def result(planted, tmp_path_factory):
 
 
 class KilledError(Exception):
-    """Stands for a process that ends at once."""
+    """A process that ends at once."""
 
 
-def test_hidden_values_of_a_sheet_are_found_by_its_times(result):
+def test_hidden_values_of_a_sheet_are_identified_from_its_times(result):
     near = result.isel(sample=int(np.argmin(result.scaled_distance.sum("fact").values)))
     spread = np.ptp(result.value.values, axis=0)
-    # what comes nearest is off by a small part of what the samples differ by
+    # the nearest sample deviates by a small fraction of the differences between samples
     assert (near.distance.values < 0.2 * spread).all()
     assert float(near.crease_damping) == pytest.approx(0.04, rel=0.3)
     assert float(near.tendon_left_stiffness) == pytest.approx(50, rel=0.2)
 
 
-def test_killed_and_taken_up_again_it_comes_to_the_same(planted, result, tmp_path):
-    # among the drawn samples, twice, and among the placed ones
+def test_an_interrupted_identification_gives_the_same_result(planted, result, tmp_path):
+    # interrupted twice among the drawn samples, and once among the placed ones
     for stop in (5, 5, 15):
         left = [stop]
 
@@ -105,7 +105,7 @@ at_most = "40 mJ"
 """
 
 
-# identifies without what the command line does before and after, which takes longer than these runs do
+# runs the identification without the start and end of the command line, which take longer than these runs
 IMPORTS = """
 from forficula.goals.identify import load_observations
 from forficula.goals.identify.run_identify import identify
@@ -115,12 +115,12 @@ IDENTIFY = "identify(load_observations(sys.argv[1]), sys.argv[2])"
 
 @pytest.mark.skipif(os.name != "posix", reason="signals are POSIX's")
 @pytest.mark.usefixtures("undrawn")
-def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(tmp_path):
+def test_command_killed_at_any_moment_continues_and_ends_with_the_same_bytes(tmp_path):
     file, whole, out = tmp_path / "seen.toml", tmp_path / "whole", tmp_path / "killed"
     save_design(load_design("letter-fold", QUICK), tmp_path / "letter.toml")
     file.write_text(SEEN, "utf-8")
     main(["identify", str(file), "--out", str(whole)])
-    # among the drawn samples, and at the end of these or among the placed ones
+    # among the drawn samples, at their end, or among the placed ones
     journal = out / "journal.jsonl"
     with forks(IMPORTS, IDENTIFY, file, out) as kill_once:
         killed = [
@@ -134,13 +134,13 @@ def test_killed_at_any_moment_the_command_goes_on_and_ends_with_the_same_bytes(t
         assert (out / name).read_bytes() == (whole / name).read_bytes()
     tables = [xarray.load_dataset(folder / "identified.nc", engine="h5netcdf") for folder in (whole, out)]
     xarray.testing.assert_identical(*tables)
-    # what was done before a kill was not done again; where it hit, half a row may stand
+    # completed runs are not repeated; the row that was being written may be truncated
     lines = [line for line in (out / "journal.jsonl").read_text("utf-8").splitlines() if line]
     keys = [json.loads(line)["key"] for line in lines if line.startswith('{"key"') and line.endswith("}")]
     assert len(keys) == len(set(keys)) == tables[0].attrs["runs"]
 
 
-def test_another_design_s_rows_are_refused(planted, tmp_path):
+def test_rows_of_another_design_are_rejected(planted, tmp_path):
     (tmp_path / "journal.jsonl").write_text(
         json.dumps({"written_by": {"schema": 0, "design": "other", "design_hash": "0"}}) + "\n", "utf-8"
     )
@@ -149,7 +149,7 @@ def test_another_design_s_rows_are_refused(planted, tmp_path):
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_figures_tell_what_they_show(result, width):
+def test_figures_have_alternative_texts(result, width):
     told = {name: description(draw(width)) for name, draw in identify_drawings(result).items()}
     assert told.keys() == {"facts", "together", "unknowns", "pairs"}
     assert "closes as seen" in told["facts"]
@@ -157,7 +157,7 @@ def test_figures_tell_what_they_show(result, width):
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
+def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     file = tmp_path / "seen.toml"
     file.write_text(
         'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'
@@ -190,14 +190,14 @@ def test_the_command_writes_its_files_and_tells_what_agrees(tmp_path, capsys):
     assert lines[0].startswith("sample,tendon_left_stiffness (N/m),")
     kept = xarray.load_dataset(out / "identified.nc", engine="h5netcdf")
     assert together_sentences(kept) == told["sentences"]
-    # numbers of a file are those of numpy, and are written as the same JSON
+    # numbers of a file are numpy numbers, and are written as the same JSON
     ff.save(kept, tmp_path / "again")
     assert (tmp_path / "again" / "identified.json").read_text("utf-8") == (out / "identified.json").read_text("utf-8")
     main(["figure", str(out), "--kind", "facts", "--out", str(tmp_path / "facts.svg")])
     assert "never closes" in (tmp_path / "facts.svg").read_text("utf-8")
 
 
-def test_a_dry_run_says_how_many_runs_there_are(tmp_path, capsys):
+def test_dry_run_reports_the_number_of_runs(tmp_path, capsys):
     file = tmp_path / "seen.toml"
     file.write_text(
         'design = "letter-fold"\n[unknown]\n"tendon.left.stiffness" = ["0.4 N/cm", "0.6 N/cm"]\n'

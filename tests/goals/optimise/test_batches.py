@@ -1,4 +1,4 @@
-"""The search on problems whose answer is known: optima, fronts, and nothing feasible."""
+"""The search on problems with known results: optima, fronts, and infeasible problems."""
 
 import json
 import math
@@ -28,22 +28,22 @@ def searched(problem, axes, count, objectives=1, batch=16, seed=0):
 
 
 def sphere(x):
-    """Nearest to 0.3 everywhere with a sum of the first two of at least 1.2: both 0.6, which makes 0.18."""
+    """Nearest to 0.3 everywhere with a sum of the first two of at least 1.2: both 0.6, which gives 0.18."""
     return [((x - 0.3) ** 2).sum()], [x[0] + x[1] - 1.2]
 
 
 def plane_in_a_ball(x):
-    """The least sum within a ball of radius 0.2 about the middle: 0.2 times the root of the dimension less."""
+    """The least sum in a ball of radius 0.2 about the middle: smaller by 0.2 times the root of the dimension."""
     return [x.sum()], [0.04 - ((x - 0.5) ** 2).sum()]
 
 
 def two_curved_limits(x):
-    """The least sum with x y at least 0.1 and y at least 2 x: at x = sqrt(0.05), where both bind, three times that."""
+    """The least sum with x y at least 0.1 and y at least 2 x: at x = sqrt(0.05), where both bind, three times x."""
     return [x[0] + x[1]], [x[0] * x[1] - 0.1, 0.5 * x[1] - x[0]]
 
 
 def many_valleys(x):
-    """Rastrigin's function about 0.37, least there: 0."""
+    """Rastrigin's function about 0.37, its minimum is 0."""
     far = 6 * (x - 0.37)
     return [10 * len(x) + (far**2 - 10 * np.cos(2 * np.pi * far)).sum()], []
 
@@ -58,11 +58,11 @@ def many_valleys(x):
         (two_curved_limits, 2, 3 * math.sqrt(0.05), 160),
     ],
 )
-def test_an_optimum_on_its_limits_is_met_to_a_thousandth(problem, dimension, least, count, seed):
+def test_an_optimum_on_its_limits_is_found_to_a_thousandth(problem, dimension, least, count, seed):
     best, *_ = best_ranked(searched(problem, [Axis()] * dimension, count, seed=seed), 1)
     assert best.feasible
     assert best.objectives[0] == pytest.approx(least, abs=1e-3)
-    assert best.objectives[0] >= least - 1e-6  # nothing that meets the limits is better
+    assert best.objectives[0] >= least - 1e-6  # no feasible point is better
 
 
 def test_many_valleys_are_searched_further_than_sobol_points_would():
@@ -78,7 +78,7 @@ def test_steps_and_choices_are_found_beside_a_continuous_axis():
 
     def problem(x):
         step, choice = int(x[1] * 8), int(x[2] * 5)
-        # the fifth step is best, and which share goes with it depends on the choice
+        # the fifth step is best, and the best coordinate depends on the choice
         return [(x[0] - 0.1 - 0.1 * choice) ** 2 + 0.05 * (step - 4) ** 2 + cost_of_choice[choice]], [x[0] - 0.25]
 
     best, *_ = best_ranked(searched(problem, axes, 240), 1)
@@ -86,7 +86,7 @@ def test_steps_and_choices_are_found_beside_a_continuous_axis():
     assert best.point[0] == pytest.approx(0.25, abs=1e-3)
 
 
-def test_a_space_of_few_places_is_looked_through_once():
+def test_a_space_of_few_points_is_enumerated_once():
     axes = [Axis(levels=3), Axis(levels=4, ordered=False)]
     trials = searched(lambda x: ([x.sum()], []), axes, 1000)
     assert len(trials) == 12
@@ -122,7 +122,7 @@ def test_a_known_front_is_met_from_end_to_end(problem, dimension, count, missed)
     values = np.array([trial.objectives for trial in front])
     assert np.mean([abs(missed(f, g)) for f, g in values]) < 1e-2
     scaled = values / np.ptp(values, axis=0)
-    assert np.abs(np.diff(scaled, axis=0)).max() < 0.15  # without holes
+    assert np.abs(np.diff(scaled, axis=0)).max() < 0.15  # without gaps
     assert values[:, 0].min() < 0.02
     assert values[:, 1].min() < 0.05
 
@@ -137,14 +137,14 @@ def test_a_front_of_three_objectives_lies_on_its_sphere():
 
     values = np.array([each.objectives for each in pareto_front(searched(dtlz2, [Axis()] * 5, 640, objectives=3))])
     assert np.mean(np.linalg.norm(values, axis=1) - 1) < 0.02
-    # near every direction there is one
+    # every direction has a point of the front nearby
     directions = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [1, 1, 0], [0, 1, 1], [1, 0, 1]], dtype=float)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     assert (values @ directions.T).max(axis=0).min() > math.cos(math.radians(12))
 
 
-def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
-    """Two discs 0.4 apart with radii of 0.1: what meets one misses the other by 0.3 - 0.1."""
+def test_infeasible_limits_are_reported_with_their_relaxations():
+    """Two discs 0.4 apart with radii of 0.1: a point in one misses the other by 0.3 - 0.1."""
 
     def discs(x):
         return [x.sum()], [
@@ -153,19 +153,19 @@ def test_what_cannot_be_met_is_told_by_what_would_have_to_give():
             x[0] + 1,
         ]
 
-    # last bits of one search decide whether it is 1e-3 or 3e-3 away, so the middle one of three counts
+    # rounding errors determine whether one search ends 1e-3 or 3e-3 away, so the middle one of three is used
     searches = [searched(discs, [Axis()] * 2, 240, seed=seed) for seed in range(3)]
     assert not any(trial.feasible for trials in searches for trial in trials)
     costs = [relaxations(trials) for trials in searches]
     for limit in (0, 1):
         assert np.median([cost[limit].alone for cost in costs]) == pytest.approx(-0.2, abs=1e-3)
     first, _, third = costs[0]
-    assert math.isnan(third.alone)  # it always holds, but never do both others
+    assert math.isnan(third.alone)  # this limit is always met, but the other two are never met together
     assert first.best > 0
     assert nearest_trial(searches[0]).violation == pytest.approx(0.2, abs=2e-3)
 
 
-def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
+def test_limits_behind_an_infeasible_limit_are_not_reported_as_missed():
     ruled_out = [Trial(point=(x,), objectives=(math.nan,), margins=(x - 0.5, math.nan)) for x in (0.1, 0.3)]
     cheap, dear = relaxations(ruled_out)
     assert (cheap.best, cheap.unseen) == (-0.2, -0.2)
@@ -176,7 +176,7 @@ def test_of_a_limit_that_rules_everything_out_the_others_are_not_said_to_fail():
     assert (cheap.best, cheap.unseen, dear.alone) == (0.4, -0.2, -0.1)
 
 
-def test_limits_that_were_not_looked_at_rank_behind_those_that_failed():
+def test_unevaluated_limits_rank_behind_missed_ones():
     near = Trial(point=(0.1,), objectives=(1.0,), margins=(0.5, -0.9))
     ruled_out = Trial(point=(0.2,), objectives=(math.nan,), margins=(-0.01, math.nan))
     short = Trial(point=(0.3,), objectives=(0.5,), margins=(0.1, 0.1), surplus=-0.2)
@@ -186,7 +186,7 @@ def test_limits_that_were_not_looked_at_rank_behind_those_that_failed():
 
 
 MIXED = (Axis(), Axis(), Axis(levels=7))
-# in a process of its own
+# in a separate process
 ASK_AGAIN = """
 import json, sys
 from forficula.goals.optimise.parabola_search import ParabolaSearch
@@ -201,7 +201,7 @@ print(json.dumps(asked))
 """
 
 
-def test_what_was_told_alone_decides_what_is_asked_in_any_process():
+def test_proposed_points_depend_only_on_the_trials_in_every_process():
     trials = searched(sphere, MIXED, 176, seed=3)
     told = [
         [(trial.point, trial.objectives[0], trial.margins[0]) for trial in trials[first : first + 16]]
@@ -219,13 +219,13 @@ def test_what_was_told_alone_decides_what_is_asked_in_any_process():
     assert asked == [trial.point for trial in trials]
 
 
-def test_another_seed_asks_for_other_points():
+def test_another_seed_proposes_other_points():
     assert {trial.point for trial in searched(sphere, MIXED, 16, seed=1)}.isdisjoint(
         trial.point for trial in searched(sphere, MIXED, 16, seed=2)
     )
 
 
-def test_places_are_the_middles_of_their_parts():
+def test_levels_are_the_middles_of_their_parts():
     axes = (Axis(levels=4), Axis(levels=3, ordered=False), Axis())
     assert placed(axes, np.array([[1.0, 0.34, 1.2], [0.0, 0.0, -0.1]])) == [
         (0.875, 0.5, 1.0),
@@ -236,7 +236,7 @@ def test_places_are_the_middles_of_their_parts():
 
 
 def test_a_batch_of_any_size_fills_the_space_without_a_warning_and_as_evenly():
-    """Of 24 points in batches of 12 every half, third and quarter of an axis has its share, within two points."""
+    """Of 24 points in batches of 12, every half, third and quarter of an axis has its number of points within two."""
     trials = searched(lambda x: ([x.sum()], [x[0] - 2.0]), [Axis()] * 2, 24, batch=12)
     points = np.array([trial.point for trial in trials[:24]])
     for parts in (2, 3, 4):

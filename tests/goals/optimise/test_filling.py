@@ -1,4 +1,4 @@
-"""A search that is over before it has learnt from anything says so."""
+"""A search that ends before it uses results says so."""
 
 import pytest
 
@@ -26,7 +26,7 @@ def goal(vary=AREA, **search):
 
 
 def points(axes, batch, count, sign):
-    """The first points of a search for the least, or the largest, share of the first axis."""
+    """The first points of a search that minimises, or maximises, the first coordinate."""
     search, found = ParabolaSearch(axes, 1, batch, 0), []
     while len(found) < count:
         asked = search.ask()
@@ -36,7 +36,7 @@ def points(axes, batch, count, sign):
 
 
 @pytest.mark.parametrize(("axes", "batch"), [(1, 4), (2, 16), (9, 16), (12, 32), (2, 64)])
-def test_until_the_space_is_filled_nothing_is_learnt_and_then_it_is(axes, batch):
+def test_the_search_uses_results_only_after_filling_the_space(axes, batch):
     sides = [Axis() for _ in range(axes)]
     count = filling_count(sides, batch)
     low, high = (points(sides, batch, count + batch, sign) for sign in (1, -1))
@@ -44,14 +44,14 @@ def test_until_the_space_is_filled_nothing_is_learnt_and_then_it_is(axes, batch)
     assert low[count:] != high[count:]
 
 
-def test_a_search_that_is_over_before_it_learns_says_so(tmp_path):
+def test_a_search_that_ends_before_it_uses_results_says_so(tmp_path):
     few = goal(runs=16, batch=16)
-    said = "its 16 designs do no more than fill the space evenly: a search that learns from them begins after 32"
+    said = "all 16 designs only fill the space evenly: the search begins to use results after 32"
     assert filling_text(few).startswith(said)
     assert told(optimise_goal(few, tmp_path))[-1].startswith(said)
     assert filling_text(goal(runs=32, batch=8)) is not None
     assert filling_text(goal(runs=33, batch=8)) is None
 
 
-def test_a_search_that_tries_all_there_are_has_nothing_to_learn():
+def test_a_search_that_tries_all_designs_has_no_such_remark():
     assert filling_text(goal(vary={"tendon.area": ["4 mm^2", "5 mm^2", "6 mm^2"]}, runs=16, batch=4)) is None

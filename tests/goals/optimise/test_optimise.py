@@ -1,4 +1,4 @@
-"""Goals on designs: known optima, planted designs, what cannot be met, and searches that are stopped."""
+"""Goals on designs: known optima, planted designs, infeasible goals, and interrupted searches."""
 
 import json
 import math
@@ -24,13 +24,13 @@ STATICS = {
     "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "4 cm", "high": "9 cm"}},
     "objectives": {"mass": "least"},
 }
-# of tpu-82a, and of the joint
+# values of tpu-82a, and of the joint
 MODULUS, PROXIMAL, DISTAL, OFFSET, STOP = 4.8e6, 59e-3, 51e-3, 3e-3, math.radians(-3)
 SECTORS = math.radians(87), math.radians(107)
 
 
 def tendon_length(angle):
-    """From attachment to attachment: the hinge is the axis, which the bars meet at their sectors, an offset below."""
+    """Distance of the attachments: the hinge is the axis; the bars meet it at their sectors, an offset below."""
     proximal, distal = PROXIMAL * math.sin(SECTORS[0]), DISTAL * math.sin(SECTORS[1])
     return math.hypot(
         proximal + distal * math.cos(angle) + OFFSET * math.sin(angle),
@@ -40,19 +40,19 @@ def tendon_length(angle):
 
 
 def moment(angle, rest_length):
-    """Of a tendon of 1 m^2 about the hinge, N m: E (l / l0 - 1) dl/da."""
+    """Torque of a tendon of 1 m^2 about the hinge, N m: E (l / l0 - 1) dl/da."""
     step = 1e-6
     slope = (tendon_length(angle + step) - tendon_length(angle - step)) / (2 * step)
     return MODULUS * max(tendon_length(angle) / rest_length - 1, 0) * slope
 
 
 def peak(rest_length):
-    """The largest moment against opening, of 1 m^2."""
+    """The largest torque against opening, for 1 m^2."""
     found = minimize_scalar(lambda angle: moment(angle, rest_length), bounds=(0.05, 3.1), method="bounded")
     return -found.fun
 
 
-def test_the_closed_form_here_is_that_of_the_joint():
+def test_closed_form_of_this_test_is_that_of_the_joint():
     told_values = static_values(JOINT, ["hinges"])
     assert 5e-6 * moment(STOP, 0.06) == pytest.approx(told_values["hinge_holding_torque"], rel=1e-3)
     assert 5e-6 * peak(0.06) == pytest.approx(told_values["hinge_opening_torque"], rel=1e-3)
@@ -72,7 +72,7 @@ def lightest(tmp_path_factory):
 
 
 def test_the_lightest_joint_that_holds_and_opens_lies_on_both_limits(lightest):
-    """Mass grows with the area and with the length; their ratio at both limits depends on the length alone."""
+    """Mass is proportional to area and length; their ratio at both limits depends only on the length."""
     length = brentq(lambda each: peak(each) / moment(STOP, each) - 32 / 8, 0.05, 0.085)
     area = 0.08 / moment(STOP, length)
     found = lightest
@@ -84,7 +84,7 @@ def test_the_lightest_joint_that_holds_and_opens_lies_on_both_limits(lightest):
     assert found.table["mass"][found.table["feasible"]].min() == found.table["mass"][found.table["best"]].item()
 
 
-def test_a_planted_joint_is_found_again_from_its_outcomes(tmp_path):
+def test_a_planted_joint_is_found_from_its_outcomes(tmp_path):
     planted = JOINT.with_values({AREA: "7.3 mm^2", LENGTH: "5.15 cm"})
     seen = static_values(planted, ["hinges"])
     goal = goal_of(
@@ -98,7 +98,7 @@ def test_a_planted_joint_is_found_again_from_its_outcomes(tmp_path):
         }
     )
     (best,) = optimise_goal(goal, tmp_path).designs
-    # between the limits, 0.2 % apart, the area may be off by more than 1 %, and the least mass takes what it can get
+    # between the limits, 0.2 % apart, the area may deviate by more than 1 %, and the least mass uses this
     assert best.tendons[0].area == pytest.approx(7.3e-6, rel=2e-2)
     assert best.tendons[0].rest_length == pytest.approx(0.0515, rel=1e-2)
 
@@ -112,7 +112,7 @@ ROBUST = STATICS | {
 
 
 def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tmp_path):
-    """Of areas within 10 % the least 5 % may be too small: 1 - 0.1 + 0.05 * 0.2 = 0.91 of the design's."""
+    """For areas within 10 % the smallest 5 % may fail: 1 - 0.1 + 0.05 * 0.2 = 0.91 of the design's."""
     least = 0.08 / moment(STOP, 0.06)
     plain = goal_of(ROBUST | {"limits": {"hinge_holding_torque": ">= 8 N cm"}})
     robust = goal_of(ROBUST)
@@ -120,10 +120,10 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     assert edge.designs[0].tendons[0].area == pytest.approx(least, rel=1e-3)
     assert edge.best[0].fresh.share == pytest.approx(0.5, abs=0.04)
     assert inside.best[0].fresh.share >= 0.95
-    # of the 16 neighbours that the search asks none may fail
+    # none of the 16 neighbours of the search may fail
     assert inside.designs[0].tendons[0].area == pytest.approx(least / 0.91, rel=0.02)
     assert inside.effort.spared_neighbours > 0
-    # whoever is said to meet the goal was asked for its neighbours, and what was beaten before that is not
+    # the neighbours of every design that meets the goal were evaluated; those of worse designs were not
     table = inside.table
     assert bool((table["neighbours"].values[table["feasible"].values] > 0).all())
     unasked = [each for each in inside.candidates if each.found.meets and each.neighbours is None]
@@ -131,7 +131,7 @@ def test_a_robust_optimum_keeps_its_distance_from_the_limit_and_costs_as_much(tm
     assert not table["feasible"].values[[each in unasked for each in inside.candidates]].any()
 
 
-def test_what_cannot_be_met_is_told_with_what_would_have_to_give(tmp_path):
+def test_an_infeasible_goal_reports_the_limits_to_relax(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -143,21 +143,21 @@ def test_what_cannot_be_met_is_told_with_what_would_have_to_give(tmp_path):
     found = optimise_goal(goal, tmp_path)
     assert not found.best
     ratio = peak(0.06) / moment(STOP, 0.06)
-    # the cheap limits are looked at together, so that each is known where the other holds
+    # cheap limits are evaluated together, so each is known where the other is met
     missing = {each.limit: each.alone for each in found.relaxations}
     assert missing[0] == pytest.approx(-(1 - 20 / ratio / 8), abs=0.01)
-    # the search goes where it misses least in all; of the other limit there is what it met on its way
+    # the search minimises the total violation, so the other limit has only values on this path
     assert -1 < missing[1] <= -(8 * ratio / 20 - 1) + 1e-3
     text = "\n".join(told(found))
     assert "none of 48 designs meets every limit" in text
-    assert "hinge_opening_torque <= 20 N cm: where all others are met it is missed by" in text
+    assert "hinge_opening_torque <= 20 N cm: of the designs that meet all other limits, the best misses it by" in text
 
 
 class StoppedError(Exception):
     pass
 
 
-def test_a_search_that_is_stopped_three_times_comes_to_the_same(tmp_path):
+def test_three_interruptions_do_not_change_a_search(tmp_path):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     whole = optimise_goal(goal, tmp_path / "whole")
     total = len((tmp_path / "whole" / "journal.jsonl").read_text().splitlines())
@@ -186,7 +186,7 @@ class OtherPoints(ParabolaSearch):
         return [tuple(round(1 - share, 6) for share in point) for point in super().ask()]
 
 
-def test_a_search_that_is_taken_up_elsewhere_tries_the_points_of_its_journal(tmp_path, monkeypatch):
+def test_a_search_continued_elsewhere_tries_the_points_of_its_journal(tmp_path, monkeypatch):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     whole = optimise_goal(goal, tmp_path)
     monkeypatch.setattr("forficula.goals.optimise.optimise.ParabolaSearch", OtherPoints)
@@ -194,7 +194,7 @@ def test_a_search_that_is_taken_up_elsewhere_tries_the_points_of_its_journal(tmp
     assert not optimise_goal(goal, tmp_path / "anew").table.identical(whole.table)
 
 
-def test_shards_of_a_search_try_the_points_that_the_first_one_asked(tmp_path):
+def test_shards_of_a_search_try_the_points_of_the_first_shard(tmp_path):
     goal = goal_of(ROBUST | {"search": {"runs": 16, "batch": 8, "neighbours": 8}})
     with ThreadPoolExecutor(1) as executor:
         first = executor.submit(optimise_goal, goal, tmp_path, shard=(1, 2))
@@ -205,7 +205,7 @@ def test_shards_of_a_search_try_the_points_that_the_first_one_asked(tmp_path):
     assert len(keys) == len(set(keys)) == 2
 
 
-def test_a_front_of_two_objectives_is_a_row_of_designs(tmp_path):
+def test_two_objectives_give_a_front_of_designs(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -218,12 +218,12 @@ def test_a_front_of_two_objectives_is_a_row_of_designs(tmp_path):
     front = found.table.where(found.table["front"], drop=True).sortby("mass")
     assert front.sizes["candidate"] > 8
     assert (front["hinge_holding_torque"].diff("candidate") > 0).all()
-    # at the end of the front that holds most, opening is what limits it
+    # at the end of the front with the largest holding torque, the limit on opening binds
     assert front["hinge_opening_torque"].max() == pytest.approx(0.4, rel=5e-3)
     assert 2 <= len(found.best) <= 12
 
 
-def test_a_run_that_is_ruled_out_by_statics_is_spared(tmp_path):
+def test_designs_ruled_out_by_statics_are_not_run(tmp_path):
     goal = goal_of(
         STATICS
         | {
@@ -250,8 +250,8 @@ def test_another_designs_folder_is_refused(tmp_path):
         optimise_goal(goal_of(STATICS | {"design": JOINT.with_values({"vein.diameter": "6 mm"})}), tmp_path)
 
 
-def test_an_optimum_at_a_bound_of_what_may_vary_says_so(lightest, tmp_path):
-    """Of one area the force grows as the tendon is made shorter: the shortest holds hardest."""
+def test_an_optimum_at_a_bound_of_its_parameters_is_reported(lightest, tmp_path):
+    """For one area the force grows as the tendon is shortened: the shortest one holds best."""
     goal = {
         "vary": {AREA: {"low": "1 mm^2", "high": "20 mm^2"}, LENGTH: {"low": "6 cm", "high": "9 cm"}},
         "limits": {"hinge_opening_torque": "<= 32 N cm"},
@@ -272,8 +272,8 @@ def test_an_optimum_at_a_bound_of_what_may_vary_says_so(lightest, tmp_path):
     assert not [each for each in told(lightest) if "at the edge of what may vary" in each]
 
 
-def test_what_does_not_hold_when_it_is_verified_is_not_said_to_meet_the_goal(tmp_path):
-    """Eight neighbours of 200 tell little: of the best by them some have too few fresh ones that work."""
+def test_a_design_that_fails_verification_does_not_meet_the_goal(tmp_path):
+    """With only eight neighbours, some of the best designs by these have too few new neighbours that work."""
     few = {
         "search": {"runs": 56, "batch": 8, "neighbours": 8},
         "tolerances": {AREA: {"distribution": "normal", "size": "6 %"}},

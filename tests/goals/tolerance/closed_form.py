@@ -1,4 +1,4 @@
-"""Rows of runs whose margins are a closed form of the design's values, in place of a simulation."""
+"""Rows of runs whose margins are closed forms of the design's values, in place of a simulation."""
 
 import time
 from dataclasses import replace
@@ -20,7 +20,7 @@ def uniform(key, size=0.1):
 
 
 class ClosedForm:
-    """Works where a function of the offsets is above 0; counts its runs, takes time, s, and may be killed."""
+    """Works if a function of the offsets is above 0; counts its runs, takes time, s, and can be interrupted."""
 
     def __init__(self, base, deviations, margin, *, untrusted=None, killed_after=None, pause=0.0):
         self.base, self.deviations, self.margin = base, deviations, margin
@@ -64,13 +64,13 @@ class ClosedForm:
 
 
 KEYS = ("tendon.left.stiffness", "tendon.left.rest_length", "crease.stiffness", "facet.thickness", "facet.density")
-# of 4 factors 2 are kept, so that the screening has something to do
+# of 4 factors 2 are kept, so that the screening is used
 SMALL = replace(PLANS[2], kept=2, screened=8, rows=32, points=128, cells=5)
 LINE = replace(PLANS[3], points=64)
 FACTORS = [uniform(key) for key in KEYS]
 WEIGHTS = np.array([0.0, 0.2, 0.0, -0.1, 0.0])
 
-# no step of a walk or a map meets it
+# no point of a bisection or a map lies on it
 EDGE = 0.1493
 
 
@@ -84,7 +84,7 @@ def asked(design):
 
 
 def assessed(design, folder, plan, margin, shard=(1, 1), **closed_form):
-    """What a tolerance comes to by a plan that its folder has."""
+    """Result of a tolerance analysis with a plan that is in its folder."""
     question, cluster = asked(design), ClosedForm(design, FACTORS, margin, **closed_form)
     folder.mkdir(exist_ok=True)
     with pytest.MonkeyPatch.context() as patch:

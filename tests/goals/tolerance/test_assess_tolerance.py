@@ -1,4 +1,4 @@
-"""A tolerance finds what was planted in a model in closed form, and the same again however often it is killed."""
+"""A tolerance analysis recovers a planted closed-form model, and interruptions do not change the result."""
 
 import json
 import shutil
@@ -37,7 +37,7 @@ def design():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Where the runs of `found` are."""
+    """Folder with the runs of `found`."""
     return tmp_path_factory.mktemp("found")
 
 
@@ -47,7 +47,7 @@ def found(design, folder):
 
 
 def works_within(width):
-    """Of offsets u within a width and v within 1, the share with 0.2 u - 0.1 v < EDGE: all but a triangle's."""
+    """Probability of 0.2 u - 0.1 v < EDGE for offsets u within a width and v within 1: all except a triangle's."""
     leg = width - (EDGE - 0.1) / 0.2
     return 1 - leg**2 / (4 * width)
 
@@ -55,7 +55,7 @@ def works_within(width):
 WORKS = works_within(1.0)
 
 
-def test_the_probability_is_that_of_the_closed_form(found):
+def test_probability_equals_closed_form(found):
     works = found.probability
     assert works.count == 128 + 32
     assert works.low <= WORKS <= works.high
@@ -68,7 +68,7 @@ def test_every_transition_has_its_own_probability(found):
     assert found.probabilities["stays opened"] == found.probabilities["works"]
 
 
-def test_the_factors_that_were_planted_are_found_and_the_others_decide_nothing(found):
+def test_planted_factors_are_found_and_others_are_unimportant(found):
     assert [KEYS[factor] for factor in found.order] == [KEYS[1], KEYS[3]]
     for share, low, high in zip((0.8, 0.2, 0), found.indices.total_low[0], found.indices.total_high[0], strict=True):
         assert low <= share <= high
@@ -76,7 +76,7 @@ def test_the_factors_that_were_planted_are_found_and_the_others_decide_nothing(f
     np.testing.assert_allclose(found.effects, [0, 0.8, 0, 0.2, 0], atol=0.1)
 
 
-def test_how_far_each_value_goes_alone_is_where_the_margin_is_zero(found):
+def test_range_of_each_value_alone_ends_at_zero_margin(found):
     down, up = found.reaches[1]
     assert up.works <= EDGE / 0.2 <= up.fails
     assert up.fails - up.works == pytest.approx(2.0**-SMALL.halvings)
@@ -87,25 +87,25 @@ def test_how_far_each_value_goes_alone_is_where_the_margin_is_zero(found):
 
 
 def test_the_nearest_failure_of_all_together_is_the_corner(found):
-    """0.2 t + 0.1 t = EDGE, where both are off by the same share of their tolerances."""
+    """0.2 t + 0.1 t = EDGE, if both deviate by the same fraction of their tolerances."""
     assert found.nearest.works * found.nearest.largest <= EDGE / 0.3 <= found.nearest.largest <= 0.625
     assert np.sign(found.nearest.offsets[[1, 3]]).tolist() == [1, -1]
 
 
-def test_half_a_tolerance_gains_what_the_closed_form_says(found):
+def test_gain_of_a_halved_tolerance_equals_closed_form(found):
     gain = found.narrowed[1]
     assert gain.gain_low <= works_within(0.5) - WORKS <= gain.gain_high
     assert found.narrowed[0].gain_low <= 0 <= found.narrowed[0].gain_high
 
 
-def test_the_sentences_name_what_to_tighten_and_which_way_to_go(found):
+def test_conclusions_name_the_tolerance_to_tighten_and_the_value_to_change(found):
     told = " ".join(advice(found))
     assert f"Tighten the tolerance of {KEYS[1]}, ± 10 %, first." in told
     assert f"A smaller {KEYS[1]} than 5 cm would help" in told
-    assert "The 3 others together decide 0 % (0 to 0 %): these need no care." in told
+    assert "The remaining tolerances (3) together explain 0 % (0 to 0 %): they are uncritical." in told
 
 
-def test_the_map_is_of_the_two_that_decide_most_and_fails_where_they_do(found):
+def test_map_shows_the_two_most_important_factors_and_their_failures(found):
     drawn = found.map
     assert (KEYS[drawn.first], KEYS[drawn.second]) == (KEYS[1], KEYS[3])
     assert np.count_nonzero(drawn.samples.offsets[:, [0, 2, 4]]) == 0
@@ -122,7 +122,7 @@ def digest(found):
     return json.dumps(table.to_dict(), default=str, sort_keys=True)
 
 
-def test_killed_three_times_it_comes_to_the_same(design, tmp_path, found):
+def test_three_interruptions_do_not_change_the_result(design, tmp_path, found):
     folder = tmp_path / "killed"
     for after in (3, 100, 60):
         with pytest.raises(KeyboardInterrupt):
@@ -130,12 +130,12 @@ def test_killed_three_times_it_comes_to_the_same(design, tmp_path, found):
     assert digest(assessed(design, folder, SMALL, line)) == digest(found)
 
 
-def test_taken_up_once_more_nothing_runs_again(design, folder, found):
+def test_repeating_a_finished_analysis_runs_nothing(design, folder, found):
     again = assessed(design, folder, SMALL, line, killed_after=0)
     assert digest(again) == digest(found)
 
 
-def test_runs_that_are_not_to_be_trusted_are_counted_apart_and_widen_the_interval(design, tmp_path, found):
+def test_unreliable_runs_are_counted_separately_and_widen_the_interval(design, tmp_path, found):
     doubtful = assessed(design, tmp_path / "doubtful", SMALL, line, untrusted=lambda offsets: offsets[0] > 0.9)
     works = doubtful.probability
     assert works.unknown == np.sum(doubtful.samples.offsets[:, 0] > 0.9) > 0
@@ -143,63 +143,65 @@ def test_runs_that_are_not_to_be_trusted_are_counted_apart_and_widen_the_interva
     assert works.low < found.probability.low
     assert works.high >= works.share
     assert "not to be trusted" in " ".join(advice(doubtful))
-    # a run that tells nothing is no failure of a value alone either
+    # an inconclusive run does not count as a failure of a single value
     assert doubtful.reaches[0][1].fails is None
 
 
-def test_a_design_that_fails_as_it_is_has_a_probability_but_no_way_to_failure(design, tmp_path):
+def test_a_failing_nominal_design_has_a_probability_but_no_distance_to_failure(design, tmp_path):
     failing = assessed(design, tmp_path / "failing", SMALL, lambda offsets: line(offsets) - 0.2)
     assert not failing.nominal_works
     assert failing.reaches == ()
     assert failing.nearest is None
     assert 0 < failing.probability.share < 0.5
     told = advice(failing)
-    assert told[0].startswith("As designed it does not work already")
+    assert told[0].startswith("The nominal design does not work")
     assert any(sentence.startswith(f"A smaller {KEYS[1]}") for sentence in told)
 
 
-def test_where_nothing_varies_nothing_is_to_be_tightened(design, tmp_path):
+def test_constant_margins_need_no_tighter_tolerance(design, tmp_path):
     sound = assessed(design, tmp_path / "sound", SMALL, lambda _: 0.5)
     assert sound.probability.share == 1
     assert most_telling(sound) is None
-    assert "Nothing within the tolerances changes the margin." in advice(sound)
+    assert "No tolerance changes the margin." in advice(sound)
 
 
-def test_where_nothing_fails_what_matters_is_told_and_nothing_is_to_be_tightened(design, tmp_path):
+def test_without_failures_importance_is_reported_and_no_tolerance_tightened(design, tmp_path):
     sound = assessed(design, tmp_path / "sound", SMALL, lambda offsets: line(offsets) + 0.2)
     assert sound.probability.fails == 0
     told = " ".join(advice(sound))
     assert "Tighten" not in told
-    assert f"None of the {sound.probability.works} that tell fails: no tolerance has to be tightened." in told
-    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it decides" in told
-    # how far it is to failure is told all the same
-    assert f"The nearest failure of one value alone is {KEYS[1]} at" in told
+    assert (
+        f"None of the {sound.probability.works} conclusive designs fails: no tolerance needs to be tightened." in told
+    )
+    assert f"What matters most is the tolerance of {KEYS[1]}, ± 10 %: it explains" in told
+    # the distance to failure is reported, too
+    assert f"If only one value deviates, the nearest failure is {KEYS[1]} at" in told
     assert tighten_first(sound) is None
 
 
-def test_where_nothing_works_no_tolerance_is_to_blame(design, tmp_path):
+def test_without_successes_no_tolerance_is_blamed(design, tmp_path):
     hopeless = assessed(design, tmp_path / "hopeless", SMALL, lambda offsets: line(offsets) - 0.6)
     assert hopeless.probability.works == 0
     told = " ".join(advice(hopeless))
     assert "Tighten" not in told
-    assert "None of them works, whatever the tolerances: move the design first." in told
+    assert "None of the designs works: change the design before its tolerances." in told
     assert tighten_first(hopeless) is None
 
 
-def test_where_two_tolerances_decide_nearly_the_same_the_sentences_say_that_the_order_is_not_resolved(design, tmp_path):
+def test_nearly_equal_tolerances_are_reported_as_unresolved(design, tmp_path):
     close = assessed(design, tmp_path / "close", SMALL, lambda offsets: 0.2 - float(offsets @ [0, 0.16, 0, -0.15, 0]))
     told = " ".join(advice(close))
-    assert "The number of runs does not resolve which tolerance decides most of the variance: of resamplings" in told
+    assert "There are too few runs to resolve which tolerance explains most of the variance: in resamplings" in told
     assert close.indices.leads[0].sum() == pytest.approx(1)
 
 
-def test_where_one_tolerance_decides_far_more_its_order_is_resolved(found):
-    assert "does not resolve" not in " ".join(advice(found))
+def test_a_dominant_tolerance_is_resolved(found):
+    assert "too few runs" not in " ".join(advice(found))
     assert found.indices.leads[0, found.kept.index(1)] > 0.95
     assert tolerance_table(found)["screening_resolved"].values.tolist() == [False, True, False, True, False]
 
 
-def test_without_time_for_indices_straight_lines_still_find_what_decides(design, tmp_path):
+def test_linear_indices_find_the_important_factors_if_time_is_short(design, tmp_path):
     lines = assessed(design, tmp_path / "lines", LINE, line)
     assert [KEYS[factor] for factor in lines.order[:2]] == [KEYS[1], KEYS[3]]
     np.testing.assert_allclose(lines.indices.first[0], [0, 0.8, 0, 0.2, 0], atol=0.12)
@@ -207,10 +209,10 @@ def test_without_time_for_indices_straight_lines_still_find_what_decides(design,
     assert lines.runs <= LINE.most_runs(5)
 
 
-def test_so_few_designs_that_nothing_tells_what_decides_are_told(design, tmp_path):
+def test_too_few_designs_for_ranking_are_reported(design, tmp_path):
     few = assessed(design, tmp_path / "few", replace(PLANS[-1], points=8), line)
     assert most_telling(few) is None
-    assert "So few designs do not tell which tolerance decides: give it more time." in advice(few)
+    assert "There are too few designs to rank the tolerances: increase the time." in advice(few)
 
 
 def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
@@ -223,8 +225,8 @@ def test_the_table_has_values_in_si_that_lie_within_the_tolerances(found):
     assert float(table["total_index"].sel(result="margin", group=KEYS[1])) == found.indices.total[0, 0]
 
 
-def test_the_first_runs_settle_the_plan_and_it_stays(design, tmp_path):
-    """No run of a closed form takes long: there is time for all."""
+def test_first_runs_determine_the_plan_and_it_is_kept(design, tmp_path):
+    """Runs of a closed form are so short that the largest plan is chosen."""
     question = asked(design)
     assert kept_plan(tmp_path, question, 0.3, 1) is None
     cluster = ClosedForm(design, FACTORS, line, killed_after=40)
@@ -236,16 +238,16 @@ def test_the_first_runs_settle_the_plan_and_it_stays(design, tmp_path):
     assert kept_plan(tmp_path, replace(question, deviations=question.deviations[:4]), 0.3, 1) is None
 
 
-def test_a_folder_that_has_the_first_runs_does_not_take_them_for_fast(design, tmp_path):
-    """Half a second is not enough for what has 256 points, whatever the folder had time for before."""
+def test_existing_rows_are_not_used_to_time_runs(design, tmp_path):
+    """Half a second does not suffice for 256 points, although the folder has rows of earlier runs."""
     with pytest.raises(KeyboardInterrupt):
         assess_tolerance(asked(design), tmp_path, cluster=ClosedForm(design, FACTORS, line, killed_after=300))
     slow = ClosedForm(design, FACTORS, line, pause=0.02)
     assert assess_tolerance(asked(design), tmp_path, minutes=0.5 / 60, cluster=slow).plan in PLANS[4:]
 
 
-def test_two_processes_that_share_the_runs_come_to_the_same(design, folder, tmp_path, found):
-    """Each finds the rows of the other in its folder, here of one that went before."""
+def test_two_processes_that_share_runs_get_the_same_result(design, folder, tmp_path, found):
+    """Each process finds the rows of the other in its folder, here those of an earlier process."""
     shared = tmp_path / "shared"
     shutil.copytree(folder, shared)
     (shared / "journal.jsonl").rename(shared / "journal-1-of-2.jsonl")
@@ -269,8 +271,8 @@ def test_an_estimate_runs_a_few_and_writes_nothing(design, tmp_path):
     assert not (tmp_path / "not-there").exists()
 
 
-def test_what_a_tolerance_would_have_beyond_a_keys_bounds_is_built_at_the_bound_and_told(design, tmp_path):
-    """A crease that stops at 175 deg, 10 % uniform: without its bound of 180 deg, 36 % of them lay beyond it."""
+def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_path):
+    """A crease that stops at 175 deg, 10 % uniform: 36 % of the values would lie beyond its bound of 180 deg."""
     keys = ("crease.fold_limit", "facet.thickness")
     question = question_of(design, dict.fromkeys(keys, "10 %"))
     plan = replace(PLANS[-1], points=64, cells=5)
@@ -291,6 +293,6 @@ def test_what_a_tolerance_would_have_beyond_a_keys_bounds_is_built_at_the_bound_
 
 
 @pytest.mark.parametrize(("minutes", "seed", "says"), [(0, 0, "minutes: need"), (5.0, -1, "seed: need")])
-def test_an_estimate_refuses_what_the_tolerance_would(design, tmp_path, minutes, seed, says):
+def test_estimate_rejects_the_same_arguments_as_the_analysis(design, tmp_path, minutes, seed, says):
     with pytest.raises(InputError, match=says):
         estimate_tolerance(asked(design), tmp_path, minutes, seed)

@@ -1,4 +1,4 @@
-"""The command line asks how likely a design works as it is built."""
+"""The command for the probability that a design works within its tolerances."""
 
 import json
 
@@ -29,7 +29,7 @@ def called(tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.usefixtures("no_column_figures")
-def test_a_tolerance_leaves_a_folder_that_says_how_likely_it_works_and_draws_its_figures(called, tmp_path):
+def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_path):
     told = json.loads(called("tolerance", "letter.toml", *FEW, "--keep", "1", "--json").out)
     assert told["works"]["works"] + told["works"]["fails"] + told["works"]["unknown"] == 16
     assert told["tolerances"] == {"facet.thickness": "± 1 %"}
@@ -38,11 +38,11 @@ def test_a_tolerance_leaves_a_folder_that_says_how_likely_it_works_and_draws_its
         assert (folder / name).exists()
     again = called("tolerance", "letter.toml", *FEW, "--keep", "1")
     assert "replaces the tolerance of letter-fold there; the rows stay" in again.err
-    assert "letter-fold: It works in" in again.out
+    assert "letter-fold: The design works in" in again.out
     assert json.loads((folder / "tolerance.json").read_text("utf-8")) == told
 
 
-def test_a_dry_run_says_how_long_it_takes_and_leaves_nothing(called, tmp_path):
+def test_dry_run_reports_the_time_and_writes_nothing(called, tmp_path):
     told = called("tolerance", "letter.toml", *FEW, "--dry-run").out
     assert told.startswith(
         "letter-fold: 1 value that may be off; 16 points for the probability, at most 17 runs in all, about"
@@ -61,7 +61,7 @@ def test_a_dry_run_says_how_long_it_takes_and_leaves_nothing(called, tmp_path):
         (("--goal", "heavy-wing"), "neither a named goal"),
     ],
 )
-def test_what_is_wrong_is_told_in_one_line(called, arguments, message):
+def test_errors_are_one_line(called, arguments, message):
     told = called("tolerance", "letter-fold", *arguments, expected=1).err.splitlines()
     assert message in told[-1]
 
@@ -81,7 +81,7 @@ mass = "least"
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_design_is_asked_under_the_settings_of_the_goal_and_they_are_told(called, tmp_path):
+def test_a_design_runs_with_the_settings_of_the_goal_which_are_reported(called, tmp_path):
     (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
     said = called("tolerance", "letter.toml", "--goal", "goal.toml", "--minutes", "0.01", "--keep", "0").err
     assert "and tendon.left.stiffness as goal.toml has them" in said
@@ -90,7 +90,7 @@ def test_a_design_is_asked_under_the_settings_of_the_goal_and_they_are_told(call
     assert built.tendon[0].stiffness == pytest.approx(49.0)
 
 
-def test_the_design_of_a_goal_is_asked_where_none_is_named(called, tmp_path):
+def test_the_design_of_the_goal_is_the_default(called, tmp_path):
     (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
     told = json.loads(called("tolerance", "--goal", "goal.toml", "--dry-run", "--json").out)
     assert told["design"] == "letter-fold"

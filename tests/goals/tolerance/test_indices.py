@@ -42,7 +42,7 @@ def test_ishigamis_function_has_its_closed_form_indices():
 
 
 def test_the_intervals_hold_ishigamis_indices_in_nine_of_ten_repetitions_or_more(monkeypatch):
-    """But for what 60 repetitions of nine in ten scatter, twice."""
+    """Nine in ten of 60 repetitions, minus two standard errors of this number."""
     # 5 of them are beyond either end
     monkeypatch.setattr("forficula.goals.tolerance.indices._RESAMPLES", 199)
     found = [indices(ishigami, 3, 128, seed) for seed in range(60)]
@@ -67,14 +67,14 @@ def test_a_group_of_a_sum_has_the_indices_of_its_factors_together():
     np.testing.assert_allclose(found.total[0], [shares[2], shares[0] + shares[1], shares[3]], atol=0.01)
 
 
-def test_a_group_holds_what_its_factors_do_together():
-    """Ishigami's first and third factor decide all that the second does not, their interaction with it."""
+def test_a_group_includes_interactions_of_its_factors():
+    """Ishigami's first and third factor explain all that the second does not, including their interaction."""
     found = indices(ishigami, 3, 4096, groups=[[0, 2], [1]])
     np.testing.assert_allclose(found.first[0], [1 - FIRST[1], FIRST[1]], atol=0.03)
     np.testing.assert_allclose(found.total[0], [1 - FIRST[1], FIRST[1]], atol=0.01)
 
 
-def test_one_group_of_all_decides_everything():
+def test_a_group_of_all_factors_explains_the_whole_variance():
     found = indices(linear, 5, 256, groups=[[0, 1, 2, 3, 4]])
     np.testing.assert_allclose([found.first[0, 0], found.total[0, 0]], 1, atol=0.1)
 
@@ -95,7 +95,7 @@ def test_a_result_that_does_not_vary_has_no_indices():
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
 def test_a_result_that_is_not_finite_is_refused_by_name(bad):
-    """scipy makes zeros of it without a word."""
+    """scipy would silently return zeros."""
     first, second = two_samples(3, 64, 0)
     mixed = np.array([[ishigami(exchanged(first, second, [factor]))] for factor in range(3)])
     mixed[1, 0, 5] = bad
@@ -115,8 +115,8 @@ def screened(function, rows, seed):
     return total_effects(function(first), mixed, (second - first).T)
 
 
-def test_screening_keeps_a_factor_that_does_something_only_together_with_another():
-    """Ishigami's third factor alone does nothing; 22 others share a twentieth of the variance."""
+def test_screening_keeps_a_factor_that_acts_only_in_an_interaction():
+    """Ishigami's third factor alone has no effect; 22 others share a twentieth of the variance."""
     deciding = [4, 9, 17]
     others = [factor for factor in range(25) if factor not in deciding]
     weight = np.sqrt(12 * 0.05 * VARIANCE / len(others))
@@ -129,8 +129,8 @@ def test_screening_keeps_a_factor_that_does_something_only_together_with_another
     assert np.mean(np.max(ranks, axis=1) < 3) > 0.9
 
 
-def test_a_plane_tells_the_factors_of_a_sum_apart_however_their_columns_are_correlated():
-    """Of 64 points in 21 factors the worst pair of columns has a correlation of more than 0.3."""
+def test_linear_fit_separates_factors_of_a_sum_with_correlated_columns():
+    """Of 64 points in 21 factors, the worst pair of columns has a correlation of more than 0.3."""
     weights = np.array([3.0, 2.0, 1.0, *np.zeros(18)])
     points = two_samples(21, 64, 0)[0]
     assert np.abs(np.corrcoef(points.T) - np.eye(21)).max() > 0.3
@@ -139,17 +139,17 @@ def test_a_plane_tells_the_factors_of_a_sum_apart_however_their_columns_are_corr
     assert np.isnan(found.total).all()
 
 
-def test_a_plane_finds_nothing_in_noise_on_average():
+def test_linear_fit_explains_nothing_of_noise_on_average():
     points, rng = two_samples(10, 64, 0)[0], np.random.default_rng(1)
     noise = rng.standard_normal((200, 64))
     found = line_indices([str(each) for each in range(200)], [str(each) for each in range(10)], points, noise, 0)
-    # 2000 shares of a variance whose single ones scatter by 0.02
+    # mean of 2000 fractions of a variance, each of which scatters by 0.02
     assert abs(np.mean(found.first)) < 0.002
     held = (found.first_low <= 0) & (found.first_high >= 0)
     assert np.mean(held) > 0.9
 
 
-def test_too_few_points_tell_no_plane():
+def test_too_few_points_give_no_linear_fit():
     points = two_samples(10, 16, 0)[0]
     found = line_indices(["sum"], [str(each) for each in range(10)], points, np.sum(points, axis=1)[None], 0)
     assert np.isnan(found.first).all()

@@ -4,7 +4,7 @@ from forficula.goals.tolerance.nearest_failure import Answer, reaches
 
 
 class Window:
-    """A design that works between bounds, direction by direction, and counts how often it is asked."""
+    """A design that works between bounds in each direction, and counts its evaluations."""
 
     def __init__(self, bounds, beyond=Answer.FAILS):
         self.bounds, self.beyond, self.rounds, self.runs = bounds, beyond, 0, 0
@@ -18,7 +18,7 @@ class Window:
 STEPS = (1, 2, 4, 8)
 
 
-def test_the_nearest_failure_is_found_to_a_share_of_the_stretch_that_holds_it():
+def test_nearest_failure_is_bracketed_by_bisection():
     bounds = [0.3, 1.7, 3.1, 7.9, 20]
     window = Window(bounds)
     found = reaches(window, 5, STEPS, halvings=5)
@@ -31,7 +31,7 @@ def test_the_nearest_failure_is_found_to_a_share_of_the_stretch_that_holds_it():
     assert window.runs == 5 * 4 + 4 * 5
 
 
-def test_the_first_step_that_fails_counts_even_where_it_works_again_beyond():
+def test_first_failing_step_counts_even_if_later_steps_work():
     def island(moves):
         return [Answer.FAILS if 1.5 < distance < 3 else Answer.WORKS for _, distance in moves]
 
@@ -39,20 +39,20 @@ def test_the_first_step_that_fails_counts_even_where_it_works_again_beyond():
     assert reach.works <= 1.5 <= reach.fails == pytest.approx(1.5, abs=2**-6)
 
 
-def test_a_run_that_is_not_to_be_trusted_is_no_failure():
+def test_an_unreliable_run_is_no_failure():
     (reach,) = reaches(Window([2.5], beyond=Answer.UNKNOWN), 1, STEPS, halvings=3)
     assert reach.fails is None
     assert (reach.why, reach.works, reach.beyond) == (Answer.UNKNOWN, 2.25, 2.5)
 
 
-def test_the_edge_of_what_can_be_built_is_not_looked_for():
+def test_limit_of_buildable_designs_is_not_searched():
     window = Window([2.5], beyond=Answer.OUTSIDE)
     (reach,) = reaches(window, 1, STEPS, halvings=3)
     assert (reach.why, reach.works, reach.beyond, reach.fails) == (Answer.OUTSIDE, 2, 4, None)
     assert window.rounds == 1
 
 
-def test_nothing_is_asked_once_everything_works():
+def test_no_bisection_if_all_steps_work():
     window = Window([9, 9])
     reaches(window, 2, STEPS, halvings=4)
     assert (window.rounds, window.runs) == (1, 8)

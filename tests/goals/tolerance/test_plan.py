@@ -3,7 +3,7 @@ import pytest
 from forficula.goals.tolerance.plan import PLANS, plan_within
 
 
-def test_twenty_five_tolerances_of_a_fan_have_their_indices_within_five_minutes():
+def test_five_minutes_suffice_for_indices_of_25_tolerances():
     """64 designs of the reference wing take about 5 s on two cores."""
     plan = plan_within(25, 5 / 64, 300)
     assert plan is PLANS[0]
@@ -23,7 +23,7 @@ def test_a_plan_takes_no_longer_than_it_may(seconds):
     assert plan.most_runs(12) * seconds <= 300 or plan is PLANS[-1]
 
 
-def test_what_needs_rows_has_them_among_its_points():
+def test_screened_points_and_rows_of_plans_are_among_their_points():
     for plan in PLANS:
         assert plan.screened <= plan.rows <= plan.points
         assert all(number & (number - 1) == 0 for number in (plan.points, plan.rows, plan.screened))

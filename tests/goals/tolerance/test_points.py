@@ -12,7 +12,7 @@ def test_more_rows_begin_with_those_of_fewer():
 def test_both_samples_are_balanced_along_every_factor():
     for sample in two_samples(25, 256, 1):
         assert np.all((sample > 0) & (sample < 1))
-        # one lies in each of as many equal parts of every axis
+        # one point lies in each of equally many parts of every axis
         assert np.all(np.sort(np.floor(sample * 256), axis=0) == np.arange(256)[:, None])
 
 

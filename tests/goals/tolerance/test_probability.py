@@ -1,4 +1,4 @@
-"""The 95 % interval of a probability holds what a model's closed form says, also near 0 and 1."""
+"""The 95 % interval of a probability contains the closed-form value, also near 0 and 1."""
 
 import math
 from functools import cache
@@ -15,7 +15,7 @@ POINTS = 256
 
 
 def in_ball(points, share):
-    """A ball in the middle of the unit cube with that share of its volume (its radius below 1/2)."""
+    """A ball in the middle of the unit cube with this fraction of its volume (its radius below 1/2)."""
     dimension = points.shape[1]
     unit = math.pi ** (dimension / 2) / special.gamma(dimension / 2 + 1)
     radius = (share / unit) ** (1 / dimension)
@@ -24,7 +24,7 @@ def in_ball(points, share):
 
 
 def in_half_space(points, share):
-    """Below a plane across a diagonal, the sum of uniform shares being normal enough at this many: Irwin and Hall."""
+    """Half space across a diagonal; the sum of this many uniform numbers is nearly normal (Irwin and Hall)."""
     return np.sum(points, axis=1) < irwin_hall(share, points.shape[1])
 
 
@@ -56,10 +56,10 @@ def estimates(model, dimension, share, *, drawn):
 
 @pytest.mark.parametrize("drawn", [True, False], ids=["points of a tolerance", "independent points"])
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS)
-def test_the_interval_holds_the_known_probability_in_at_least_95_of_100_repetitions(model, dimension, share, drawn):
+def test_interval_contains_the_known_probability_in_at_least_95_of_100_repetitions(model, dimension, share, drawn):
     found = list(estimates(model, dimension, share, drawn=drawn))
     held = np.mean([each.low <= share <= each.high for each in found])
-    # of 200 repetitions at 95 % no fewer than 0.90 in 999 of 1000 series
+    # of 200 repetitions at 95 %, at least 0.90 in 999 of 1000 series
     assert held >= stats.binom.ppf(1e-3, REPETITIONS, 0.95) / REPETITIONS
     assert np.mean([each.share for each in found]) == pytest.approx(
         share, abs=4 * math.sqrt(share * (1 - share) / POINTS / REPETITIONS)
@@ -67,8 +67,8 @@ def test_the_interval_holds_the_known_probability_in_at_least_95_of_100_repetiti
 
 
 @pytest.mark.parametrize("points", [32, 64, 256])
-def test_the_interval_holds_the_known_probability_whichever_two_of_many_factors_decide(points):
-    """A band about a diagonal, and a corner: exactly what is miscounted where two axes go together."""
+def test_interval_contains_the_known_probability_for_every_pair_of_important_factors(points):
+    """A band about a diagonal, and a corner: regions that are miscounted if two axes are correlated."""
     one, other = np.triu_indices(21, k=1)
     models = (
         (lambda first, second: np.abs(first - second) < 0.55, 1 - 0.45**2),
@@ -81,17 +81,17 @@ def test_the_interval_holds_the_known_probability_whichever_two_of_many_factors_
         for seed in range(REPETITIONS):
             sample = two_samples(21, points, seed)[0]
             held += holds[np.sum(model(sample[:, one], sample[:, other]), axis=0)] / REPETITIONS
-        # the least of 210 pairs
+        # the smallest of 210 pairs
         assert held.min() >= stats.binom.ppf(1e-3 / len(one), REPETITIONS, 0.95) / REPETITIONS
 
 
 @pytest.mark.parametrize(("model", "dimension", "share"), MODELS[:3])
-def test_shares_of_its_points_scatter_less_than_the_interval_takes_for_granted(model, dimension, share):
+def test_counts_over_the_points_scatter_less_than_the_interval_assumes(model, dimension, share):
     found = [each.share for each in estimates(model, dimension, share, drawn=True)]
     assert np.std(found) < 0.9 * math.sqrt(share * (1 - share) / POINTS)
 
 
-def test_runs_that_tell_nothing_widen_the_interval_by_all_that_they_could_be():
+def test_inconclusive_runs_widen_the_interval_by_all_possible_outcomes():
     sure, doubtful = probability(200, 50), probability(200, 50, 6)
     assert doubtful.share == sure.share == 0.8
     assert doubtful.low == probability(200, 56).low < sure.low
@@ -107,8 +107,8 @@ def test_undecided_runs_count_as_failing_at_the_lower_end_and_as_working_at_the_
     assert (counted.unknown, counted.undecided, counted.count, counted.share) == (2, 4, 256, 0.8)
 
 
-def test_the_interval_holds_the_probability_whichever_way_undecided_runs_would_have_gone():
-    """Of designs of which 80 % work a tenth is undecided, and all of these fail, or all work."""
+def test_interval_contains_the_probability_for_every_outcome_of_undecided_runs():
+    """80 % of the designs work and a tenth is undecided; all undecided ones fail, or all work."""
     for works_if_decided in (False, True):
         held = 0
         for seed in range(REPETITIONS):
@@ -128,14 +128,14 @@ def test_an_interval_of_no_runs_or_of_a_negative_number_of_them_is_refused(count
         interval_both_ways(*counts)
 
 
-def test_where_every_run_works_failing_is_still_possible():
-    """The rule of three: no failure in n runs leaves 3 / n at a one-sided 95 %, here 3.7 / n at a two-sided one."""
+def test_interval_below_one_if_every_run_works():
+    """The rule of three: no failure in n runs gives 3 / n at a one-sided 95 %, here 3.7 / n at a two-sided one."""
     always = probability(256, 0)
     assert (always.share, always.high) == (1.0, 1.0)
     assert always.low == pytest.approx(0.025 ** (1 / 256), rel=1e-12)
 
 
-def test_where_no_run_tells_anything_is_possible():
+def test_interval_from_zero_to_one_if_all_runs_are_inconclusive():
     nothing = probability(0, 0, 16)
     assert (nothing.share, nothing.low, nothing.high) == (None, 0.0, 1.0)
 
@@ -145,7 +145,7 @@ def test_no_runs_are_no_estimate():
         probability(0, 0)
 
 
-def test_where_no_factor_matters_one_of_its_sides_fails_surely_more_in_no_more_than_one_of_twenty():
+def test_unimportant_factors_have_a_significant_side_in_at_most_one_of_twenty_cases():
     factors, samples, named, repetitions = 21, 384, 0, 50
     for seed in range(repetitions):
         generator = np.random.default_rng(seed)
@@ -157,6 +157,6 @@ def test_where_no_factor_matters_one_of_its_sides_fails_surely_more_in_no_more_t
     assert named / repetitions <= 0.05 + 3 * math.sqrt(0.05 * 0.95 / repetitions)
 
 
-def test_a_side_that_fails_far_more_often_is_surely_less():
+def test_a_side_that_fails_much_more_often_is_significant():
     assert surely_less(probability(100, 92), probability(190, 2), 42)
     assert not surely_less(probability(190, 2), probability(100, 92), 42)

@@ -1,4 +1,4 @@
-"""What is asked: which values may be off, by how much, and when a design works."""
+"""Questions of tolerance analyses: varying values, their deviations, and conditions for working."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ def design():
     return load_design("binder2025")
 
 
-def test_without_tolerances_all_that_is_positive_and_not_the_protocols_is_ten_per_cent_off(design):
+def test_default_tolerances_are_ten_per_cent_on_positive_values_outside_the_protocol(design):
     question = question_of(design)
     assert question.assumed
     assert "tendon.stiffness" in question.keys
@@ -22,7 +22,7 @@ def test_without_tolerances_all_that_is_positive_and_not_the_protocols_is_ten_pe
     assert question.width_text(0) == "± 10 %"
 
 
-def test_a_file_gives_tolerances_and_limits_and_what_is_given_beside_counts_instead(design, tmp_path):
+def test_arguments_override_tolerances_and_limits_of_a_file(design, tmp_path):
     path = tmp_path / "asked.toml"
     path.write_text('[tolerances]\n"tendon.stiffness" = "5 %"\n[limits]\nfold_time = "<= 40 ms"\n', "utf-8")
     question = question_of(design, goal=path)
@@ -34,17 +34,17 @@ def test_a_file_gives_tolerances_and_limits_and_what_is_given_beside_counts_inst
     assert own.width_text(0) == "± 0.1 mm"
 
 
-def test_a_named_goal_gives_its_torques_its_tolerances_and_the_probability_that_it_wants(design):
+def test_a_named_goal_gives_its_torques_tolerances_and_required_probability(design):
     question = question_of(design, goal="light-wing")
     assert question.design.protocol.fold_torque == pytest.approx(0.2)
     assert [str(limit) for limit in question.wanted] == ["probability >= 95 %"]
     assert all("torque" in str(limit) for limit in question.limits)
 
 
-def test_what_no_key_allows_is_known_before_it_is_run(design):
+def test_values_out_of_bounds_are_detected_before_a_run(design):
     question = question_of(design, {"hinge.fold_limit": "10 %", "tendon.stiffness": "10 %"})
     assert question.allows(np.array([-1.0, 1.0]))
-    # beyond flat upon itself
+    # further than folded flat
     assert not question.allows(np.array([0.1, 0.0]))
     assert not question.allows(np.array([0.0, -11.0]))
 
@@ -61,19 +61,19 @@ def test_what_no_key_allows_is_known_before_it_is_run(design):
         ({"goal": "heavy-wing"}, "neither a named goal"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_key(design, given, message):
+def test_errors_name_the_key(design, given, message):
     with pytest.raises(InputError, match=message):
         question_of(design, **given)
 
 
-def test_a_wrong_table_of_a_file_is_told_with_the_file(design, tmp_path):
+def test_errors_in_a_table_name_the_file(design, tmp_path):
     path = tmp_path / "asked.toml"
     path.write_text('[tolerance]\n"tendon.stiffness" = "5 %"\n', "utf-8")
     with pytest.raises(InputError, match=r"asked\.toml: .*did you mean tolerances"):
         question_of(design, goal=path)
 
 
-def test_settings_of_a_goal_hold_but_for_what_it_varies_and_what_is_given_beside(design, tmp_path):
+def test_settings_of_a_goal_apply_except_to_varied_and_overridden_keys(design, tmp_path):
     path = tmp_path / "asked.toml"
     path.write_text(
         'design = "binder2025-joint"\n[settings]\ntendon.stiffness = "7 N/cm"\nvein.diameter = "4 mm"\n'
@@ -84,7 +84,7 @@ def test_settings_of_a_goal_hold_but_for_what_it_varies_and_what_is_given_beside
     asked = question_of(given, goal=path, settings={"vein.diameter": "6 mm"}).design
     assert asked.protocol.timestep == pytest.approx(1e-4)
     assert asked.vein.diameter == pytest.approx(6e-3)
-    # the best of a search has its own value of what was varied
+    # the best design of a search has its own value of the varied key
     assert asked.tendon.stiffness == design.tendon.stiffness
     alone = question_of(None, goal=path, settings={"protocol.timestep": "0.2 ms"}).design
     assert alone.name == "binder2025-joint"
@@ -92,7 +92,7 @@ def test_settings_of_a_goal_hold_but_for_what_it_varies_and_what_is_given_beside
     assert alone.protocol.timestep == pytest.approx(2e-4)
 
 
-def test_settings_that_a_design_has_no_key_for_are_told_with_the_goal(design, tmp_path):
+def test_settings_without_a_key_in_the_design_are_reported_with_the_goal(design, tmp_path):
     path = tmp_path / "asked.toml"
     path.write_text('[settings]\n"facet.thickness" = "1 mm"\n', "utf-8")
     with pytest.raises(InputError, match=r"asked\.toml: settings: facet: unknown key"):

@@ -1,4 +1,4 @@
-"""Of many factors the strongest get indices of their own, though few rows of each would rank them by chance."""
+"""The strongest of many factors get indices of their own, although few rows of each would rank them by chance."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from forficula.goals.tolerance.screening import deciding_factors, screening
 from tests.goals.tolerance.test_indices import ishigami
 
 FACTORS, REPETITIONS = 25, 12
-# of the smallest plan with a screening
+# numbers of the smallest plan with a screening
 POINTS, ROWS, EXCHANGED, KEPT = 128, 32, 8, 6
 
 
@@ -18,18 +18,18 @@ def ishigami_among_others(points):
 
 
 def sobol_g(points):
-    """Sobol (1993): total indices of 0.79, 0.24 and 0.034 where a is 0, 1 and 4.5, and below 0.012 of all others."""
+    """Sobol (1993): total indices of 0.79, 0.24 and 0.034 for a of 0, 1 and 4.5, and below 0.012 for all others."""
     a = np.array([0.0, 1.0, 4.5, 9.0, *np.full(21, 99.0)])
     return np.prod((np.abs(4 * points - 2) + a) / (1 + a), axis=1)
 
 
 def line(points):
-    """Five factors decide, with shares of 0.51, 0.23, 0.13, 0.08 and 0.06 of the variance; twenty are inactive."""
+    """Five factors explain 0.51, 0.23, 0.13, 0.08 and 0.06 of the variance; twenty are inactive."""
     return points[:, :5] @ [3.0, 2.0, 1.5, 1.2, 1.0]
 
 
 def step(points):
-    """A margin that is lost beyond a plane: four factors have total indices of 0.77 to 0.15, 21 others of 0.035."""
+    """A margin with a step at a plane: four factors have total indices of 0.77 to 0.15, 21 others of 0.035."""
     weights = np.array([2.0, 1.0, 0.8, 0.6, *np.full(21, 0.15)])
     along = (points - 0.5) @ weights
     return np.where(along > 0.25 * np.sqrt(np.sum(weights**2) / 12), -0.4, 0.6) - 0.05 * along
@@ -57,18 +57,18 @@ def test_the_strongest_of_25_factors_are_kept_in_every_repetition(function, stro
         assert strongest <= set(screened(function, seed).kept)
 
 
-def test_of_a_margin_with_a_step_the_strongest_are_kept_where_eight_rows_of_each_lose_them():
+def test_strongest_factors_of_a_margin_with_a_step_are_kept():
     found = [screened(step, seed) for seed in range(REPETITIONS)]
     kept = np.mean([np.isin(range(4), each.kept) for each in found], axis=0)
     ranked = np.mean([np.isin(range(4), np.argsort(-each.effects)[:KEPT]) for each in found], axis=0)
     assert kept[:3].tolist() == [1, 1, 1]
     assert kept[3] >= 0.8
-    # what was done before: the second to fourth strongest were lost in a tenth to a third of the repetitions
+    # an earlier method lost the second to fourth strongest in a tenth to a third of the repetitions
     assert ranked[1:].mean() < 0.85
 
 
-def test_factors_that_decide_nothing_are_resolved_in_no_more_than_one_of_twenty_tables():
-    """Two decide, one of them more than the other; 23 do not."""
+def test_factors_without_effect_are_significant_in_at_most_one_of_twenty_tables():
+    """Two factors have an effect, one a larger one than the other; 23 have none."""
     false, repetitions = 0, 60
     for seed in range(repetitions):
         points = two_samples(FACTORS, POINTS, seed)[0]
@@ -80,7 +80,7 @@ def test_factors_that_decide_nothing_are_resolved_in_no_more_than_one_of_twenty_
     assert false / repetitions <= 0.05 + 3 * np.sqrt(0.05 * 0.95 / repetitions)
 
 
-def test_a_result_that_does_not_vary_has_no_deciding_factor():
+def test_a_constant_result_has_no_important_factor():
     shares, resolved = deciding_factors(two_samples(4, 32, 0)[0], np.full(32, 0.7), 0)
     assert not shares.any()
     assert not resolved.any()

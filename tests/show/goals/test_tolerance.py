@@ -93,7 +93,7 @@ def test_the_folder_has_all_of_it_and_draws_it_again(found, table, folder):
 def test_the_terminal_has_probability_indices_and_reaches(found, capsys):
     print_tolerance(found)
     told = capsys.readouterr().out
-    for words in ("letter-fold: It works in", "stays opened", "the 3 others", "fails above", "tendon left rest length"):
+    for words in ("letter-fold: The design works in", "stays opened", "the 3 others", "fails above", "tendon left rest length"):
         assert words in told
 
 
@@ -109,7 +109,7 @@ def test_a_design_that_fails_has_no_ways_to_failure_to_draw(design, tmp_path, ca
     failing = assessed(design, tmp_path / "failing", few, lambda offsets: line(offsets) - 0.2)
     assert set(tolerance_drawings(tolerance_table(failing))) == {"indices", "cloud"}
     print_tolerance(failing)
-    assert "As designed it does not work already: did not get opened." in capsys.readouterr().out
+    assert "The nominal design does not work: did not get opened." in capsys.readouterr().out
 
 
 def test_what_is_kept_is_of_every_outcome_and_off_the_least(found):

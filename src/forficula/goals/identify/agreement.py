@@ -1,4 +1,4 @@
-"""Values that meet facts between the samples: Monte Carlo on emulators of the facts' quantities, with their errors."""
+"""Values between samples that agree with facts: Monte Carlo on emulators of the facts, with their errors."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from forficula.arrays import Array
 from forficula.goals.identify.emulator import Emulator
 
 _PARTICLES = 600
-# effective share of the particles that a step of the tempering leaves, and moves of each particle after it
+# effective fraction of the particles after a step of the tempering, and number of moves of each particle after it
 _EFFECTIVE, _MOVES, _MOST_STEPS = 0.5, 4, 60
-# of differences between particles that are steps (ter Braak 2006, doi:10.1007/s11222-006-8769-1), and their scatter
+# steps are differences between particles (ter Braak 2006, doi:10.1007/s11222-006-8769-1) with this stretch and scatter
 _STRETCH, _SCATTER = (0.2, 1.0), 1e-3
 _LEAST = 1e-300
-# points of the search for the least miss, and its generations
+# number of points of the search for the smallest deviation, and of its generations
 _SEARCHERS, _GENERATIONS = 100, 30
 
 
 @dataclass(frozen=True, kw_only=True)
 class AgreementWindow:
-    """Where a fact's quantity must lie, as its emulator has it.
+    """Interval in which a fact's quantity must lie, in the units of its emulator.
 
     Attributes:
         emulator: of the quantity.
-        low: end of the window, the emulator's unit; minus infinity where there is none.
-        high: the other end; infinity where there is none.
+        low: lower end; minus infinity if there is none.
+        high: upper end; infinity if there is none.
     """
 
     emulator: Emulator
@@ -38,14 +38,14 @@ class AgreementWindow:
 
 @dataclass(frozen=True, kw_only=True)
 class Agreement:
-    """Points of the unit cube that meet facts according to emulators.
+    """Points of the unit cube that agree with facts according to emulators.
 
     Attributes:
-        points: drawn from the priors, given that all facts are met, (particles, unknowns).
-        share: of the priors that meets all facts.
-        apart: by how many standard errors of its emulator the worst fact is missed, at the point where that is least.
-        errors: standard error of each fact's emulator at the points, the median, (facts,), in half-widths of its
-            window; 0 where the window has one end.
+        points: drawn from the priors under the condition that all facts are met, (particles, unknowns).
+        share: fraction of the priors that meets all facts.
+        apart: smallest deviation of the worst fact anywhere, in standard errors of its emulator.
+        errors: median standard error of each fact's emulator at the points, (facts,), in half-widths of its window; 0
+            if the window has only one end.
     """
 
     points: Array
@@ -55,30 +55,31 @@ class Agreement:
 
 
 def agreement(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: int) -> Agreement:
-    """Draw points from the priors that meet all facts, by tempering from the priors on.
+    """Draw points from the priors that meet all facts, by tempering from the priors.
 
-    Sequential Monte Carlo (Del Moral, Doucet and Jasra 2006, doi:10.1111/j.1467-9868.2006.00553.x). The probability
-    that a point meets a fact is that of the emulator's error, taken as Student's t. The errors of the facts are taken
-    as independent.
+    The method is sequential Monte Carlo (Del Moral, Doucet and Jasra 2006, doi:10.1111/j.1467-9868.2006.00553.x). The
+    probability that a point meets a fact is that of the emulator's error, with Student's t distribution. The errors of
+    the facts are assumed to be independent.
 
     Args:
         windows: of the facts.
-        choices: of each side of the cube, how many equal parts it has within which nothing varies; 0 where it has none.
+        choices: for each side of the cube, its number of equal parts within which nothing varies; 0 if it is
+            continuous.
         seed: of the random numbers.
     """
     generator = np.random.default_rng([seed, len(choices), len(windows)])
     points = generator.random((_PARTICLES, len(choices)))
-    found, apart = _log_chances(windows, snapped(points, choices))
+    log_chances, apart = _log_chances(windows, snapped(points, choices))
     least, log_share, power = float(apart.min()), 0.0, 0.0
     for _ in range(_MOST_STEPS):
         if power >= 1:
             break
-        step = _step(found, 1 - power)
-        weights = np.exp(step * (found - found.max()))
-        log_share += float(np.log(np.mean(weights)) + step * found.max())
+        step = _step(log_chances, 1 - power)
+        weights = np.exp(step * (log_chances - log_chances.max()))
+        log_share += float(np.log(np.mean(weights)) + step * log_chances.max())
         power = 1.0 if step >= 1 - power else power + step
-        kept = generator.choice(_PARTICLES, size=_PARTICLES, p=weights / weights.sum())
-        points, found = points[kept], found[kept]
+        resampled = generator.choice(_PARTICLES, size=_PARTICLES, p=weights / weights.sum())
+        points, log_chances = points[resampled], log_chances[resampled]
         for _ in range(_MOVES):
             one, other = (generator.integers(_PARTICLES, size=_PARTICLES) for _ in range(2))
             stretch = generator.uniform(*_STRETCH, size=(_PARTICLES, 1))
@@ -86,8 +87,11 @@ def agreement(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: 
             tried = _reflected(points + stretch * (points[one] - points[other]) + scatter)
             at_tried, apart = _log_chances(windows, snapped(tried, choices))
             least = min(least, float(apart.min()))
-            taken = np.log(generator.random(_PARTICLES)) < power * (at_tried - found)
-            points, found = np.where(taken[:, np.newaxis], tried, points), np.where(taken, at_tried, found)
+            accepted = np.log(generator.random(_PARTICLES)) < power * (at_tried - log_chances)
+            points, log_chances = (
+                np.where(accepted[:, np.newaxis], tried, points),
+                np.where(accepted, at_tried, log_chances),
+            )
     return Agreement(
         points=points,
         share=float(np.exp(min(log_share, 0.0))),
@@ -97,11 +101,11 @@ def agreement(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: 
 
 
 def least_apart(windows: Sequence[AgreementWindow], choices: Sequence[int], seed: int) -> float:
-    """By how many standard errors the worst fact is missed where that is least, by differential evolution.
+    """Return the smallest deviation of the worst fact anywhere, in standard errors, by differential evolution.
 
     Args:
         windows: of the facts.
-        choices: as of `agreement`.
+        choices: see `agreement`.
         seed: of the random numbers.
     """
     generator = np.random.default_rng([seed, len(choices), len(windows)])
@@ -113,13 +117,13 @@ def least_apart(windows: Sequence[AgreementWindow], choices: Sequence[int], seed
         stretch = generator.uniform(*_STRETCH, size=(_SEARCHERS, 1))
         tried = _reflected(points + stretch * (points[one] - points[other]) + stretch * (best - points))
         _, at_tried = _log_chances(windows, snapped(tried, choices))
-        taken = at_tried <= apart
-        points, apart = np.where(taken[:, np.newaxis], tried, points), np.where(taken, at_tried, apart)
+        accepted = at_tried <= apart
+        points, apart = np.where(accepted[:, np.newaxis], tried, points), np.where(accepted, at_tried, apart)
     return float(apart.min())
 
 
 def snapped(points: Array, choices: Sequence[int]) -> Array:
-    """Points of the unit cube, on sides with choices in the middle of their part, (points, unknowns)."""
+    """Move points of the unit cube to the middle of their part on sides with choices, (points, unknowns)."""
     moved = points.copy()
     for side, count in enumerate(choices):
         if count:
@@ -127,12 +131,12 @@ def snapped(points: Array, choices: Sequence[int]) -> Array:
     return moved
 
 
-def _step(found: Array, most: float) -> float:
-    """The largest step of the tempering, up to `most`, that leaves an effective share of the particles."""
+def _step(log_chances: Array, most: float) -> float:
+    """Return the largest step of the tempering, up to `most`, that leaves enough effective particles."""
 
     def effective(step: float) -> float:
-        weights = np.exp(step * (found - found.max()))
-        return float(weights.sum() ** 2 / np.sum(weights**2) / len(found))
+        weights = np.exp(step * (log_chances - log_chances.max()))
+        return float(weights.sum() ** 2 / np.sum(weights**2) / len(log_chances))
 
     if effective(most) >= _EFFECTIVE:
         return most
@@ -144,15 +148,15 @@ def _step(found: Array, most: float) -> float:
 
 
 def _log_chances(windows: Sequence[AgreementWindow], points: Array) -> tuple[Array, Array]:
-    """Logarithm of each point's chance to meet all facts, and by how many errors it misses the worst one, (points,)."""
+    """Return each point's log probability of meeting all facts, and its largest deviation in standard errors."""
     chances, apart = np.zeros(len(points)), np.zeros(len(points))
     for window in windows:
         mean, error = window.emulator.predict(points)
         low, high = (window.low - mean) / error, (window.high - mean) / error
         apart = np.maximum(apart, np.maximum(low, -high))
-        # of both tails the one that is small, so that nothing is lost where the window is far off
-        turned = low > 0
-        low, high = np.where(turned, -high, low), np.where(turned, -low, high)
+        # the smaller of both tails is used, so that no digits are lost if the window is far away
+        is_above = low > 0
+        low, high = np.where(is_above, -high, low), np.where(is_above, -low, high)
         freedom = window.emulator.freedom
         chance = scipy.special.stdtr(freedom, high) - scipy.special.stdtr(freedom, low)
         chances += np.log(np.maximum(chance, _LEAST))

@@ -1,4 +1,4 @@
-"""Kriging between samples: what a fact's quantity would be at values that were not run, and how uncertain that is."""
+"""Kriging emulator: prediction of a fact's quantity at values that were not run, with standard errors."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ import scipy
 
 from forficula.arrays import Array
 
-# Hyperparameters come from grids and not from a gradient method: on every machine the same ones are chosen, whatever
-# the last bits of its linear algebra. Lengths are in sides of the unit cube, noise is a share of the variance.
+# Hyperparameters come from grids, not from a gradient method, so that every machine chooses the same ones despite
+# different rounding. Lengths are in sides of the unit cube, noise is a fraction of the variance.
 _LENGTHS = (0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4)
 _NOISES = (1e-6, 1e-4, 1e-2, 0.1, 0.5)
 _START_LENGTH, _START_NOISE = 0.8, 1e-2
-# rounds over the grids, and the relative gain below which they end
+# largest number of sweeps over the grids, and the relative gain below which they end
 _SWEEPS, _SETTLED = 3, 1e-6
-# keep matrices of columns without scatter, and values that a trend fits exactly, away from zero
+# keeps matrices of columns without scatter, and variances after an exact fit, away from zero
 _RIDGE, _LEAST_VARIANCE = 1e-10, 1e-12
-# samples for each coefficient of the trend below which there is no emulator
+# minimum number of samples per coefficient of the trend
 _LEAST_PER_COEFFICIENT = 2
-# share of leave-one-out errors that the predicted interval must hold, else it is widened
+# fraction of leave-one-out errors that the predicted interval must contain; otherwise it is widened
 _CHECKED_SHARE = 0.9
 
 
@@ -31,14 +31,14 @@ class Emulator:
 
     Attributes:
         points: samples in the unit cube, (samples, unknowns).
-        lengths: of the correlation, (unknowns,), sides of the cube.
-        noise: variance of scatter that the points do not explain, as a share of `variance`.
+        lengths: correlation lengths, (unknowns,), sides of the cube.
+        noise: variance of unexplained scatter, as a fraction of `variance`.
         trend: coefficients of 1 and each unknown, (1 + unknowns,).
         weights: of the samples' correlations in the mean, (samples,).
         factor: Cholesky factor of the correlations, (samples, samples), lower.
         whitened: basis of the trend, solved by the factor, (samples, 1 + unknowns).
         trend_factor: Cholesky factor of the trend's information, lower.
-        variance: of what the trend leaves, with leave-one-out errors as large as they are.
+        variance: of the residual of the trend, scaled to the leave-one-out errors.
         freedom: degrees of freedom of the variance.
     """
 
@@ -54,7 +54,7 @@ class Emulator:
     freedom: int
 
     def predict(self, points: Array) -> tuple[Array, Array]:
-        """Mean and standard error of the quantity at points of the unit cube, (points,) both.
+        """Return mean and standard error of the quantity at points of the unit cube, (points,) both.
 
         Args:
             points: (points, unknowns).
@@ -69,22 +69,22 @@ class Emulator:
 
 
 def least_samples(unknowns: int) -> int:
-    """The number of samples below which there is no emulator."""
+    """Return the minimum number of samples for an emulator."""
     return _LEAST_PER_COEFFICIENT * (unknowns + 1) + 2
 
 
 def fit_emulator(points: Array, values: Array) -> Emulator | None:
-    """Fit an emulator to a quantity of samples, with the likelihood's maximum on a grid of hyperparameters.
+    """Fit an emulator to a quantity of samples, by maximum likelihood on a grid of hyperparameters.
 
-    The standard errors are widened where less than nine tenths of the samples lie within their 90 % interval when they
-    are left out (Dubrule 1983, doi:10.1007/BF01036250).
+    The standard errors are widened if less than nine tenths of the samples lie within their 90 % interval in
+    leave-one-out predictions (Dubrule 1983, doi:10.1007/BF01036250).
 
     Args:
         points: in the unit cube, (samples, unknowns).
         values: of the quantity, (samples,), finite.
 
     Returns:
-        None where there are fewer than `least_samples`.
+        The emulator; None with fewer than `least_samples`.
     """
     count, unknowns = points.shape
     if count < least_samples(unknowns):
@@ -111,7 +111,7 @@ def fit_emulator(points: Array, values: Array) -> Emulator | None:
 
 
 def _likeliest(points: Array, values: Array) -> tuple[Array, float]:
-    """Lengths and noise of the largest restricted likelihood, one after another on their grids until none moves."""
+    """Return lengths and noise of the largest restricted likelihood, by coordinate search on their grids."""
     unknowns = points.shape[1]
     squared = _squared(points)
     lengths, noise = np.full(unknowns, _START_LENGTH), _START_NOISE
@@ -122,12 +122,12 @@ def _likeliest(points: Array, values: Array) -> tuple[Array, float]:
             tried = lengths.copy()
             tried[axis] = length
             if length != lengths[axis]:
-                found = _likelihood(_regression(points, values, squared, tried, noise))
-                best, lengths = (found, tried) if found > best else (best, lengths)
+                likelihood = _likelihood(_regression(points, values, squared, tried, noise))
+                best, lengths = (likelihood, tried) if likelihood > best else (best, lengths)
         for other in _NOISES:
             if other != noise:
-                found = _likelihood(_regression(points, values, squared, lengths, other))
-                best, noise = (found, other) if found > best else (best, noise)
+                likelihood = _likelihood(_regression(points, values, squared, lengths, other))
+                best, noise = (likelihood, other) if likelihood > best else (best, noise)
         if best - before < _SETTLED * abs(before):
             break
     return lengths, noise
@@ -142,8 +142,8 @@ class _Regression:
         whitened: basis of the trend, solved by the factor, (samples, coefficients).
         trend_factor: Cholesky factor of the trend's information, lower.
         trend: coefficients.
-        left: values less the trend, solved by the factor, (samples,).
-        variance: of what the trend leaves.
+        left: residuals, solved by the factor, (samples,).
+        variance: of the residuals.
     """
 
     factor: Array
@@ -169,21 +169,21 @@ def _regression(points: Array, values: Array, squared: Array, lengths: Array, no
 
 
 def _likelihood(fitted: _Regression) -> float:
-    """Logarithm of the restricted likelihood, less a constant."""
+    """Return the logarithm of the restricted likelihood up to a constant."""
     count, coefficients = fitted.whitened.shape
     spread = np.sum(np.log(np.diag(fitted.factor))) + np.sum(np.log(np.diag(fitted.trend_factor)))
     return float(-0.5 * (count - coefficients) * np.log(fitted.variance) - spread)
 
 
 def _precision(fitted: _Regression) -> Array:
-    """Inverse of each sample's variance where it is left out, in units of the variance, (samples,)."""
+    """Return the inverse variance of each sample's leave-one-out prediction, in units of the variance, (samples,)."""
     inverse = scipy.linalg.solve_triangular(fitted.factor, np.eye(len(fitted.factor)), lower=True)
     trend = scipy.linalg.solve_triangular(fitted.trend_factor, fitted.whitened.T @ inverse, lower=True)
     return np.asarray(np.maximum(np.sum(inverse**2, axis=0) - np.sum(trend**2, axis=0), _LEAST_VARIANCE))
 
 
 def _squared(points: Array) -> Array:
-    """Squared distances along each side, (samples, samples, unknowns)."""
+    """Return squared distances along each side, (samples, samples, unknowns)."""
     return np.asarray((points[:, np.newaxis] - points) ** 2)
 
 

@@ -1,4 +1,4 @@
-"""Which facts exclude one another, as far as samples tell, and what it means that none meets them together."""
+"""Facts that exclude one another according to samples, and the verdict if no sample meets them together."""
 
 from __future__ import annotations
 
@@ -15,37 +15,36 @@ from forficula.goals.share_interval import largest_share
 
 Mask = NDArray[np.bool_]
 
-# of the samples that meet the rarer of some facts: where none meets the others, at most this share of all such may, at
-# 95 %, or they are too few to tell
+# Of the samples that meet the rarer of some facts, at most this fraction may meet the others, at 95 %, if none was
+# found. Otherwise there are too few samples for a verdict.
 _RARE = 0.5
-# of the facts' scales: where some sample misses none of them by more, they do not exclude one another
+# in scales of the facts: if some sample misses none of them by more, they do not exclude one another
 _NEAR = 0.1
 
 
 class Together(StrEnum):
-    """What samples say of some facts."""
+    """Verdict on some facts together."""
 
     MET = "met together"
-    PLACED = "met together where placed"  # by no sample that was drawn, and by one that was placed
+    PLACED = "met together where placed"  # by a placed sample, but by no drawn one
     NEARLY = "nearly met together"  # by none, but one misses them by little
-    OPEN = "open between samples"  # by none, but samples lie too far apart to exclude values between them
-    EXCLUDED = "exclude one another"  # by none of those that tell, and by none that was placed to
-    UNTRIED = "met by none, not tried"  # by none, but none was placed to meet them either
-    RARE = "too rare to tell"  # by none, but hardly one meets the rarer one
+    OPEN = "open between samples"  # by none, but samples are too far apart to exclude values between them
+    EXCLUDED = "exclude one another"  # by no conclusive sample, although some were placed to meet them
+    UNTRIED = "met by none, not tried"  # by none, but none was placed to meet them
+    RARE = "too rare to tell"  # by none, but hardly any sample meets the rarer fact
     NEVER = "one is never met"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Evidence:
-    """What samples that ran say of all facts.
+    """Results of samples for all facts.
 
     Attributes:
-        met: whether each sample met each fact for certain, (samples, facts).
-        tells: whether it met or missed each for certain, (samples, facts).
-        excess: by how much it misses each beyond its tolerance, in units of the fact's scale, (samples, facts).
-        targets: of each sample the facts that it was placed to meet together; none where it was drawn from the priors.
-        open_between: whether some facts may be met together by values between the samples, as far as emulators of the
-            facts allow to say.
+        met: whether each sample certainly met each fact, (samples, facts).
+        tells: whether each sample certainly met or missed each fact, (samples, facts).
+        excess: deviation beyond the fact's tolerance, in units of the fact's scale, (samples, facts).
+        targets: for each sample, the facts that it was placed to meet together; empty if it was drawn from the priors.
+        open_between: whether values between the samples may meet some facts together, according to emulators.
     """
 
     met: Mask
@@ -56,25 +55,26 @@ class Evidence:
 
     @property
     def placed(self) -> Mask:
-        """Which samples were placed, and not drawn from the priors, (samples,)."""
+        """Which samples were placed, not drawn from the priors, (samples,)."""
         return np.array([bool(target) for target in self.targets], dtype=bool)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Conjunction:
-    """Some facts and how far they are met together.
+    """Some facts, and how far they are met together.
 
     Attributes:
-        facts: their numbers, rising.
-        told: how many of the drawn samples tell of all of them.
-        drawn: how many of these meet all.
-        alone: how many of these meet each, in the order of the facts.
-        placed: how many of the placed samples meet all.
-        tried: how many samples were placed to meet just these.
-        near: the least over all samples of the most by which one of the facts is missed, in units of its scale.
-        most: largest share of the priors that may meet all, at a one-sided 95 % (Clopper and Pearson): samples that do
-            not tell are taken to meet them.
-        verdict: what follows.
+        facts: their indices, rising.
+        told: number of drawn samples that are conclusive for all of them.
+        drawn: number of these that meet all facts.
+        alone: number of these that meet each fact, in the order of the facts.
+        placed: number of placed samples that meet all facts.
+        tried: number of samples that were placed to meet exactly these facts.
+        near: smallest deviation of any sample, in units of the facts' scales; the deviation of a sample is its largest
+            one.
+        most: largest fraction of the priors that may meet all facts, at a one-sided 95 % (Clopper and Pearson);
+            inconclusive samples count as meeting them.
+        verdict: on these facts together.
     """
 
     facts: tuple[int, ...]
@@ -89,33 +89,33 @@ class Conjunction:
 
     @property
     def independent(self) -> float:
-        """How many of the samples that tell would meet all if each fact were met regardless of the others."""
-        return float(np.prod([each / max(self.told, 1) for each in self.alone]) * self.told)
+        """Expected number of conclusive samples that meet all facts if the facts were independent."""
+        return float(np.prod([count / max(self.told, 1) for count in self.alone]) * self.told)
 
 
 def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
-    """What samples say of some facts together.
+    """Evaluate samples for some facts together.
 
     Args:
-        facts: their numbers.
-        seen: by all samples that ran.
+        facts: their indices.
+        seen: results of all samples that ran.
     """
     chosen, placed = list(facts), seen.placed
-    met, tells = seen.met[:, chosen], seen.tells[:, chosen]
-    whole, told = met.all(axis=1), tells.all(axis=1)
-    # one that is missed for certain settles it, whatever the others are
-    open_ = ~told & ~(tells & ~met).any(axis=1)
-    drawn, alone = int((whole & told & ~placed).sum()), met[told & ~placed].sum(axis=0)
-    later, tried = int((whole & placed).sum()), sum(tuple(facts) == tuple(target) for target in seen.targets)
+    met, conclusive = seen.met[:, chosen], seen.tells[:, chosen]
+    all_met, all_conclusive = met.all(axis=1), conclusive.all(axis=1)
+    # a fact that is certainly missed is decisive, whatever the other facts are
+    open_ = ~all_conclusive & ~(conclusive & ~met).any(axis=1)
+    drawn, alone = int((all_met & all_conclusive & ~placed).sum()), met[all_conclusive & ~placed].sum(axis=0)
+    later, tried = int((all_met & placed).sum()), sum(tuple(facts) == tuple(target) for target in seen.targets)
     near = float(seen.excess[:, chosen].max(axis=1).min(initial=np.inf))
     verdict = _verdict(drawn, later, tried, near, alone if met.any(axis=0).all() else None)
     if verdict is Together.EXCLUDED and seen.open_between(tuple(facts)):
         verdict = Together.OPEN
     return Conjunction(
         facts=tuple(facts),
-        told=int((told & ~placed).sum()),
+        told=int((all_conclusive & ~placed).sum()),
         drawn=drawn,
-        alone=tuple(int(each) for each in alone),
+        alone=tuple(int(count) for count in alone),
         placed=later,
         tried=tried,
         near=near,
@@ -125,7 +125,7 @@ def conjunction(facts: Sequence[int], seen: Evidence) -> Conjunction:
 
 
 def _verdict(drawn: int, placed: int, tried: int, near: float, alone: Indices | None) -> Together:
-    """What follows; `alone` is None where one of the facts is never met."""
+    """Return the verdict; `alone` is None if one of the facts is never met."""
     if drawn:
         return Together.MET
     if placed:
@@ -140,56 +140,55 @@ def _verdict(drawn: int, placed: int, tried: int, near: float, alone: Indices | 
 
 
 def pairs_of(seen: Evidence) -> list[Conjunction]:
-    """All pairs of facts."""
+    """Return all pairs of facts."""
     return [conjunction(pair, seen) for pair in itertools.combinations(range(seen.met.shape[1]), 2)]
 
 
 def triples_of(seen: Evidence) -> list[Conjunction]:
-    """Every three facts that no sample meets together, though any two of them are met by some."""
+    """Return all triples of facts that no sample meets together, although each pair of them is met by some sample."""
     return [conjunction(facts, seen) for facts in smallest_unmet(seen.met, 3) if len(facts) == 3]
 
 
 def best_subsets(met: Mask) -> list[tuple[int, ...]]:
-    """The largest sets of facts that one sample meets, each once, in the order of the samples that meet them first."""
+    """Return the largest sets of facts that one sample meets, without repetition, in the order of the samples."""
     counts = met.sum(axis=1)
     most = counts.max(initial=0)
-    found = [tuple(np.flatnonzero(row).tolist()) for row, count in zip(met, counts, strict=True) if count == most]
-    return list(dict.fromkeys(found)) if most else []
+    subsets = [tuple(np.flatnonzero(row).tolist()) for row, count in zip(met, counts, strict=True) if count == most]
+    return list(dict.fromkeys(subsets)) if most else []
 
 
 def smallest_unmet(met: Mask, most: int = 3) -> list[tuple[int, ...]]:
-    """The smallest sets of facts that no sample meets together, though every part of them is met by some.
+    """Return the smallest sets of facts that no sample meets together, although some sample meets every part of them.
 
     Args:
         met: whether each sample met each fact, (samples, facts).
-        most: facts of a set.
+        most: largest number of facts in a set.
     """
-    found: list[tuple[int, ...]] = []
+    unmet: list[tuple[int, ...]] = []
     for size in range(1, most + 1):
         for facts in itertools.combinations(range(met.shape[1]), size):
-            if not met[:, facts].all(axis=1).any() and not any(set(each) <= set(facts) for each in found):
-                found.append(facts)
-    return found
+            if not met[:, facts].all(axis=1).any() and not any(set(smaller) <= set(facts) for smaller in unmet):
+                unmet.append(facts)
+    return unmet
 
 
 def agreeing(met: Mask, excess: Array, placed: Mask, share: float = 0.1) -> Mask:
-    """The drawn samples that agree: those that meet every fact, or the nearest where hardly any does.
+    """Return the drawn samples that agree: those that meet every fact, or the nearest ones if hardly any does.
 
-    That is rejection, the plainest approximate Bayesian computation (Beaumont, Zhang and Balding 2002): what lies
-    within some distance is taken for what agrees, and the distance is such that a share of the samples lies within.
+    This is rejection, the simplest approximate Bayesian computation (Beaumont, Zhang and Balding 2002): samples within
+    a distance are accepted, and the distance is chosen such that a fraction of the samples is accepted.
 
     Args:
-        met: whether each sample met each fact, (samples, facts); of samples that ran.
-        excess: by how much each misses each fact, in units of its scale, (samples, facts).
-        placed: which samples were placed: they are not drawn from the priors, and tell nothing of how likely values
-            are.
-        share: of the drawn samples that are taken where fewer meet all facts.
+        met: whether each sample met each fact, (samples, facts), for samples that ran.
+        excess: deviation from each fact, in units of its scale, (samples, facts).
+        placed: which samples were placed. They are excluded because they are not drawn from the priors.
+        share: fraction of the drawn samples that is accepted if fewer meet all facts.
     """
     wanted = max(1, round(share * int((~placed).sum())))
     whole = met.all(axis=1) & ~placed
     if whole.sum() >= wanted:
         return whole
-    # facts met first, then how far the others are
+    # sorted by the number of met facts, then by the deviation from the others
     missing = (excess / (1 + excess)).sum(axis=1)
     rank = np.where(placed, np.inf, missing)
     nearest = np.zeros(len(met), dtype=bool)

@@ -1,4 +1,4 @@
-"""Facts: what was observed, in general terms, and what it is to be."""
+"""Facts: observations in general terms, and the requirements on them."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from forficula.goals.identify.row_quantity import Combination
 from forficula.quantities import Unit
 from forficula.study.factors import Factor
 
-# of states, which hold under some conditions and not under others
+# statistics of states, which are reached under some conditions and not under others
 COUNTS = ("count", "all", "none", "any")
-# of numbers
+# statistics of numbers
 NUMBERS = ("least", "largest", "mean")
-# of numbers: under which condition they are least or largest
+# statistics of numbers: the condition under which they are least or largest
 PLACES = ("least at", "largest at")
 Statistic = Literal["count", "all", "none", "any", "least", "largest", "mean", "least at", "largest at"]
 Order = Literal["equals", "at least", "at most"]
@@ -28,11 +28,11 @@ class LeastValue:
 
     Attributes:
         key: of the design, such as "protocol.fold_torque".
-        values: that are tried, rising, as a design file has them.
+        values: to try, rising, as in a design file.
         numbers: the same in SI.
-        unit: of them.
-        state: that is to be reached.
-        monotone: whether what reaches it with one value is taken to reach it with all larger ones; if so, few are
+        unit: of the values.
+        state: that must be reached.
+        monotone: whether the state is assumed to be reached with all larger values, too; then only a few values are
             tried.
     """
 
@@ -51,15 +51,15 @@ class Term:
     Attributes:
         quantity: of each run; empty for the least value itself.
         statistic: over all conditions.
-        over: the grid; none for a single run.
-        settings: values of every condition, by key, as a design file has them.
-        until: name of the transition with whose stage runs end; None for the whole protocol.
-        where: state without which a run does not count; None where all count.
-        least: value that is looked for under every condition; None where there is none, and the protocol's own count.
-        rising: keys of `over` along which the state, once it holds, is taken to go on holding.
-        falling: keys of `over` along which it is so the other way.
-        absent: number of a condition that has none, SI; None of states.
-        unit: of the statistic; None of counts.
+        over: the grid; empty for a single run.
+        settings: values under every condition, by key, as in a design file.
+        until: name of the transition after whose stage runs end; None for the whole protocol.
+        where: state that a run must reach to count; None if all runs count.
+        least: value that is searched for under every condition; None to run the protocol unchanged.
+        rising: keys of `over` along which larger values are assumed to reach the state, too.
+        falling: keys of `over` along which smaller values are assumed to reach the state, too.
+        absent: number for a condition without a value, SI; None for states.
+        unit: of the statistic; None for counts.
     """
 
     quantity: Combination
@@ -76,12 +76,12 @@ class Term:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """How many values each factor of the grid has."""
+        """Number of values of each factor of the grid."""
         return tuple(len(factor.values) for factor in self.over)
 
     @cached_property
     def conditions_by_point(self) -> Mapping[tuple[int, ...], Mapping[str, object]]:
-        """The values of every point of the grid by the numbers of its factors' values, the last factor fastest."""
+        """Values of every point of the grid by the indices of its factors' values, the last factor fastest."""
         keys = [factor.key for factor in self.over]
         points = itertools.product(*(factor.values for factor in self.over))
         numbers = itertools.product(*map(range, self.shape))
@@ -92,23 +92,24 @@ class Term:
 
     @property
     def staircase(self) -> bool:
-        """Whether the state is found by its boundary, and not under every condition."""
+        """Whether only the boundary of the state is searched, instead of running every condition."""
         return bool(self.rising or self.falling)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Fact:
-    """Something that was observed.
+    """An observation and the requirement on it.
 
     Attributes:
-        name: short, of its own.
-        source: who says so, and where.
-        term: what is observed.
-        order: how it is to stand to the bound.
+        name: short and unique.
+        source: source of the observation.
+        term: the observed quantity.
+        order: relation to the bound.
         bound: number, SI, or another term.
-        places: where the quantity is to be least or largest: allowed values by key of the grid; empty otherwise.
-        tolerance: by how much it may be missed, in the term's unit, SI.
-        scale: of the distance; None for that of the samples' own spread.
+        places: conditions at which the quantity must be least or largest: allowed values by key of the grid; else
+            empty.
+        tolerance: allowed deviation, in the term's unit, SI.
+        scale: of the deviation; None for the spread of the samples.
     """
 
     name: str
@@ -122,5 +123,5 @@ class Fact:
 
     @property
     def terms(self) -> tuple[Term, ...]:
-        """All that must be observed."""
+        """All terms that must be observed."""
         return (self.term, self.bound) if isinstance(self.bound, Term) else (self.term,)

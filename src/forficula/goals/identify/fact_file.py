@@ -1,4 +1,4 @@
-"""What an observations file says of its facts, read and checked."""
+"""Read and check the facts of an observations file."""
 
 from __future__ import annotations
 
@@ -28,48 +28,51 @@ _ORDERS: dict[str, Order] = {"equals": "equals", "at_least": "at least", "at_mos
 
 
 class LeastTable(Section):
-    """A value that is searched for under every condition."""
+    """Search for the least value of a key under every condition."""
 
-    key: str = entry("key whose least value that reaches a state is searched for", ...)
-    values: Values = entry("values that are tried, rising", ...)
-    state: str | None = entry("state that is to be reached", left_out="the first")
-    monotone: YesOrNo = entry("whether all larger values reach it, too", False)
+    key: str = entry("key whose least value is searched for", ...)
+    values: Values = entry("values to try, rising", ...)
+    state: str | None = entry("state that must be reached", left_out="the first")
+    monotone: YesOrNo = entry("true: all values above the least one also reach the state", False)
 
 
 class FactTable(Section):
-    """A table `fact`."""
+    """A table `fact` of an observations file."""
 
-    name: str = entry("short name that no other fact has", ...)
-    source: str = entry("who says so, and where", "")
+    name: str = entry("short name, unique among the facts", ...)
+    source: str = entry("source of the fact", "")
     quantity: Annotated[Any, "text"] = entry(
-        'a state, a number of runs, a sum of some, or "least value"', left_out="needed"
+        'a state, a number of a run, a sum of such numbers, or "least value"', left_out="needed"
     )
     statistic: Annotated[str | None, "count, all, none, any; or least, largest, mean, least at, largest at"] = entry(
-        "statistic of the quantity over all conditions: of a state, or of a number", left_out='"all" or "least"'
+        "statistic over all conditions: the first four for a state, the others for a number",
+        left_out='"all" or "least"',
     )
-    over: Grid = entry("conditions, crossed", {})
-    settings: Settings = entry("replaces the value of this key under all conditions", {})
-    until: str | None = entry("the transition with whose stage runs end", left_out="the whole protocol")
-    where: str | None = entry("the state without which a run does not count")
-    absent: Annotated[Any, "as the quantity"] = entry("number of a run that has none", left_out="needed of numbers")
-    rising: _Keys = entry("keys along which the state, once it holds, goes on holding", [])
-    falling: _Keys = entry("keys along which the state does so in the inverse order of the values", [])
-    least: LeastTable | None = entry("value that is searched for under every condition")
+    over: Grid = entry("conditions; all combinations of their values are run", {})
+    settings: Settings = entry("value of this key under all conditions", {})
+    until: str | None = entry("transition after which runs end", left_out="the whole protocol")
+    where: str | None = entry("only runs that reach this state count")
+    absent: Annotated[Any, "as the quantity"] = entry(
+        "value for a run in which the quantity does not exist", left_out="needed for numbers"
+    )
+    rising: _Keys = entry("keys whose larger values also reach the state", [])
+    falling: _Keys = entry("keys whose smaller values also reach the state", [])
+    least: LeastTable | None = entry("search for a least value under every condition")
     equals: Annotated[Any, "number, text with a unit, or table"] = entry(
-        "what the quantity is to be: a value, or another quantity"
+        "required value: a number, or another quantity"
     )
-    at_least: Annotated[Any, "as equals"] = entry("what the quantity is to be at least")
-    at_most: Annotated[Any, "as equals"] = entry("what the quantity is to be at most")
+    at_least: Annotated[Any, "as equals"] = entry("lower limit of the quantity")
+    at_most: Annotated[Any, "as equals"] = entry("upper limit of the quantity")
     at: Annotated[dict[str, Any], BeforeValidator(ByKey(allowed="list"))] = entry(
-        "values of a condition under which the quantity is to be least or largest", {}
+        "values of a condition at which the quantity must be least or largest", {}
     )
-    tolerance: Annotated[Any, "number, or text with a unit"] = entry("by how much the fact may be missed", 0)
+    tolerance: Annotated[Any, "number, or text with a unit"] = entry("largest allowed deviation from the fact", 0)
     scale: Annotated[Any, "as tolerance"] = entry(
-        "scale of the distance from the fact in sums over facts", left_out="the samples' spread"
+        "scale by which the deviation is divided in sums over several facts", left_out="spread of the samples"
     )
 
 
-# what a table under `equals`, `at_least` or `at_most` may have: what it leaves out is as in the fact
+# keys of a table under `equals`, `at_least` or `at_most`; their defaults are those of the fact
 _OF_TERM = (
     *("quantity", "statistic", "over", "settings", "until", "where"),
     *("absent", "rising", "falling", "least"),
@@ -80,12 +83,12 @@ def read_fact(table: FactTable, base: Design, folder: Path) -> Fact:
     """Read a table `fact`.
 
     Args:
-        table: as the file has it.
+        table: content of the file.
         base: the design.
-        folder: that paths start from.
+        folder: folder that paths are relative to.
 
     Raises:
-        InputError: a value that is not allowed; the caller knows which fact.
+        InputError: a value that is not allowed. The caller adds the name of the fact.
     """
     with error_prefix("name: "):
         name = shown_name(table.name)
@@ -94,9 +97,9 @@ def read_fact(table: FactTable, base: Design, folder: Path) -> Fact:
     places = _places(table, term)
     if term.statistic in ("all", "none", "any") or term.statistic in PLACES:
         if orders:
-            raise InputError(f'{orders[0]}: has no place beside statistic = "{term.statistic}"')
-        order, own = _own_bound(term)
-        bound: float | Term = own
+            raise InputError(f'{orders[0]}: is not allowed with statistic = "{term.statistic}"')
+        order, implied = _implied_bound(term)
+        bound: float | Term = implied
     elif len(orders) != 1:
         raise InputError(f"need one of {', '.join(_ORDERS)}, got {' and '.join(orders) or 'none'}")
     else:
@@ -120,8 +123,8 @@ def read_fact(table: FactTable, base: Design, folder: Path) -> Fact:
     )
 
 
-def _own_bound(term: Term) -> tuple[Order, float]:
-    """What all, none, any and the places of least and largest numbers come to."""
+def _implied_bound(term: Term) -> tuple[Order, float]:
+    """Return the order and bound that the statistics all, none, any, least at and largest at imply."""
     match term.statistic:
         case "all":
             return "equals", float(np.prod(term.shape, dtype=int))
@@ -136,16 +139,16 @@ def _bound(table: FactTable, order: str, term: Term, base: Design, folder: Path)
     if not isinstance(value, Mapping):
         return _number(value, term, order)
     check_known(value, _OF_TERM, f"{order}.")
-    own = table.model_dump(include={"name", *_OF_TERM}, exclude_unset=True)
+    defaults = table.model_dump(include={"name", *_OF_TERM}, exclude_unset=True)
     with error_prefix(f"{order}."):
-        other = _term(read_part(FactTable, own | dict(value)), base, folder)
+        other = _term(read_part(FactTable, defaults | dict(value)), base, folder)
     if other.unit != term.unit:
         raise InputError(f"{order}: need a quantity in the same unit")
     return other
 
 
 def _number(value: object, term: Term, key: str) -> float:
-    """A number in the term's unit, or a plain one."""
+    """Read a number in the unit of the term, or a plain number if it has none."""
     if term.unit is not None:
         with error_prefix(f"{key}: "):
             return parse_quantity(value, term.unit)
@@ -169,8 +172,8 @@ def _term(table: FactTable, base: Design, folder: Path) -> Term:
     unit = _unit(quantity, least) if not counted else None
     transitions = structure_of(base).transitions
     for key, value, names in (
-        ("until", table.until, [each.name for each in transitions]),
-        ("where", table.where, [each.state for each in transitions]),
+        ("until", table.until, [transition.name for transition in transitions]),
+        ("where", table.where, [transition.state for transition in transitions]),
     ):
         if value is not None and value not in names:
             raise InputError(f"{key}: need {one_of(names, value)}")
@@ -200,10 +203,10 @@ def _unit(quantity: Combination, least: LeastValue | None) -> Unit | None:
     return unit
 
 
-def _over(given: Mapping[str, object], folder: Path, base: Design) -> tuple[Factor, ...]:
+def _over(conditions: Mapping[str, object], folder: Path, base: Design) -> tuple[Factor, ...]:
     factors = []
-    for key, value in given.items():
-        # a single value is a list of one
+    for key, value in conditions.items():
+        # a single value is read as a list of one
         text = isinstance(value, str) and " step " not in value
         values = [value] if text or not isinstance(value, str | list | dict) else value
         with error_prefix("over."):
@@ -215,8 +218,8 @@ def _over(given: Mapping[str, object], folder: Path, base: Design) -> tuple[Fact
     return tuple(factors)
 
 
-def _settings(given: Mapping[str, object], folder: Path, base: Design) -> dict[str, object]:
-    values = settings_of(given, folder)
+def _settings(settings: Mapping[str, object], folder: Path, base: Design) -> dict[str, object]:
+    values = settings_of(settings, folder)
     with error_prefix("settings: "):
         base.with_values(values)
     return values
@@ -233,7 +236,7 @@ def _least(table: LeastTable, base: Design) -> LeastValue:
     numbers = tuple(quantity.parse(value) for value in listed)
     if sorted(set(numbers)) != list(numbers):
         raise InputError(f"least.values: need values that rise, got {as_written(values)}")
-    states = [each.state for each in structure_of(base).transitions]
+    states = [transition.state for transition in structure_of(base).transitions]
     if table.state is not None and table.state not in states:
         raise InputError(f"least.state: need {one_of(states, table.state)}")
     return LeastValue(
@@ -247,46 +250,48 @@ def _least(table: LeastTable, base: Design) -> LeastValue:
 
 
 def _check_directions(key: str, keys: Sequence[str], over: Sequence[Factor], *, counted: bool) -> None:
-    """Refuse directions of what is no state, or along what is no condition."""
+    """Reject directions of a quantity that is not a state, or along a key that is not a condition."""
     if keys and not counted:
-        raise InputError(f"{key}: need a list of keys of over, of a state, got {as_written(keys)}")
-    for each in keys:
-        if each not in (known := [factor.key for factor in over]):
-            raise InputError(f"{key}: need {one_of(known, each)}")
+        raise InputError(f"{key}: only for a state: need a list of keys of over, got {as_written(keys)}")
+    for direction in keys:
+        if direction not in (known := [factor.key for factor in over]):
+            raise InputError(f"{key}: need {one_of(known, direction)}")
 
 
 def _absent(table: FactTable, unit: Unit | None, least: LeastValue | None) -> float:
     if table.absent is None:
         if least is not None and table.quantity == LEAST_VALUE:
-            # a step above all that were tried
+            # one step above the largest value that was tried
             return 2 * least.numbers[-1] - least.numbers[-2] if len(least.numbers) > 1 else 2 * least.numbers[-1]
-        raise InputError("absent: is missing; give the number of a run that has none, such as the time limit")
+        raise InputError("absent: is missing; give the value for a run that has no such number, such as the time limit")
     if unit is None:
-        raise InputError("absent: has no place beside a state")
+        raise InputError("absent: is not allowed with a state")
     with error_prefix("absent: "):
         return parse_quantity(table.absent, unit)
 
 
 def _places(table: FactTable, term: Term) -> dict[str, tuple[object, ...]]:
-    """The allowed places, as the grid has them."""
+    """Return the positions at which a number must be least or largest, with values of the grid."""
     if ("at" in table.model_fields_set) != (term.statistic in PLACES):
         raise InputError(f'at: belongs to statistic = "{PLACES[0]}" or "{PLACES[1]}", got "{term.statistic}"')
-    places: dict[str, tuple[object, ...]] = {}
+    positions: dict[str, tuple[object, ...]] = {}
     for key, values in table.at.items():
         factor = next((factor for factor in term.over if factor.key == key), None)
         if factor is None:
             raise InputError(f"at: need {one_of([factor.key for factor in term.over], key)}")
         wanted = values if isinstance(values, list) else [values]
-        places[key] = tuple(_grid_value(factor, value) for value in wanted)
-    return places
+        positions[key] = tuple(_grid_value(factor, value) for value in wanted)
+    return positions
 
 
 def _grid_value(factor: Factor, value: object) -> object:
-    """The value of a grid that a value is, however it is written."""
-    for each in factor.values:
-        same = each == value
-        if factor.unit is not None and isinstance(each, str) and isinstance(value, str):
-            same = bool(np.isclose(parse_quantity(each, factor.unit), parse_quantity(value, factor.unit), atol=1e-12))
+    """Return the value of the grid that equals a value, which may be written differently."""
+    for grid_value in factor.values:
+        same = grid_value == value
+        if factor.unit is not None and isinstance(grid_value, str) and isinstance(value, str):
+            same = bool(
+                np.isclose(parse_quantity(grid_value, factor.unit), parse_quantity(value, factor.unit), atol=1e-12)
+            )
         if same:
-            return each
+            return grid_value
     raise InputError(f"at.{factor.key}: need values of the grid, got {as_written(value)}")

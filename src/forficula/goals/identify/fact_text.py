@@ -1,4 +1,4 @@
-"""What a fact asks for, in a few words."""
+"""Short texts that describe the requirement of a fact."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from forficula.quantities import Unit, reading_unit
 
 
 def asked_text(fact: Fact) -> str:
-    """What is to be: such as "32 within 2", "none", "at least 5 N cm", "least at tendon.rest_length 7 cm or 8 cm"."""
+    """Return the requirement, such as "32 within 2", "none", "least at tendon.rest_length 7 cm or 8 cm"."""
     term, within = fact.term, f" within {value_text(fact.tolerance, fact.term.unit)}" if fact.tolerance else ""
     if term.statistic in PLACES:
-        places = [f"{key} {listed(map(str, values), 'or')}" for key, values in fact.places.items()]
-        return f"{term.statistic} {listed(places)}{within}"
+        positions = [f"{key} {listed(map(str, values), 'or')}" for key, values in fact.places.items()]
+        return f"{term.statistic} {listed(positions)}{within}"
     if term.statistic in ("all", "none", "any"):
         return f"{term.statistic}{within}"
     bound = quantity_text(fact.bound) if isinstance(fact.bound, Term) else value_text(fact.bound, term.unit)
@@ -20,7 +20,7 @@ def asked_text(fact: Fact) -> str:
 
 
 def quantity_text(term: Term) -> str:
-    """A term's quantity, such as "2 fold_work"; of one that is looked for, its key."""
+    """Return the quantity of a term, such as "2 fold_work"; for a searched value, its key."""
     if not term.quantity:
         assert term.least is not None
         return term.least.key
@@ -30,7 +30,7 @@ def quantity_text(term: Term) -> str:
 
 
 def value_text(value: float, unit: Unit | None) -> str:
-    """A value with its unit, three digits of it."""
+    """Return a value with its unit, with three digits."""
     if unit is None:
         return f"{value:.3g}"
     if value == 0:

@@ -1,4 +1,4 @@
-"""The whole of an identification: samples of what is unknown are run, and held against every fact."""
+"""Identification: samples of the unknown values are run and compared with every fact."""
 
 from __future__ import annotations
 
@@ -20,33 +20,33 @@ from forficula.study.running.journal import Row
 
 # Rows of runs, in their order.
 Assess = Callable[[Sequence[ConditionRun]], Sequence[Row]]
-# Called with the samples that are done, all samples, and those so far.
+# Called with the number of completed samples, the number of all samples, and the samples so far.
 Progress = Callable[[int, int, "Sequence[Sample]"], None]
 
-# Samples side by side, whose runs go out together; of those that are placed fewer, for each batch learns from the last.
+# Samples that run side by side. Batches of placed samples are smaller, because each batch uses results of the last.
 _BATCH, _PLACED_BATCH = 32, 16
-# of a bound: what differs by less differs by rounding
+# relative to a bound: smaller differences are rounding errors
 _ROUNDING = 1e-9
 Target = tuple[int, ...]
-# of a target: those from which steps are taken, and those whose differences are the steps (Storn and Price 1997)
+# per target: number of start points, and of points whose differences are the steps (Storn and Price 1997)
 _STARTS, _NEAREST = 3, 10
-# by how much of a difference at least and at most, and how many of a sample's shares change at once
+# range of the step factor, and fraction of a sample's coordinates that change at once
 _STEPS, _CHANGED = (0.1, 0.9), 0.6
-# added to every step, so that what the nearest have in common can still change
+# noise of every step, so that coordinates in which the nearest samples are equal can also change
 _NOISE = 0.02
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sample:
-    """A sample and what it says of every fact.
+    """A sample and its results for every fact.
 
     Attributes:
-        number: from 0 on, as they were drawn or placed.
-        shares: where it lies in the unit cube, (unknowns,).
-        values: of the unknowns by key, as a design file has them.
-        findings: of every fact; none where there is no such design.
-        why: there is no such design; "" where there is.
-        target: numbers of the facts that it was placed to meet together; none where it was drawn from the priors.
+        number: from 0, in the order in which samples were drawn or placed.
+        shares: position in the unit cube, (unknowns,).
+        values: of the unknowns by key, as in a design file.
+        findings: for every fact; empty if the design does not exist.
+        why: why the design does not exist, else "".
+        target: indices of the facts that it was placed to meet together; empty if it was drawn from the priors.
     """
 
     number: int
@@ -58,17 +58,17 @@ class Sample:
 
     @property
     def directed(self) -> bool:
-        """Whether it was placed, and not drawn from the priors."""
+        """Whether the sample was placed, not drawn from the priors."""
         return bool(self.target)
 
 
 def identify_samples(observations: Observations, assess: Assess, progress: Progress | None = None) -> list[Sample]:
-    """Run the samples of observations: first those drawn from the priors, then those that try to refute exclusions.
+    """Run the samples of observations: first those drawn from the priors, then those placed to refute exclusions.
 
     Args:
-        observations: what was seen.
-        assess: makes rows of runs.
-        progress: is told of every batch.
+        observations: design, unknowns and facts.
+        assess: computes rows of runs.
+        progress: called after every batch.
     """
     shares = prior_shares(observations.priors, observations.samples, observations.seed)
     total = observations.samples + observations.directed
@@ -98,38 +98,44 @@ def identify_samples(observations: Observations, assess: Assess, progress: Progr
 
 
 def _turned(targets: Sequence[Target], done: int) -> list[Target]:
-    """Targets from another one on each time, so that all have their turn where there are more than a batch has."""
+    """Rotate the targets, so that all have their turn if a batch has fewer."""
     first = done % max(len(targets), 1)
     return [*targets[first:], *targets[:first]]
 
 
 def met_of(samples: Sequence[Sample], facts: int) -> Flags:
-    """Whether each sample met each fact, (samples, facts)."""
-    return np.array([[each.met for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
+    """Return whether each sample met each fact, (samples, facts)."""
+    return np.array([[finding.met for finding in sample.findings] or [False] * facts for sample in samples], dtype=bool)
 
 
 def tells_of(samples: Sequence[Sample], facts: int) -> Flags:
-    """Whether each sample tells for certain of each fact, (samples, facts)."""
-    return np.array([[each.tells for each in sample.findings] or [False] * facts for sample in samples], dtype=bool)
+    """Return whether each sample is conclusive for each fact, (samples, facts)."""
+    return np.array(
+        [[finding.tells for finding in sample.findings] or [False] * facts for sample in samples], dtype=bool
+    )
 
 
 def excess_of(facts: Sequence[Fact], samples: Sequence[Sample], scales: Array) -> Array:
-    """By how much each sample misses each fact beyond its tolerance, in units of the fact's scale, (samples, facts).
+    """Return the deviation of each sample beyond each fact's tolerance, in units of the fact's scale, (samples, facts).
 
-    Not a number of samples that could not run.
+    It is nan for samples that could not run.
     """
-    nothing = [float("nan")] * len(facts)
-    distances = np.array([[each.distance for each in sample.findings] or nothing for sample in samples])
+    missing = [float("nan")] * len(facts)
+    distances = np.array([[finding.distance for finding in sample.findings] or missing for sample in samples])
     met = met_of(samples, len(facts))
     beyond = np.maximum(distances - np.array([fact.tolerance for fact in facts]), 0.0) / scales
     return np.asarray(np.where(met, 0.0, beyond))
 
 
 def fact_scales(facts: Sequence[Fact], samples: Sequence[Sample]) -> Array:
-    """The scale of each fact's distance, SI, (facts,): its own, or the middle distance of samples that miss it."""
+    """Return the scale of each fact, SI, (facts,): its own, or the median deviation of samples that miss it."""
     scales = []
     for number, fact in enumerate(facts):
-        missed = [each.findings[number].distance for each in samples if each.findings and not each.findings[number].met]
+        missed = [
+            sample.findings[number].distance
+            for sample in samples
+            if sample.findings and not sample.findings[number].met
+        ]
         middle = float(np.median(missed)) if missed else 1.0
         scales.append(fact.scale or (middle if middle > 0 else 1.0))
     return np.array(scales)
@@ -138,7 +144,7 @@ def fact_scales(facts: Sequence[Fact], samples: Sequence[Sample]) -> Array:
 def _run_batch(
     observations: Observations, points: Array, first: int, assess: Assess, targets: Sequence[Target]
 ) -> list[Sample]:
-    """Samples at points, their runs side by side."""
+    """Return samples at points, with their runs done side by side."""
     built = [(point, values_at(observations.priors, point)) for point in points]
     runs: dict[int, SampleRuns] = {}
     whys: dict[int, str] = {}
@@ -147,13 +153,13 @@ def _run_batch(
             runs[number] = SampleRuns(observations.base, values)
         except InputError as error:
             whys[number] = str(error)
-    found = _find_all(observations.facts, runs, assess)
+    findings = _find_all(observations.facts, runs, assess)
     return [
         Sample(
             number=first + number,
             shares=point,
             values=values,
-            findings=found.get(number, ()),
+            findings=findings.get(number, ()),
             why=whys.get(number, ""),
             target=targets[number],
         )
@@ -162,38 +168,38 @@ def _run_batch(
 
 
 def _find_all(facts: Sequence[Fact], runs: Mapping[int, SampleRuns], assess: Assess) -> dict[int, tuple[Finding, ...]]:
-    """What every sample says of every fact: what is missing is run until nothing is."""
+    """Return the results of all samples for every fact: missing runs are done until none is missing."""
     rows: dict[str, Row] = {}
-    found: dict[tuple[int, int], Finding] = {}
+    findings: dict[tuple[int, int], Finding] = {}
     while True:
         wanted: Wanted = {}
-        for number, each in runs.items():
-            for fact, asked in enumerate(facts):
-                if (number, fact) in found:
+        for number, sample_runs in runs.items():
+            for fact, observed_fact in enumerate(facts):
+                if (number, fact) in findings:
                     continue
-                result = find(asked, each, rows)
+                result = find(observed_fact, sample_runs, rows)
                 if isinstance(result, Finding):
-                    found[number, fact] = result
+                    findings[number, fact] = result
                 else:
                     wanted |= result
         if not wanted:
             break
         rows |= dict(zip(wanted, assess(list(wanted.values())), strict=True))
-    return {number: tuple(found[number, fact] for fact in range(len(facts))) for number in runs}
+    return {number: tuple(findings[number, fact] for fact in range(len(facts))) for number in runs}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Finding:
-    """What a sample says of a fact.
+    """Result of a sample for a fact.
 
     Attributes:
-        value: of what is observed, SI.
-        miss: the value less its bound, SI, signed.
-        distance: by how much the fact is missed, SI, at least 0; where runs that do not tell leave it open between two
-            numbers, the larger one, and where they leave it open altogether, as if these had no number.
-        met: whether it is within the fact's tolerance, whatever runs that do not tell would have come to.
-        tells: whether it is met, or missed, for certain.
-        untold: how many runs do not tell.
+        value: of the observed quantity, SI.
+        miss: value minus bound, SI, signed.
+        distance: deviation from the fact, SI, at least 0. If inconclusive runs allow a range, it is the larger end; if
+            they allow any value, they are treated as having no number.
+        met: whether the deviation is within the fact's tolerance for every possible outcome of inconclusive runs.
+        tells: whether the fact is certainly met or certainly missed.
+        untold: number of inconclusive runs.
     """
 
     value: float
@@ -205,13 +211,15 @@ class Finding:
 
 
 def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
-    """Say how far a sample is from a fact, or which of its designs must run before that is known."""
+    """Return the result of a sample for a fact, or the designs that must run before it is known."""
     observed = [observe(term, fact.places, runs, rows) for term in fact.terms]
-    wanted = {key: run for each in observed if isinstance(each, dict) for key, run in each.items()}
+    wanted = {
+        key: run for runs_or_value in observed if isinstance(runs_or_value, dict) for key, run in runs_or_value.items()
+    }
     if wanted:
         return wanted
-    seen = [each for each in observed if isinstance(each, Observed)]
-    first, bound = seen[0], seen[1] if len(seen) > 1 else _fixed(fact)
+    values = [value for value in observed if isinstance(value, Observed)]
+    first, bound = values[0], values[1] if len(values) > 1 else _fixed(fact)
     near, far = _distances(fact, first, bound)
     within = fact.tolerance + _ROUNDING * max(1.0, abs(first.value))
     return Finding(
@@ -220,18 +228,18 @@ def find(fact: Fact, runs: SampleRuns, rows: Rows) -> Finding | Wanted:
         distance=far if math.isfinite(far) else _distance(fact, first.value, bound.value),
         met=far <= within,
         tells=far <= within or near > within,
-        untold=sum(each.untold for each in seen),
+        untold=sum(value.untold for value in values),
     )
 
 
 def _fixed(fact: Fact) -> Observed:
-    """A bound that is a number, as if it were observed."""
+    """Return a bound that is a number in the form of an observation."""
     assert not isinstance(fact.bound, Term)
     return Observed(value=fact.bound, low=fact.bound, high=fact.bound, untold=0)
 
 
 def _distances(fact: Fact, seen: Observed, bound: Observed) -> tuple[float, float]:
-    """The least and the largest distance, whatever runs that do not tell would have come to."""
+    """Return the smallest and the largest deviation over all possible outcomes of inconclusive runs."""
     far = max(_distance(fact, one, other) for one in (seen.low, seen.high) for other in (bound.low, bound.high))
     match fact.order:
         case "at least":
@@ -256,15 +264,16 @@ def _distance(fact: Fact, value: float, bound: float) -> float:
 
 
 def open_targets(met: Flags) -> list[Target]:
-    """What no sample has met so far: all facts together, every fact, and every pair of facts that are met apart.
+    """Return the sets of facts that no sample has met so far.
 
-    Where every fact and every pair that is met apart is met, every three of which any two are.
+    The sets are all facts, single facts, and pairs of facts each of which is met by some sample. If every fact and
+    every such pair is met, the sets include triples whose pairs are all met.
 
     Args:
         met: whether each sample met each fact, (samples, facts).
 
     Returns:
-        Numbers of the facts, those of the most facts first.
+        Indices of the facts of each set.
     """
     count = met.shape[1]
     single = [(fact,) for fact in range(count) if not met[:, fact].any()]
@@ -285,29 +294,29 @@ def open_targets(met: Flags) -> list[Target]:
 
 
 def misses(excess: Array, target: Target) -> Array:
-    """How far each sample is from meeting the facts of a target together, (samples,), 0 where it does.
+    """Return the distance of each sample from meeting the facts of a target together, (samples,); 0 if it does.
 
     Args:
-        excess: by how much each sample misses each fact beyond its tolerance, in units of the fact's scale,
-            (samples, facts); not a number of a sample that could not run.
-        target: numbers of facts.
+        excess: deviation of each sample beyond each fact's tolerance, in units of the fact's scale, (samples, facts);
+            nan for a sample that could not run.
+        target: indices of facts.
 
     Returns:
-        The sum over the facts of x / (1 + x), so that one that is missed by far does not hide the others; infinite
-        where a sample could not run.
+        The sum over the facts of x / (1 + x), so that one large deviation does not hide the others; infinite if a
+        sample could not run.
     """
-    each = excess[:, target]
-    return np.where(np.isnan(each).any(axis=1), np.inf, (each / (1 + each)).sum(axis=1))
+    selected = excess[:, target]
+    return np.where(np.isnan(selected).any(axis=1), np.inf, (selected / (1 + selected)).sum(axis=1))
 
 
 def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], count: int, seed: Sequence[int]) -> Array:
-    """Place samples, each by differential evolution among those nearest to one of the targets in turn.
+    """Place samples by differential evolution among those nearest to each target in turn.
 
     Args:
-        shares: of the samples so far, in the unit cube, (samples, unknowns).
-        excess: as of `misses`.
-        targets: in turn, from the first on.
-        count: how many to place.
+        shares: positions of the samples so far in the unit cube, (samples, unknowns).
+        excess: see `misses`.
+        targets: used in turn, from the first.
+        count: number of samples to place.
         seed: of the random numbers.
 
     Returns:
@@ -327,6 +336,6 @@ def directed_shares(shares: Array, excess: Array, targets: Sequence[Target], cou
 
 
 def _reflected(point: Array) -> Array:
-    """A point of the cube: what is beyond a side comes back from it."""
+    """Reflect a point at the sides of the cube."""
     folded = np.abs(np.mod(point + 1.0, 2.0) - 1.0)
     return np.clip(folded, 0.0, np.nextafter(1.0, 0.0))

@@ -1,4 +1,4 @@
-"""What agrees with facts between the samples: ranges of the unknowns, and whether the samples were enough."""
+"""Values between samples that agree with facts: ranges of the unknowns, and whether there were enough samples."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from forficula.goals.identify.fact import COUNTS, PLACES, Fact
 from forficula.goals.identify.identify import Sample
 from forficula.goals.identify.observations import Observations
 
-# ranges are central ones of this share, chosen by us: planted values lie within at least 90 times in 100
-# (benchmarks/identify.py)
+# probability content of the central ranges; we chose it so that planted values lie within them in at least 90 of 100
+# cases (benchmarks/identify.py)
 LEVEL = 0.95
-# by how many standard errors of the emulators the facts must be missed everywhere for the samples to be enough
+# the samples are enough to exclude facts if these are missed everywhere by this number of standard errors of emulators
 APART = 3.0
-# samples that emulators take, those nearest to the facts: their cost grows with the cube
+# number of samples, nearest to the facts, that emulators use, because their cost grows with the cube
 _MOST_SAMPLES = 160
-# half-width, in the scale of a fact, of what is to be met exactly
+# half-width of the window of an exact fact, in the fact's scale
 _EXACT = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class Inference:
-    """What emulators of the facts say of the values between the samples.
+    """Predictions of the facts' emulators between the samples.
 
     Attributes:
-        windows: of the facts; none where samples are too few for an emulator of one of them.
-        choices: of the unknowns, 0 of those that vary without steps, (unknowns,).
-        agreement: points that meet all facts; None where there are no windows.
-        needed: samples that emulators take at least.
+        windows: of the facts; empty if there are too few samples for an emulator of one of them.
+        choices: number of choices of each unknown, 0 for continuous ones, (unknowns,).
+        agreement: points that meet all facts; None without windows.
+        needed: minimum number of samples for emulators.
         seed: of the random numbers.
     """
 
@@ -45,44 +45,44 @@ class Inference:
 
     @property
     def possible(self) -> bool:
-        """Whether all facts may be met together, as far as the emulators' errors allow to say."""
+        """Whether all facts may be met together within the emulators' errors."""
         return self.agreement is None or self.agreement.apart <= APART
 
     def apart(self, facts: Sequence[int]) -> float:
-        """By how many standard errors some facts are missed where that is least; 0 without emulators."""
+        """Return the smallest deviation from some facts, in standard errors; 0 without emulators."""
         if not self.windows:
             return 0.0
         return least_apart([self.windows[fact] for fact in facts], self.choices, self.seed)
 
     def range_of(self, unknown: int) -> tuple[float, float]:
-        """Ends of an unknown's range, as shares of the prior; the whole prior without emulators."""
+        """Return the ends of an unknown's range, as fractions of the prior; the whole prior without emulators."""
         if self.agreement is None:
             return 0.0, 1.0
         low, high = np.quantile(self.agreement.points[:, unknown], [(1 - LEVEL) / 2, (1 + LEVEL) / 2])
         return float(low), float(high)
 
     def choices_of(self, unknown: int) -> list[int]:
-        """Numbers of the choices of an unknown that hold `LEVEL` of what agrees, the least likely ones left out."""
+        """Return the indices of the most likely choices of an unknown, which contain `LEVEL` of the agreeing points."""
         count = self.choices[unknown]
         if self.agreement is None:
             return list(range(count))
-        places = np.minimum((self.agreement.points[:, unknown] * count).astype(int), count - 1)
-        shares = np.bincount(places, minlength=count) / len(places)
+        indices = np.minimum((self.agreement.points[:, unknown] * count).astype(int), count - 1)
+        shares = np.bincount(indices, minlength=count) / len(indices)
         order = np.argsort(-shares, kind="stable")
         kept = int(np.searchsorted(np.cumsum(shares[order]), LEVEL)) + 1
         return sorted(order[:kept].tolist())
 
 
 def infer(observations: Observations, samples: Sequence[Sample], missing: Array) -> Inference:
-    """Fit an emulator of every fact to the samples, and draw what meets all facts between them.
+    """Fit an emulator of every fact to the samples, and draw points that meet all facts.
 
     Args:
-        observations: what was seen.
+        observations: design, unknowns and facts.
         samples: those that ran.
-        missing: of each how far it is from all facts together, (samples,); emulators take the nearest.
+        missing: distance of each sample from meeting all facts together, (samples,). Emulators use the nearest.
     """
     choices = tuple(0 if prior.distribution is not None else len(prior.values) for prior in observations.priors)
-    nearest = [samples[place] for place in np.argsort(missing, kind="stable")[:_MOST_SAMPLES]]
+    nearest = [samples[index] for index in np.argsort(missing, kind="stable")[:_MOST_SAMPLES]]
     windows = [_window(fact, number, nearest, choices) for number, fact in enumerate(observations.facts)]
     fitted = tuple(window for window in windows if window is not None)
     complete = len(fitted) == len(windows)
@@ -96,30 +96,30 @@ def infer(observations: Observations, samples: Sequence[Sample], missing: Array)
 
 
 def _window(fact: Fact, number: int, samples: Sequence[Sample], choices: Sequence[int]) -> AgreementWindow | None:
-    """Where a fact's miss must lie, on a scale on which far misses count little; None with too few samples."""
-    told = [sample for sample in samples if not sample.findings[number].untold]
-    if len(told) < least_samples(len(choices)):
+    """Return the window of a fact's deviation, on a scale that compresses large ones; None with too few samples."""
+    conclusive = [sample for sample in samples if not sample.findings[number].untold]
+    if len(conclusive) < least_samples(len(choices)):
         return None
-    misses = np.array([sample.findings[number].miss for sample in told])
+    misses = np.array([sample.findings[number].miss for sample in conclusive])
     half = fact.tolerance + _grain(fact)
-    # misses are kept as they are up to their middle size and beyond by their logarithm: conditions without a number
-    # have one that is far from all others
+    # deviations are linear up to their median and logarithmic beyond, because conditions without a number have one that
+    # is far from all others
     scale = max(float(np.median(np.abs(misses))), half) or 1.0
     half = max(half, _EXACT * scale)
     emulator: Emulator | None = fit_emulator(
-        snapped(np.array([sample.shares for sample in told]), choices), np.arcsinh(misses / scale)
+        snapped(np.array([sample.shares for sample in conclusive]), choices), np.arcsinh(misses / scale)
     )
     if emulator is None:
         return None
     end = float(np.arcsinh(half / scale))
-    # a place's miss is how far it is above the least: it has no other side
+    # the deviation of a position is the difference to the least number, which has only one side
     low = -np.inf if fact.order == "at most" or fact.term.statistic in PLACES else -end
     high = np.inf if fact.order == "at least" else end
     return AgreementWindow(emulator=emulator, low=low, high=high)
 
 
 def _grain(fact: Fact) -> float:
-    """Half the distance between neighbouring values of what has steps: counts, and least values that are tried."""
+    """Return half the distance between neighbouring values of a stepped quantity: counts, and least values."""
     if fact.term.statistic in COUNTS:
         return 0.5
     if fact.term.least is not None and not fact.term.quantity and len(fact.term.least.numbers) > 1:

@@ -1,4 +1,4 @@
-"""What facts say of each unknown by itself: what is believed of it, and what agrees."""
+"""Information on each single unknown: its prior, and the range that agrees with the facts."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import xarray
 
-# of an interval, from end to end
+# percentiles of an interval
 _ENDS = (0.05, 0.95)
-# below which a difference is told of as one
-_TOLD = 0.05
+# significance level of a difference
+_SIGNIFICANT = 0.05
 
 
 @dataclass(frozen=True, kw_only=True)
 class Marginal:
-    """An unknown, in what is believed and in what agrees.
+    """Prior and agreeing range of one unknown.
 
     Attributes:
         name: of the coordinate in the result.
         key: of the design.
-        believed: 5th and 95th percentile of the drawn samples, as the coordinate has them; words where it has such.
-        agrees: ends of the range of what agrees between the samples, as the coordinate has them, or some of the choices
-            of what has such; of a result without these, 5th and 95th percentile of the samples that agree.
-        chance: that samples that agree by chance would differ as much from the others (Kolmogorov and Smirnov) in any
-            of the unknowns that are not told of more surely (Holm 1979, jstor.org/stable/4615733): of fifteen of which
-            facts tell nothing, every other time one differs by itself with a chance below 5 %.
+        believed: 5th and 95th percentile of the drawn samples, as in the coordinate; words for choices.
+        agrees: ends of the agreeing range between the samples, as in the coordinate, or the agreeing choices. For a
+            result without these, 5th and 95th percentile of the agreeing samples.
+        chance: significance of the difference between agreeing and other samples (Kolmogorov and Smirnov), corrected
+            for the number of unknowns (Holm 1979, jstor.org/stable/4615733). Without the correction, among fifteen
+            unknowns on which facts have no information, one is below 5 % in every second case.
     """
 
     name: str
@@ -42,21 +42,21 @@ class Marginal:
 
     @property
     def told(self) -> bool:
-        """Whether the facts tell something of it."""
-        return self.chance < _TOLD
+        """Whether the facts give information on this unknown."""
+        return self.chance < _SIGNIFICANT
 
 
 def marginals(result: xarray.Dataset) -> list[Marginal]:
-    """All unknowns of a result, those first that facts tell most of."""
+    """Return all unknowns of a result, the most significant first."""
     drawn = ~result["directed"].values & (result["status"].values == "ran")
     agrees = result["agrees"].values
-    found = []
+    unknowns = []
     for name in unknowns_of(result):
         shares = result[f"{name}_share"].values
         others = shares[drawn & ~agrees]
         chance = float(scipy.stats.ks_2samp(shares[agrees], others).pvalue) if agrees.any() and len(others) else 1.0
         values = result[name].values
-        found.append(
+        unknowns.append(
             Marginal(
                 name=name,
                 key=str(result[name].attrs["key"]),
@@ -65,34 +65,36 @@ def marginals(result: xarray.Dataset) -> list[Marginal]:
                 chance=chance,
             )
         )
-    return _among_all(sorted(found, key=lambda each: each.chance))
+    return _among_all(sorted(unknowns, key=lambda unknown: unknown.chance))
 
 
-def _among_all(found: Sequence[Marginal]) -> list[Marginal]:
-    """Marginals with the chance of each by itself, the least first, told as that of one among all."""
-    chances = np.maximum.accumulate([each.chance * (len(found) - place) for place, each in enumerate(found)])
-    return [replace(each, chance=min(float(chance), 1.0)) for each, chance in zip(found, chances, strict=True)]
+def _among_all(unknowns: Sequence[Marginal]) -> list[Marginal]:
+    """Correct the significance of each unknown for the number of unknowns; they are sorted by it."""
+    chances = np.maximum.accumulate(
+        [unknown.chance * (len(unknowns) - index) for index, unknown in enumerate(unknowns)]
+    )
+    return [replace(unknown, chance=min(float(chance), 1.0)) for unknown, chance in zip(unknowns, chances, strict=True)]
 
 
 def unknowns_of(result: xarray.Dataset) -> list[str]:
-    """The names of the coordinates of unknowns; read from a file, one alone is no list."""
+    """Return the names of the coordinates of unknowns. In a file, a single one is stored as text, not as a list."""
     names: str | Sequence[str] = result.attrs["unknowns"]
     return [names] if isinstance(names, str) else [str(name) for name in names]
 
 
 def _range(coordinate: xarray.DataArray) -> tuple[object, ...]:
-    """What agrees between the samples; empty where a result does not say so."""
-    told = coordinate.attrs
-    if "agrees_choices" in told:
-        # read from a file, one alone is no list
-        return tuple(str(value) for value in np.atleast_1d(told["agrees_choices"]))
-    return (float(told["agrees_low"]), float(told["agrees_high"])) if "agrees_low" in told else ()
+    """Return the agreeing range between the samples; empty if a result lacks it."""
+    attributes = coordinate.attrs
+    if "agrees_choices" in attributes:
+        # in a file, a single choice is stored as text, not as a list
+        return tuple(str(value) for value in np.atleast_1d(attributes["agrees_choices"]))
+    return (float(attributes["agrees_low"]), float(attributes["agrees_high"])) if "agrees_low" in attributes else ()
 
 
 def _ends(values: NDArray[np.generic], shares: NDArray[np.float64]) -> tuple[object, object]:
-    """The values at both ends of the interval, in the order of the shares."""
+    """Return the values at both ends of the interval, in the order of the shares."""
     order = np.argsort(shares, kind="stable")
     if not len(order):
         return None, None
-    places = [order[min(int(end * len(order)), len(order) - 1)] for end in _ENDS]
-    return values[places[0]], values[places[1]]
+    indices = [order[min(int(end * len(order)), len(order) - 1)] for end in _ENDS]
+    return values[indices[0]], values[indices[1]]

@@ -1,4 +1,4 @@
-"""Observations: a design, what is unknown of it, and facts."""
+"""Observations: a design, its unknown values, and facts."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from forficula.study.factors import Factor
 
 @dataclass(frozen=True, kw_only=True)
 class Observations(Displayed):
-    """What was seen of a design some of whose values are unknown.
+    """Facts about a design with unknown values.
 
     Attributes:
-        name: what outputs call it.
-        source: where the facts come from.
-        base: the design, with all that is known.
-        priors: the unknowns, each with a distribution, or with values that are alike in likelihood.
-        facts: what was seen.
-        samples: how many are drawn from the priors.
-        directed: how many more are placed where they may refute that facts exclude one another.
+        name: name in outputs.
+        source: source of the facts.
+        base: the design, with all known values.
+        priors: the unknowns, each with a distribution, or with equally likely values.
+        facts: the observations.
+        samples: number of samples from the priors.
+        directed: number of further samples, placed to refute that facts exclude one another.
         seed: of the random numbers.
     """
 
@@ -36,7 +36,7 @@ class Observations(Displayed):
     seed: int
 
     def __repr__(self) -> str:
-        """How many facts and unknowns of what."""
+        """Return the numbers of facts and unknowns."""
         return (
             f"<Observations {self.name}: {counted(len(self.facts), 'fact')} on"
             f" {counted(len(self.priors), 'unknown value')} of {self.base.name}>"

@@ -1,4 +1,4 @@
-"""Observations in files: named ones, and those of a user."""
+"""Observations files: named observations and those of a user."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ _Count = Annotated[Whole, Field(le=MOST_VALUES)]
 
 
 class PriorSampling(Section):
-    """How many values are drawn."""
+    """Number of samples of the unknown values."""
 
-    samples: _Count = entry("draws from the distributions of the unknown values", 256, at_least=1)
+    samples: _Count = entry("number of samples from the distributions of the unknown values", 256, at_least=1)
     directed: _Count = entry(
-        "further draws, placed where they may meet facts that no sample met together", 128, at_least=0
+        "number of further samples, placed to meet facts together that no earlier sample met together", 128, at_least=0
     )
     seed: _Count = entry("random seed", 0, at_least=0)
 
 
-def _with_facts_read(given: object) -> object:
-    """Read the tables of facts; a message begins with the name of its fact."""
-    if not isinstance(given, list) or not given:
-        raise InputError(f"need at least one table [[fact]], got {as_written(given)}")
+def _with_facts_read(tables: object) -> object:
+    """Read the tables of facts. An error message begins with the name of its fact."""
+    if not isinstance(tables, list) or not tables:
+        raise InputError(f"need at least one table [[fact]], got {as_written(tables)}")
     facts = []
-    for number, table in enumerate(given):
+    for number, table in enumerate(tables):
         if not isinstance(table, Mapping):
             raise InputError(f"fact {number}: need a table, got {as_written(table)}")
         with error_prefix(f"fact {table.get('name', number)}: "):
@@ -54,13 +54,13 @@ def _with_facts_read(given: object) -> object:
 _FACT_EXAMPLES = (
     """\
 name = "it gets $state"
-quantity = "$state"  # a state that all conditions reach; statistic may also be "none", "any" or "count"
-until = "$first"  # nothing after it is run""",
+quantity = "$state"  # a state that is reached under all conditions; statistic may be "none", "any" or "count"
+until = "$first"  # runs end after this transition""",
     """\
 name = "$first within 0.2 to 0.4 s"
 quantity = "${first}_time"
 until = "$first"
-absent = "9 s"  # of a run that has none
+absent = "9 s"  # value for a run that has no such time
 equals = "0.3 s"  # or at_least, at_most
 tolerance = "0.1 s\"""",
     """\
@@ -75,19 +75,19 @@ tolerance = 0""",
 
 
 class ObservationsFile(Section):
-    """Observations as their file has them."""
+    """Content of an observations file."""
 
     about: ClassVar[str] = (
-        "Forficula observations: what was observed of a design some of whose values are unknown; forficula keys"
+        "Forficula observations: facts about a design with some unknown values; forficula keys"
         " --observations lists all keys"
     )
 
-    name: FolderName = entry("what outputs call it", "observations", left_out="the file's name")
-    source: str = entry("where the facts come from", "")
+    name: FolderName = entry("name of the observations in outputs", "observations", left_out="the file's name")
+    source: str = entry("source of the facts", "")
     design: DesignName = DESIGN
     settings: Settings = SETTINGS
     unknown: Factors = entry(
-        "what is believed of a value that is unknown: a distribution, or values that are equally likely",
+        "prior of an unknown value: a distribution, or a list of equally likely values",
         {},
         left_out="needed",
         examples=(
@@ -97,14 +97,14 @@ class ObservationsFile(Section):
             '"$key" = ["$low", "$value", "$high"]',
         ),
     )
-    sampling: PriorSampling = entry("how many values are drawn", PriorSampling())
+    sampling: PriorSampling = entry("number of samples of the unknown values", PriorSampling())
     fact: Annotated[tuple[FactTable, ...], BeforeValidator(_with_facts_read)] = entry(
-        "what was observed, a table for each fact", (), examples=_FACT_EXAMPLES
+        "observations, one table for each fact", (), examples=_FACT_EXAMPLES
     )
 
 
 def _texts(design: Design) -> dict[str, str]:
-    """What a new file says beside its keys."""
+    """Return the texts of a new file that depend on its design."""
     other = next(key for key in positive_keys(design) if key != design.varied_key)
     return {
         "other": other,
@@ -112,7 +112,7 @@ def _texts(design: Design) -> dict[str, str]:
         "other_value": value_text(design, other, 1.0),
         "other_high": value_text(design, other, 1.1, few_digits=True),
         "fact": (
-            f"A quantity is {listed(row_quantities(design), 'or')}, a sum of some of these in one unit, or"
+            f"A quantity can be {listed(row_quantities(design), 'or')}, a sum of some of these in one unit, or"
             ' "least value"'
         ),
     }
@@ -134,13 +134,13 @@ def load_observations(name_or_path: str | Path) -> Observations:
         name_or_path: one of `named_observations`, or the path of a TOML file.
 
     Raises:
-        InputError: none such, not TOML, an unknown key, or a value that is not allowed.
+        InputError: unknown name or file, not TOML, an unknown key, or a value that is not allowed.
     """
     return load_named(name_or_path, OBSERVATIONS, _observations)
 
 
 def observations_of(tables: Mapping[str, Any]) -> Observations:
-    """Build observations of tables as a file has them, but for `design`, which may be one.
+    """Build observations from tables as in an observations file; `design` may be a `Design`.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
@@ -149,7 +149,7 @@ def observations_of(tables: Mapping[str, Any]) -> Observations:
 
 
 def named_observations() -> list[str]:
-    """The names of the observations that come with the package."""
+    """Return the names of the observations that the package contains."""
     return named_files(OBSERVATIONS)
 
 
@@ -178,13 +178,13 @@ def _priors(file: ObservationsFile, folder: Path, base: Design) -> tuple[Factor,
 
 
 def _check_allowed(prior: Factor, quantity: Quantity) -> None:
-    """Refuse what is believed of a value where its key allows none, for no design is built of it."""
-    given: list[tuple[str, object]] = [("", value) for value in prior.values]
+    """Reject a prior with values that the key does not allow, because no design can be built from them."""
+    ends_by_name: list[tuple[str, object]] = [("", value) for value in prior.values]
     if (drawn := prior.distribution) is not None:
-        # a normal distribution has no end: what it has beyond a bound is not built, and counted as such
+        # a normal distribution has no end: values beyond a bound of the key are not built, and are counted
         ends = (drawn.first,) if drawn.name == "normal" else (drawn.first, drawn.second)
-        given = [(f".{name}", end) for name, end in zip(DISTRIBUTIONS[drawn.name], ends, strict=False)]
-    for place, value in given:
+        ends_by_name = [(f".{name}", end) for name, end in zip(DISTRIBUTIONS[drawn.name], ends, strict=False)]
+    for place, value in ends_by_name:
         with error_prefix(f"unknown.{prior.key}{place}: "):
             quantity.read(value, in_si=drawn is not None)
 
@@ -203,12 +203,12 @@ def _facts(tables: Sequence[FactTable], base: Design, folder: Path, priors: Sequ
 
 
 def _check_known(fact: Fact, base: Design, priors: Sequence[Factor]) -> None:
-    """Refuse conditions over what is unknown: a sample has one value of it, and the fact would be held to others."""
+    """Reject conditions over an unknown key: a sample has one value of the key, but the fact would set others."""
     unknown = {numbered_key(base, prior.key): prior.key for prior in priors}
     for term in fact.terms:
         keys = [(f"over.{factor.key}", factor.key) for factor in term.over]
         keys += [] if term.least is None else [("least.key", term.least.key)]
-        for place, key in keys:
-            if (own := unknown.get(numbered_key(base, key))) is not None:
-                told = "" if place.endswith(own) else f", as {own}"
-                raise InputError(f"{place}: is under [unknown], too{told}; need it in one of them")
+        for key_in_fact, key in keys:
+            if (prior_key := unknown.get(numbered_key(base, key))) is not None:
+                alias = "" if key_in_fact.endswith(prior_key) else f", as {prior_key}"
+                raise InputError(f"{key_in_fact}: is under [unknown], too{alias}; need it in one of them")

@@ -1,4 +1,4 @@
-"""What the runs of a sample say of a term: which must be run to know, and then its value."""
+"""Value of a term for a sample: the designs that must run, and then the value."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from forficula.study.running.journal import Row
 
 Condition = Mapping[str, object]
 
-# stands for the row of a design that there is not
+# row of a design that cannot be built
 _NOT_BUILT: Row = {"verdict": Verdict.NOT_BUILT.value}
 
 
@@ -28,10 +28,10 @@ class Observed:
     """The value of a term.
 
     Attributes:
-        value: SI, runs that do not tell taken for such as fail or have no number.
-        low: the least that it may be, whatever these would have come to; minus infinity where it may be anything.
-        high: the largest, alike.
-        untold: how many runs there are that do not tell.
+        value: SI; inconclusive runs count as failed or without a number.
+        low: smallest value over all possible outcomes of inconclusive runs; minus infinity if unbounded.
+        high: largest such value; infinity if unbounded.
+        untold: number of inconclusive runs.
     """
 
     value: float
@@ -45,11 +45,11 @@ class _Numbers:
     """Numbers by condition.
 
     Attributes:
-        values: SI, (conditions,), the absent number where there is none.
-        low: the least that each may be, whatever runs that do not tell would have come to, (conditions,).
-        high: the largest, alike, (conditions,).
-        there: whether there is one, (conditions,).
-        untold: how many runs do not tell.
+        values: SI, (conditions,); the absent number where there is none.
+        low: smallest value over all possible outcomes of inconclusive runs, (conditions,).
+        high: largest such value, (conditions,).
+        there: whether there is a number, (conditions,).
+        untold: number of inconclusive runs.
     """
 
     values: Array
@@ -60,15 +60,15 @@ class _Numbers:
 
     @property
     def open(self) -> Flags:
-        """Whether each may be another number than its own, (conditions,)."""
+        """Whether each number is uncertain, (conditions,)."""
         return np.asarray(self.low < self.high)
 
 
 def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRuns, rows: Rows) -> Observed | Wanted:
-    """Say what a term comes to, or which designs must run before that is known.
+    """Return the value of a term, or the designs that must run before it is known.
 
-    What is asked for follows from the rows of the runs that were asked for before, and from no others: the value is the
-    same whatever else has run.
+    The requested runs depend only on the rows of earlier requested runs. Therefore the value does not depend on other
+    runs.
 
     Args:
         term: of a fact.
@@ -78,23 +78,23 @@ def observe(term: Term, places: Mapping[str, tuple[object, ...]], runs: SampleRu
     """
     if is_state(term.quantity) and term.least is None:
         return _count(term, runs, rows)
-    found = _with_least(term, term.least, runs, rows) if term.least is not None else _plain(term, runs, rows)
-    if isinstance(found, dict):
-        return found
+    numbers = _with_least(term, term.least, runs, rows) if term.least is not None else _plain(term, runs, rows)
+    if isinstance(numbers, dict):
+        return numbers
     if term.statistic in PLACES:
-        value, low, high = _place(term, places, found)
+        value, low, high = _place(term, places, numbers)
     else:
-        value, low, high = _statistic(term, found)
-    return Observed(value=value, low=low, high=high, untold=found.untold)
+        value, low, high = _statistic(term, numbers)
+    return Observed(value=value, low=low, high=high, untold=numbers.untold)
 
 
 def conditions(term: Term) -> list[Condition]:
-    """The values of every point of a term's grid, the last factor fastest; one without a grid."""
+    """Return the values of every point of a term's grid, the last factor fastest; a single point without a grid."""
     return list(term.conditions_by_point.values())
 
 
 def _row(condition: Condition, term: Term, runs: SampleRuns, rows: Rows, wanted: Wanted) -> Row | None:
-    """The row of a condition; None where it must run first, and is then wanted."""
+    """Return the row of a condition; None if it must run first, and add it to `wanted`."""
     built = runs.at(condition, term.until)
     if built is None:
         return _NOT_BUILT
@@ -104,12 +104,12 @@ def _row(condition: Condition, term: Term, runs: SampleRuns, rows: Rows, wanted:
     return rows[built.key]
 
 
-def _tells(row: Row) -> bool:
+def _is_conclusive(row: Row) -> bool:
     return Verdict(row["verdict"]).tells
 
 
 def _count(term: Term, runs: SampleRuns, rows: Rows) -> Observed | Wanted:
-    """Under how many conditions a state holds."""
+    """Return the number of conditions under which a state is reached."""
     states = _staircase(term, runs, rows) if term.staircase else _every(term, runs, rows)
     if isinstance(states, dict):
         return states
@@ -118,28 +118,30 @@ def _count(term: Term, runs: SampleRuns, rows: Rows) -> Observed | Wanted:
 
 
 def _state(term: Term, row: Row) -> int:
-    if not _tells(row):
+    if not _is_conclusive(row):
         return UNTOLD
     return HOLDS if combined(term.quantity, row) else FAILS
 
 
 def _every(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
-    """The state under every condition, each of which is run."""
+    """Return the state under every condition, by running all of them."""
     wanted: Wanted = {}
-    found = [_row(condition, term, runs, rows, wanted) for condition in conditions(term)]
+    found_rows = [_row(condition, term, runs, rows, wanted) for condition in conditions(term)]
     if wanted:
         return wanted
-    return np.array([_state(term, row) for row in found if row is not None], dtype=np.int8)
+    return np.array([_state(term, row) for row in found_rows if row is not None], dtype=np.int8)
 
 
 def _staircase(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
-    """The state under every condition, of which those along its boundary are run.
+    """Return the state under every condition, by running those along its boundary.
 
-    The far corner is run, too, where the state is taken to hold before all others: does it not, there is another
-    boundary, and every condition is run.
+    If the state is reached, the far corner is run, too, where it should be reached most surely. If it is not, the
+    boundary is not monotone, and every condition is run.
     """
     keys = [factor.key for factor in term.over]
-    rising, falling = (tuple(keys.index(key) for key in each) for each in (term.rising, term.falling))
+    rising, falling = (
+        tuple(keys.index(key) for key in direction_keys) for direction_keys in (term.rising, term.falling)
+    )
     by_point = term.conditions_by_point
     known = np.full(term.shape, OPEN, dtype=np.int8)
     while True:
@@ -159,13 +161,13 @@ def _staircase(term: Term, runs: SampleRuns, rows: Rows) -> States | Wanted:
         if row is None:
             return wanted
         if _state(term, row) != HOLDS and (states == HOLDS)[_line(point, rising, falling)].any():
-            every = _every(term, runs, rows)
-            return every if isinstance(every, dict) else every.reshape(term.shape)
+            all_states = _every(term, runs, rows)
+            return all_states if isinstance(all_states, dict) else all_states.reshape(term.shape)
     return states
 
 
 def _far_corners(shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]) -> list[tuple[int, ...]]:
-    """The points that every other one leads to, one for each value of the axes along which nothing is taken to hold."""
+    """Return the far corners of the grid, one for each value of the axes without an assumed direction."""
     ends = [
         [length - 1] if axis in rising else [0] if axis in falling else list(range(length))
         for axis, length in enumerate(shape)
@@ -174,15 +176,15 @@ def _far_corners(shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple
 
 
 def _line(point: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]) -> tuple[int | slice, ...]:
-    """The points that lead to a far corner."""
-    return tuple(slice(None) if axis in (*rising, *falling) else place for axis, place in enumerate(point))
+    """Return the points that lead to a far corner."""
+    return tuple(slice(None) if axis in (*rising, *falling) else index for axis, index in enumerate(point))
 
 
 @lru_cache(maxsize=2**16)
 def _following(
     known: bytes, shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]
 ) -> tuple[States, tuple[int, ...] | None]:
-    """What follows from what is known, and the next point to run: the same question comes up for many samples."""
+    """Return the states that known states imply, and the next point to run. Cached, because many samples share them."""
     states = follows(np.frombuffer(known, dtype=np.int8).reshape(shape), rising, falling)
     states.setflags(write=False)
     return states, _next(states.tobytes(), shape, rising, falling)
@@ -192,25 +194,25 @@ def _following(
 def _next(
     states: bytes, shape: tuple[int, ...], rising: tuple[int, ...], falling: tuple[int, ...]
 ) -> tuple[int, ...] | None:
-    """The next point to run, which differs less often than what is known."""
+    """Return the next point to run. Cached, because many known states imply the same states."""
     return next_point(np.frombuffer(states, dtype=np.int8).reshape(shape), rising, falling)
 
 
 def _plain(term: Term, runs: SampleRuns, rows: Rows) -> _Numbers | Wanted:
-    """The number under every condition."""
+    """Return the number under every condition."""
     wanted: Wanted = {}
-    found = [_row(condition, term, runs, rows, wanted) for condition in conditions(term)]
+    found_rows = [_row(condition, term, runs, rows, wanted) for condition in conditions(term)]
     if wanted:
         return wanted
-    return _numbers(term, found)
+    return _numbers(term, found_rows)
 
 
-def _numbers(term: Term, found: Sequence[Row | None]) -> _Numbers:
-    """The numbers of rows; None stands for a condition without any."""
+def _numbers(term: Term, found_rows: Sequence[Row | None]) -> _Numbers:
+    """Return the numbers of rows; None is a condition without a row."""
     assert term.absent is not None
-    numbers = [_number(term, row) for row in found]
+    numbers = [_number(term, row) for row in found_rows]
     values = np.array([term.absent if number is None else number for number in numbers])
-    open_ = np.array([row is not None and not _tells(row) for row in found])
+    open_ = np.array([row is not None and not _is_conclusive(row) for row in found_rows])
     return _Numbers(
         values=values,
         low=np.where(open_, -np.inf, values),
@@ -221,51 +223,51 @@ def _numbers(term: Term, found: Sequence[Row | None]) -> _Numbers:
 
 
 def _number(term: Term, row: Row | None) -> float | None:
-    if row is None or not _tells(row) or (term.where is not None and not row.get(term.where)):
+    if row is None or not _is_conclusive(row) or (term.where is not None and not row.get(term.where)):
         return None
     return combined(term.quantity, row)
 
 
 def _with_least(term: Term, least: LeastValue, runs: SampleRuns, rows: Rows) -> _Numbers | Wanted:
-    """The least value under every condition, or the number of the run with it.
+    """Return the least value under every condition, or the number of the run with it.
 
-    All conditions go on by one run at a time, so that which ones run does not depend on what is there already. Of the
-    least of all least values only those conditions go on that may still have it.
+    All conditions advance by one run at a time, so that the requested runs do not depend on existing rows. If only the
+    smallest of all least values is needed, only conditions that may still have it advance.
     """
     points, count = conditions(term), len(least.values)
     ladders = [Ladder(holds=count) for _ in points]
     only_best = not term.quantity and term.statistic == "least"
     while True:
-        best = min(each.holds for each in ladders)
-        asked = {
-            place: each.next(count, monotone=least.monotone)
-            for place, each in enumerate(ladders)
-            if each.holds - each.fails > 1 and not (only_best and each.fails + 1 >= best)
+        best = min(ladder.holds for ladder in ladders)
+        requested = {
+            position: ladder.next(count, monotone=least.monotone)
+            for position, ladder in enumerate(ladders)
+            if ladder.holds - ladder.fails > 1 and not (only_best and ladder.fails + 1 >= best)
         }
-        if not asked:
+        if not requested:
             break
         wanted: Wanted = {}
-        found = {
-            place: _row({**points[place], least.key: least.values[index]}, term, runs, rows, wanted)
-            for place, index in asked.items()
+        found_rows = {
+            position: _row({**points[position], least.key: least.values[index]}, term, runs, rows, wanted)
+            for position, index in requested.items()
         }
         if wanted:
             return wanted
-        for place, row in found.items():
+        for position, row in found_rows.items():
             assert row is not None
-            holds = bool(row.get(least.state)) if _tells(row) else None
-            ladders[place].tell(asked[place], row, holds=holds, monotone=least.monotone)
+            holds = bool(row.get(least.state)) if _is_conclusive(row) else None
+            ladders[position].tell(requested[position], row, holds=holds, monotone=least.monotone)
     return _least_numbers(term, least, ladders)
 
 
 def _least_numbers(term: Term, least: LeastValue, ladders: Sequence[Ladder]) -> _Numbers:
-    """The least values, or the numbers of the runs with them, which may be any where another may be the least."""
+    """Return the least values, or the numbers of the runs with them, and their bounds."""
     assert term.absent is not None
-    untold = sum(len(each.untold) for each in ladders)
-    holds = np.array([each.holds for each in ladders])
-    lows = np.array([each.least for each in ladders])
+    untold = sum(len(ladder.untold) for ladder in ladders)
+    holds = np.array([ladder.holds for ladder in ladders])
+    lows = np.array([ladder.least for ladder in ladders])
     if term.quantity:
-        numbers = _numbers(term, [each.rows.get(each.holds) for each in ladders])
+        numbers = _numbers(term, [ladder.rows.get(ladder.holds) for ladder in ladders])
         open_ = (lows < holds) | numbers.open
         low, high = np.where(open_, -np.inf, numbers.values), np.where(open_, np.inf, numbers.values)
         return _Numbers(values=numbers.values, low=low, high=high, there=numbers.there, untold=untold)
@@ -275,28 +277,31 @@ def _least_numbers(term: Term, least: LeastValue, ladders: Sequence[Ladder]) -> 
     )
 
 
-def _place(term: Term, places: Mapping[str, tuple[object, ...]], found: _Numbers) -> tuple[float, float, float]:
-    """By how much the least, or largest, at places is above, or below, that of all; and the ends of what it may be."""
+def _place(term: Term, places: Mapping[str, tuple[object, ...]], numbers: _Numbers) -> tuple[float, float, float]:
+    """Return by how much the extreme number at the required positions deviates from that of all, with its bounds."""
     assert term.absent is not None
     sign = 1.0 if term.statistic == "least at" else -1.0
     allowed = np.array([all(point[key] in values for key, values in places.items()) for point in conditions(term)])
-    value = float((sign * found.values)[allowed].min() - (sign * found.values).min())
-    low, high = (0.0 if (found.open & allowed).any() else value), (np.inf if (found.open & ~allowed).any() else value)
-    if found.there.any():
+    value = float((sign * numbers.values)[allowed].min() - (sign * numbers.values).min())
+    low, high = (
+        (0.0 if (numbers.open & allowed).any() else value),
+        (np.inf if (numbers.open & ~allowed).any() else value),
+    )
+    if numbers.there.any():
         return value, low, high
     far = abs(term.absent)
-    return far, 0.0 if found.open.any() else far, np.inf if found.open.any() else far
+    return far, 0.0 if numbers.open.any() else far, np.inf if numbers.open.any() else far
 
 
-def _statistic(term: Term, found: _Numbers) -> tuple[float, float, float]:
-    """The statistic of what has a number, and the least and most that it may be."""
+def _statistic(term: Term, numbers: _Numbers) -> tuple[float, float, float]:
+    """Return the statistic of existing numbers, and its bounds."""
     assert term.absent is not None
-    value, low, high = found.values, found.low, found.high
+    value, low, high = numbers.values, numbers.low, numbers.high
     if term.where is not None:
-        may = found.there | found.open
+        may = numbers.there | numbers.open
         none = np.array([term.absent])
-        value = value[found.there] if found.there.any() else none
-        low, high = (each[may] if may.any() else none for each in (low, high))
+        value = value[numbers.there] if numbers.there.any() else none
+        low, high = (ends[may] if may.any() else none for ends in (low, high))
     match term.statistic:
         case "least":
             return float(value.min()), float(low.min()), float(high.min())

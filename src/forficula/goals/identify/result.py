@@ -1,4 +1,4 @@
-"""The result of an identification as a labelled table."""
+"""Result of an identification as a labelled table."""
 
 from __future__ import annotations
 
@@ -32,31 +32,34 @@ if TYPE_CHECKING:
 
 
 def build_result(observations: Observations, samples: Sequence[Sample], runs: int) -> xarray.Dataset:
-    """Label what samples say.
+    """Build the labelled table of an identification.
 
     Args:
-        observations: what was asked.
-        samples: all of them.
-        runs: how many runs they took.
+        observations: design, unknowns and facts.
+        samples: all samples.
+        runs: number of runs.
 
     Returns:
         Dimensions "sample", "fact" and "other_fact". Coordinates over the samples are the unknowns, by their key with
-        underscores, in SI with `units`, `display` and `key`. Over samples and facts there are `value` (SI of the fact's
-        unit), `distance` (alike, at least 0), `scaled_distance` (beyond the tolerance, in units of the fact's scale),
-        `met` and `tells` (for certain, whatever runs that do not tell would have come to) and `untold` (how many these
-        are); not a number where a sample could not run, whose `status` says why. `agrees` names the drawn samples that
-        agree best, `directed` those that were placed. Over facts there are how many drawn samples `told` of them, and
-        `met_share` with `met_share_low` and `met_share_high` of the priors at 95 %. Over pairs of them there are, of
-        drawn samples, `told_together`, `met_together` and `met_alone` (the fact, whatever the other), of placed ones
-        `met_together_placed` and `tried_together` (placed to), and `together_share_high` of the priors at a one-sided
-        95 %, `together_near` (the least by which the worse one of both is missed, in scales), `together_if_independent`
-        (how many would be met, were the one not to mind the other) and `together`, a verdict in words.
+        underscores, in SI with `units`, `display` and `key`. Over samples and facts: `value` (SI of the fact's unit),
+        `distance` (same unit, at least 0), `scaled_distance` (beyond the tolerance, in units of the fact's scale),
+        `met` and `tells` (certainly met; certainly met or missed; for every possible outcome of inconclusive runs), and
+        `untold` (number of inconclusive runs); nan if a sample could not run, whose `status` says why. `agrees` marks
+        the drawn samples that agree best, `directed` the placed ones. Over facts: `told` (number of conclusive drawn
+        samples), and `met_share` with `met_share_low` and `met_share_high` (fraction of the priors, 95 % interval).
+        Over pairs of facts, for drawn samples: `told_together`, `met_together` and `met_alone` (the first fact,
+        whatever the other); for placed
+        ones: `met_together_placed` and `tried_together` (placed for this pair); `together_share_high` (fraction of the
+        priors, one-sided 95 %), `together_near` (smallest deviation from the worse of both, in scales),
+        `together_if_independent` (expected `met_together` if the facts were independent) and `together`, a verdict in
+        words.
 
-        What agrees between the samples comes from emulators of the facts (`infer`): each unknown has the attributes
-        `agrees_low` and `agrees_high`, the ends of a range in its unit, or `agrees_choices`. `between_error` is the
-        emulator's standard error of each fact there, in half-widths of what the fact allows. Attributes of the whole
-        are `emulated` (0 where fewer than `emulator_samples` ran), `between_share` (of the priors that meets all
-        facts), `between_apart` (by how many standard errors the worst fact is missed at best) and `between_possible`.
+        The agreeing range between the samples comes from emulators of the facts (`infer`): each unknown has the
+        attributes `agrees_low` and `agrees_high`, the ends of a range in its unit, or `agrees_choices`. `between_error`
+        is the emulator's standard error of each fact in this range, in half-widths of the fact's window. Attributes of
+        the table are `emulated` (0 if fewer than `emulator_samples` ran), `between_share` (fraction of the priors that
+        meets all facts), `between_apart` (smallest deviation from the worst fact, in standard errors) and
+        `between_possible`.
     """
     facts, ran = observations.facts, [not sample.why for sample in samples]
     scales = fact_scales(facts, [sample for sample in samples if not sample.directed])
@@ -75,7 +78,7 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
         tells=tells_of(samples, len(facts))[inside],
         excess=excess[inside],
         targets=[sample.target for sample in samples if not sample.why],
-        open_between=lambda these: inference.apart(these) <= APART,
+        open_between=lambda facts_together: inference.apart(facts_together) <= APART,
     )
     variables: dict[str, Any] = {
         **_samples(samples, facts, met, np.where(inside[:, None], excess, np.nan)),
@@ -93,13 +96,13 @@ def build_result(observations: Observations, samples: Sequence[Sample], runs: in
 
 
 def _between(inference: Inference) -> dict[str, Any]:
-    """What emulators say of all facts together between the samples; of files, attributes are numbers."""
-    found = inference.agreement
+    """Return the predictions of emulators for all facts together; numbers, because attributes in files are numbers."""
+    agreement = inference.agreement
     return {
-        "emulated": int(found is not None),
+        "emulated": int(agreement is not None),
         "emulator_samples": inference.needed,
-        "between_share": np.nan if found is None else found.share,
-        "between_apart": np.nan if found is None else found.apart,
+        "between_share": np.nan if agreement is None else agreement.share,
+        "between_apart": np.nan if agreement is None else agreement.apart,
         "between_possible": int(inference.possible),
     }
 
@@ -109,7 +112,7 @@ def _between_errors(inference: Inference, facts: int) -> Any:
 
 
 def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess: Any) -> dict[str, Any]:
-    """What became of every sample, by itself and by every fact."""
+    """Return the results of every sample, alone and by fact."""
     over = ("sample", "fact")
     return {
         "value": (over, _by_fact(samples, facts, "value")),
@@ -124,8 +127,8 @@ def _samples(samples: Sequence[Sample], facts: Sequence[Fact], met: Any, excess:
 
 
 def _by_fact(samples: Sequence[Sample], facts: Sequence[Fact], name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
-    nothing = [float("nan")] * len(facts)
-    return np.array([[float(getattr(each, name)) for each in sample.findings] or nothing for sample in samples])
+    missing = [float("nan")] * len(facts)
+    return np.array([[float(getattr(finding, name)) for finding in sample.findings] or missing for sample in samples])
 
 
 def _names(facts: Sequence[Fact]) -> dict[str, Any]:
@@ -134,7 +137,7 @@ def _names(facts: Sequence[Fact]) -> dict[str, Any]:
 
 
 def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, Any]) -> dict[str, Any]:
-    """What facts ask for, in words, with their unit, tolerance, scale and source."""
+    """Return the requirements of facts in words, with unit, tolerance, scale and source."""
     units = [fact.term.unit for fact in facts]
 
     def words(values: Sequence[str]) -> tuple[str, Any]:
@@ -151,35 +154,35 @@ def _of_facts(facts: Sequence[Fact], scales: Sequence[float] | np.ndarray[Any, A
 
 
 def _shares(seen: Evidence) -> dict[str, Any]:
-    """How often each fact is met, by drawn samples that tell; the intervals hold whatever the others would say."""
-    met, tells = seen.met[~seen.placed], seen.tells[~seen.placed]
-    told, counts = tells.sum(axis=0), (met & tells).sum(axis=0)
+    """Return how often each fact is met by conclusive drawn samples; intervals allow any result of the others."""
+    met, conclusive = seen.met[~seen.placed], seen.tells[~seen.placed]
+    counts_conclusive, counts = conclusive.sum(axis=0), (met & conclusive).sum(axis=0)
     ends = [
         (share_interval(int(count), len(met))[0], share_interval(int(count + len(met) - number), len(met))[1])
-        for count, number in zip(counts, told, strict=True)
+        for count, number in zip(counts, counts_conclusive, strict=True)
     ]
     return {
-        "told": ("fact", told),
-        "met_share": ("fact", counts / np.maximum(told, 1)),
+        "told": ("fact", counts_conclusive),
+        "met_share": ("fact", counts / np.maximum(counts_conclusive, 1)),
         "met_share_low": ("fact", np.array([low for low, _ in ends])),
         "met_share_high": ("fact", np.array([high for _, high in ends])),
     }
 
 
 def _pairs(seen: Evidence) -> dict[str, Any]:
-    """How far facts are met in pairs; on the diagonal, each by itself."""
+    """Return how far facts are met in pairs; on the diagonal, each alone."""
     size = seen.met.shape[1]
     counts = {name: np.zeros((size, size), dtype=int) for name in ("told", "met", "alone", "placed", "tried")}
     numbers = {name: np.full((size, size), np.nan) for name in ("share_high", "near", "independent")}
     words = np.full((size, size), "", dtype=object)
     for pair in [*(conjunction((fact,), seen) for fact in range(size)), *pairs_of(seen)]:
         first, last = pair.facts[0], pair.facts[-1]
-        for place, alone in (((first, last), pair.alone[0]), ((last, first), pair.alone[-1])):
-            counts["told"][place], counts["met"][place], counts["alone"][place] = pair.told, pair.drawn, alone
-            counts["placed"][place], counts["tried"][place] = pair.placed, pair.tried
-            numbers["share_high"][place], numbers["near"][place] = pair.most, pair.near
-            numbers["independent"][place] = pair.independent
-            words[place] = pair.verdict.value if first != last else ""
+        for cell, alone in (((first, last), pair.alone[0]), ((last, first), pair.alone[-1])):
+            counts["told"][cell], counts["met"][cell], counts["alone"][cell] = pair.told, pair.drawn, alone
+            counts["placed"][cell], counts["tried"][cell] = pair.placed, pair.tried
+            numbers["share_high"][cell], numbers["near"][cell] = pair.most, pair.near
+            numbers["independent"][cell] = pair.independent
+            words[cell] = pair.verdict.value if first != last else ""
     names = {
         "told_together": counts["told"],
         "met_together": counts["met"],
@@ -219,7 +222,7 @@ def _unknowns(priors: Sequence[Factor], samples: Sequence[Sample], inference: In
 
 
 def _agrees(prior: Factor, number: int, inference: Inference) -> dict[str, object]:
-    """What agrees of an unknown: the ends of its range in SI, or some of its choices."""
+    """Return the agreeing range of an unknown: the ends in SI, or some of its choices."""
     if prior.distribution is None:
         chosen = [prior.values[choice] for choice in inference.choices_of(number)]
         return {"agrees_choices": [str(value) for value in chosen]}
@@ -244,17 +247,17 @@ def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evi
         "unknowns": [prior.dimension for prior in observations.priors],
         "most_met": int(seen.met.sum(axis=1).max(initial=0)),
         "met_most": ["; ".join(names[fact] for fact in subset) for subset in best] or [""],
-        # of files, lists have at least one entry
-        "unmet": ["; ".join(names[fact] for fact in each.facts) for each in triples] or [""],
-        "unmet_verdict": [each.verdict.value for each in triples] or [""],
-        "unmet_told": [each.told for each in triples] or [0],
-        "unmet_tried": [each.tried for each in triples] or [0],
-        "unmet_near": [each.near for each in triples] or [0.0],
-        "unmet_share_high": [each.most for each in triples] or [0.0],
+        # in files, lists have at least one entry
+        "unmet": ["; ".join(names[fact] for fact in triple.facts) for triple in triples] or [""],
+        "unmet_verdict": [triple.verdict.value for triple in triples] or [""],
+        "unmet_told": [triple.told for triple in triples] or [0],
+        "unmet_tried": [triple.tried for triple in triples] or [0],
+        "unmet_near": [triple.near for triple in triples] or [0.0],
+        "unmet_share_high": [triple.most for triple in triples] or [0.0],
     }
 
 
 class IdentificationTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
-    """An `xarray.Dataset` that a notebook shows with what it says."""
+    """An `xarray.Dataset` that displays its conclusions in notebooks."""
 
     __slots__ = ()

@@ -1,4 +1,4 @@
-"""What a run says in numbers, by name: whether a state holds, times, works, energies, readings."""
+"""Quantities in rows of runs, by name: whether a state holds, times, works, energies, readings."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ _TERM = re.compile(r"\s*([+-]?)\s*(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)?\s*\*?\s*([
 
 @dataclass(frozen=True, kw_only=True)
 class RowQuantity:
-    """A number of a run's row.
+    """A number in a run's row.
 
     Attributes:
-        name: such as "fold_time"; of a state that holds or does not, the state's.
+        name: such as "fold_time"; for a state, its name.
         column: of the row.
-        unit: None of a state.
+        unit: None for a state.
         factor: from the column's number to SI.
     """
 
@@ -36,7 +36,7 @@ class RowQuantity:
     factor: float = 1.0
 
     def of(self, row: Row) -> float | None:
-        """The number in SI, of a state 1 where it holds and else 0; None where the row has none."""
+        """Return the number in SI, or 1 or 0 for a state; None if the row lacks it."""
         value = row.get(self.column)
         return None if value is None else self.factor * float(value)
 
@@ -45,41 +45,41 @@ Combination = tuple[tuple[float, RowQuantity], ...]
 
 
 def row_quantities(design: Design) -> dict[str, RowQuantity]:
-    """What runs of a design say, by name: states, what goals know of a run, and readings of what is furthest away."""
+    """Return the quantities in rows of a design's runs, by name: states, quantities of goals, and readings."""
     structure = structure_of(design)
     states = [transition.state for transition in structure.transitions]
-    found = [RowQuantity(name=state, column=state, unit=None) for state in states]
-    # what is missing of the energy is of the computation, and nothing that anybody sees
-    found += [
-        RowQuantity(name=each.name, column=each.column, unit=each.unit)
-        for each in quantities_of(design).values()
-        if each.source == "run" and each.unit.si
+    quantities = [RowQuantity(name=state, column=state, unit=None) for state in states]
+    # the energy residual is excluded, because it is a property of the computation that nobody observes
+    quantities += [
+        RowQuantity(name=quantity.name, column=quantity.column, unit=quantity.unit)
+        for quantity in quantities_of(design).values()
+        if quantity.source == "run" and quantity.unit.si
     ]
     start = first_state(structure, structure.stage_states)
     for state in (*([start] if start else []), *states):
         name = state.replace(" ", "_")
-        found.append(
+        quantities.append(
             RowQuantity(name=f"{name}_angle", column=f"{state}_angle_deg", unit=ANGLE, factor=math.radians(1.0))
         )
-        found.append(RowQuantity(name=f"{name}_distance", column=f"{state}_distance_m", unit=LENGTH))
-    return {each.name: each for each in found}
+        quantities.append(RowQuantity(name=f"{name}_distance", column=f"{state}_distance_m", unit=LENGTH))
+    return {quantity.name: quantity for quantity in quantities}
 
 
 def read_combination(text: object, known: Mapping[str, RowQuantity]) -> Combination:
-    """Read a quantity or a sum of some, such as "opened_energy - 0.5 folded_energy".
+    """Read a quantity or a sum of quantities, such as "opened_energy - 0.5 folded_energy".
 
     Args:
-        text: as a file has it.
+        text: as in a file.
         known: quantities by name.
 
     Raises:
-        InputError: none of these, or a sum of what has several units; the caller knows the key.
+        InputError: an unknown quantity, or a sum of different units. The caller adds the key.
     """
     if not isinstance(text, str) or not text.strip():
         raise InputError(f"need {one_of(known, text)}")
-    parts, place = [], 0
-    while place < len(text):
-        match = _TERM.match(text, place)
+    parts, position = [], 0
+    while position < len(text):
+        match = _TERM.match(text, position)
         if match is None:
             raise InputError(
                 f'need a quantity or a sum such as "opened_energy - folded_energy", got {as_written(text)}'
@@ -88,15 +88,17 @@ def read_combination(text: object, known: Mapping[str, RowQuantity]) -> Combinat
         if name not in known:
             raise InputError(f"need {one_of(known, name)}")
         parts.append(((-1.0 if sign == "-" else 1.0) * float(number or 1.0), known[name]))
-        place = match.end()
+        position = match.end()
     units = {part.unit.si if part.unit else "yes or no" for _, part in parts}
     if len(units) > 1:
-        raise InputError(f"need a sum of what has one unit, got {' and '.join(sorted(units))} in {as_written(text)}")
+        raise InputError(
+            f"need a sum of quantities with one unit, got {' and '.join(sorted(units))} in {as_written(text)}"
+        )
     return tuple(parts)
 
 
 def combined(parts: Combination, row: Row) -> float | None:
-    """The sum in SI; None where the row lacks one of its numbers."""
+    """Return the sum in SI; None if the row lacks one of its numbers."""
     values = [part.of(row) for _, part in parts]
     if any(value is None for value in values):
         return None
@@ -104,5 +106,5 @@ def combined(parts: Combination, row: Row) -> float | None:
 
 
 def is_state(parts: Sequence[tuple[float, RowQuantity]]) -> bool:
-    """Whether it is one state that holds or does not."""
+    """Return whether a combination is a single state."""
     return len(parts) == 1 and parts[0][1].unit is None

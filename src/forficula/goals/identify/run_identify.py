@@ -1,4 +1,4 @@
-"""Observations in a folder: what is missing is run, what is there is kept, and the result is built at the end."""
+"""Identification in a folder: missing runs are done, existing rows are kept, and the result is built at the end."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from forficula.study.running.run_study import Progress as RunProgress
 if TYPE_CHECKING:
     import xarray
 
-# samples by which the time of all is guessed
+# number of samples from which the time of all is estimated
 _GUESS = 2
 
 
@@ -35,47 +35,49 @@ def identify(
     progress: Progress | None = None,
     run_progress: RunProgress | None = None,
 ) -> xarray.Dataset:
-    """Run what observations lack, and say which samples agree with the facts.
+    """Do the missing runs of observations, and determine which samples agree with the facts.
 
-    Killed and taken up again in the same folder it comes to the same, bit for bit.
+    An interrupted call that is repeated in the same folder gives the same result, bit for bit.
 
     Args:
-        observations: what was seen.
+        observations: design, unknowns and facts.
         out: folder with the rows of runs.
-        shard: number, from 1 on, and count of the processes that share the runs, each of which comes to the result.
-        threads: 0 for one a core.
-        cluster: what makes rows of designs, from `dask_cluster`.
-        progress: called after every batch of samples with those done, all, and the samples.
-        run_progress: called after every run with those done, those known to be needed, and the row.
+        shard: number, from 1, and count of the processes that share the runs; each of them gets the result.
+        threads: number of threads; 0 for one per core.
+        cluster: computes rows of designs, from `dask_cluster`.
+        progress: called after every batch with the number of completed samples, the number of all samples, and the
+            samples.
+        run_progress: called after every run with the number of completed runs, the number of runs known to be needed,
+            and the row.
 
     Returns:
         The table of `build_result`.
 
     Raises:
-        InputError: the folder holds rows of another design, or cannot be written; a number is not allowed.
+        InputError: the folder has rows of another design, or cannot be written; a number is not allowed.
     """
     with open_assessor(
         out, observations.base, shard=shard, threads=threads, cluster=cluster, progress=run_progress
     ) as assessor:
-        asked: set[str] = set()
-        samples = identify_samples(observations, lambda runs: _rows(assessor, runs, asked), progress)
-        return build_result(observations, samples, len(asked))
+        keys: set[str] = set()
+        samples = identify_samples(observations, lambda runs: _rows(assessor, runs, keys), progress)
+        return build_result(observations, samples, len(keys))
 
 
-def _rows(assessor: Assessor, runs: Sequence[ConditionRun], asked: set[str]) -> list[Row]:
-    asked.update(run.key for run in runs)
+def _rows(assessor: Assessor, runs: Sequence[ConditionRun], keys: set[str]) -> list[Row]:
+    keys.update(run.key for run in runs)
     return assessor([run.design for run in runs], ["run"], points=[run.values for run in runs])
 
 
 def estimate_identify(observations: Observations) -> tuple[int, float, float]:
-    """Guess what observations take: samples, runs in all, and time on this machine, s.
+    """Estimate the number of samples, the number of runs, and the time on this machine, s.
 
-    The guess is that of the first samples, run now, times all of them.
+    The estimate is that of the first samples, which run now, times the number of samples.
 
     Args:
-        observations: what was seen.
+        observations: design, unknowns and facts.
     """
-    few = replace(observations, samples=min(_GUESS, observations.samples), directed=0)
+    first_samples = replace(observations, samples=min(_GUESS, observations.samples), directed=0)
     runs, start = 0, time.perf_counter()
 
     def assess(wanted: Sequence[ConditionRun]) -> list[Row]:
@@ -84,7 +86,7 @@ def estimate_identify(observations: Observations) -> tuple[int, float, float]:
         rows = {row["key"]: row for row in evaluate([run.design for run in wanted])}
         return [rows[run.key] for run in wanted]
 
-    identify_samples(few, assess)
+    identify_samples(first_samples, assess)
     count = observations.samples + observations.directed
-    share = count / few.samples
+    share = count / first_samples.samples
     return count, share * runs, share * (time.perf_counter() - start)

@@ -1,4 +1,4 @@
-"""The runs of a sample: its design under every condition that a fact asks for, built when it is asked for."""
+"""Runs of a sample: its design under every condition that a fact needs, built when it is needed."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ class ConditionRun:
 
     Attributes:
         key: of its row.
-        design: that runs.
-        values: of the unknowns and of the condition, by key, as a design file has them.
+        design: to run.
+        values: of the unknowns and of the condition, by key, as in a design file.
     """
 
     key: str
@@ -35,29 +35,29 @@ Wanted = dict[str, ConditionRun]
 
 
 class SampleRuns:
-    """Runs of a sample by condition; the design of each is built once."""
+    """Runs of a sample by condition. The design of each is built once."""
 
     def __init__(self, base: Design, values: Values) -> None:
         """Start with the values of a sample.
 
         Args:
-            base: with all that is known.
+            base: with all known values.
             values: of the unknowns, by key.
 
         Raises:
-            InputError: there is no such design.
+            InputError: the values are not allowed.
         """
         self._values = values
         self._design = with_values(base, values)
-        self._stages = {each.name: each.stage for each in structure_of(self._design).transitions}
+        self._stages = {transition.name: transition.stage for transition in structure_of(self._design).transitions}
         self._built: dict[tuple[str | None, tuple[tuple[str, object], ...]], ConditionRun | None] = {}
 
     def at(self, values: Values, until: str | None) -> ConditionRun | None:
-        """The run under a condition; None where there is no such design.
+        """Return the run under a condition; None if its values are not allowed.
 
         Args:
-            values: of the condition, by key, as a design file has them.
-            until: name of the transition with whose stage the run ends; None for the whole protocol.
+            values: of the condition, by key, as in a design file.
+            until: name of the transition after whose stage the run ends; None for the whole protocol.
         """
         name = until, tuple(sorted(values.items()))
         if name not in self._built:

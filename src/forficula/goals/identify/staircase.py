@@ -1,4 +1,4 @@
-"""States over a grid that hold from some boundary on: what follows from the runs so far, and which run tells most."""
+"""Monotone states over a grid: what completed runs imply, and which run is most informative."""
 
 from __future__ import annotations
 
@@ -10,51 +10,52 @@ from numpy.typing import NDArray
 
 from forficula.study.running.journal import Row
 
-# of a grid's points
+# states of a grid's points
 OPEN, FAILS, HOLDS, UNTOLD = -1, 0, 1, 2
 States = NDArray[np.int8]
 
 
 def follows(known: States, axes: Sequence[int], reversed_axes: Sequence[int]) -> States:
-    """What is known of every point of a grid where some points are known.
+    """Return the states of all points of a grid that known points imply.
 
-    A state that holds goes on holding along an axis, and one that fails has failed before; what was found at a point
-    itself stands above what follows from others, and between others holding stands above failing.
+    A state that holds also holds further along an axis, and one that fails also fails before. A known state takes
+    precedence over implied ones, and an implied "holds" over an implied "fails".
 
     Args:
-        known: OPEN, FAILS, HOLDS or UNTOLD of each point, any shape.
-        axes: along which it holds more and more.
-        reversed_axes: along which it holds less and less.
+        known: OPEN, FAILS, HOLDS or UNTOLD for each point, any shape.
+        axes: along which the state holds for larger values, too.
+        reversed_axes: along which the state holds for smaller values, too.
 
     Returns:
-        As `known`, with OPEN only where nothing follows.
+        Same shape as `known`, with OPEN only where nothing is implied.
     """
     up, down = _reach(known == HOLDS, axes, reversed_axes), _reach(known == FAILS, reversed_axes, axes)
-    found = np.where(up, HOLDS, np.where(down, FAILS, OPEN))
-    return np.asarray(np.where(known == OPEN, found, known), dtype=np.int8)
+    implied = np.where(up, HOLDS, np.where(down, FAILS, OPEN))
+    return np.asarray(np.where(known == OPEN, implied, known), dtype=np.int8)
 
 
 def next_point(states: States, axes: Sequence[int], reversed_axes: Sequence[int]) -> tuple[int, ...] | None:
-    """The open point whose run tells most for certain, the first of equal ones; None where no point is open.
+    """Return the open point whose run is most informative; None if no point is open.
 
-    Whichever way it goes, the state of so many open points follows: the smaller number of both ways counts.
+    It maximises the number of open points whose state is implied in the less favourable case. Of equal points the first
+    one is returned.
     """
-    opened = np.argwhere(states == OPEN)
+    open_points = np.argwhere(states == OPEN)
     best: tuple[int, tuple[int, ...]] | None = None
-    for point in map(tuple, opened.tolist()):
-        alone = np.zeros(states.shape, dtype=bool)
-        alone[point] = True
-        told = min(
-            int((_reach(alone, *ways) & (states == OPEN)).sum())
-            for ways in ((axes, reversed_axes), (reversed_axes, axes))
+    for point in map(tuple, open_points.tolist()):
+        start = np.zeros(states.shape, dtype=bool)
+        start[point] = True
+        implied = min(
+            int((_reach(start, *directions) & (states == OPEN)).sum())
+            for directions in ((axes, reversed_axes), (reversed_axes, axes))
         )
-        if best is None or told > best[0]:
-            best = told, point
+        if best is None or implied > best[0]:
+            best = implied, point
     return None if best is None else best[1]
 
 
 def _reach(start: NDArray[np.bool_], axes: Sequence[int], reversed_axes: Sequence[int]) -> NDArray[np.bool_]:
-    """The points beyond some, themselves among them: upwards along axes, downwards along reversed ones."""
+    """Return the points beyond some points, including these: upwards along axes, downwards along reversed ones."""
     reached = start
     for axis in axes:
         reached = np.logical_or.accumulate(reached, axis=axis)
@@ -65,13 +66,13 @@ def _reach(start: NDArray[np.bool_], axes: Sequence[int], reversed_axes: Sequenc
 
 @dataclass(kw_only=True)
 class Ladder:
-    """Which values of a condition were tried, and from which on the state holds.
+    """Values of a condition that were tried, and the least one that reaches the state.
 
     Attributes:
-        holds: number of the least value that is known to hold; how many there are where none is.
-        fails: number of the largest one below it that does not, or is taken for such; -1 where none is.
-        untold: numbers of those that do not tell, and of which nothing else tells.
-        rows: of what was tried, by number.
+        holds: index of the least value that is known to reach it; the number of values if none is.
+        fails: index of the largest smaller value that does not reach it, or is treated as such; -1 if none.
+        untold: indices of inconclusive values whose result is not implied by others.
+        rows: of tried values, by index.
     """
 
     holds: int
@@ -80,24 +81,25 @@ class Ladder:
     rows: dict[int, Row] = field(default_factory=dict)
 
     def next(self, count: int, *, monotone: bool) -> int:
-        """Number of the value to try next: the largest first, which other facts ask for, too; then the middle one.
+        """Return the index of the next value to try: first the largest, which other facts use, too, then the middle.
 
         Args:
-            count: of all values.
-            monotone: whether what holds with one value is taken to hold with all larger ones; if not, the next one.
+            count: number of values.
+            monotone: whether all values above a successful one are assumed to succeed; if not, the next value is
+                returned.
         """
         if not monotone:
             return self.fails + 1
         return count - 1 if self.holds == count else (self.fails + self.holds) // 2
 
     def tell(self, number: int, row: Row, *, holds: bool | None, monotone: bool) -> None:
-        """Take in what a value came to.
+        """Record the result of a value.
 
         Args:
-            number: of the value.
+            number: index of the value.
             row: of its run.
-            holds: whether the state does; None where the run does not tell, which is taken to fail.
-            monotone: as of `next`.
+            holds: whether the state is reached; None for an inconclusive run, which is treated as a failure.
+            monotone: see `next`.
         """
         self.rows[number] = row
         if holds:
@@ -107,10 +109,10 @@ class Ladder:
         if holds is None:
             self.untold.append(number)
         elif monotone:
-            # what is smaller fails, too
-            self.untold = [each for each in self.untold if each > number]
+            # smaller values fail, too
+            self.untold = [index for index in self.untold if index > number]
 
     @property
     def least(self) -> int:
-        """Number of the least value that may hold, whatever those that do not tell would have come to."""
+        """Index of the least value that may hold, for every possible outcome of inconclusive runs."""
         return min([self.holds, *self.untold])

@@ -1,4 +1,4 @@
-"""Designs that a search tried: outcomes, outcomes of their neighbours, and verification."""
+"""Designs that a search tried: their results, variants within their tolerances (neighbours), and verification."""
 
 from __future__ import annotations
 
@@ -23,25 +23,26 @@ from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.goals.share_interval import share_interval
 from forficula.serial import Written
 
-# Neighbours that are asked first; each time after that twice as many are known.
+# Number of neighbours that are run first; it then doubles each time.
 _FIRST = 8
 FINER = 4
-# Fresh neighbours, for each that the search asked.
+# Number of new neighbours for verification, per neighbour in the search.
 _FRESH = 4
-# What tells the draws of the fresh ones from those of the search.
+# Offset between the seeds of the neighbours for verification and of those in the search.
 _OTHER_SEED = 1_000_003
 
 
 @dataclass(frozen=True, kw_only=True)
 class Neighbours:
-    """What became of designs within the tolerances of one.
+    """Results of neighbours: variants of one design within its tolerances.
 
     Attributes:
-        works: how many do all that the goal asks.
-        tried: how many were asked.
-        wanted: how many there are to ask; more than were, where it was plain that too few would work.
-        runs: how many of them had to be simulated.
-        looks: out of how many designs this one was chosen for what its neighbours do.
+        works: number of neighbours that meet the whole goal.
+        tried: number of neighbours that were evaluated.
+        wanted: number of neighbours to evaluate; larger than `tried` if the evaluation was stopped because too few
+            work.
+        runs: number of neighbours that had to be simulated.
+        looks: number of designs from which this one was selected by the results of its neighbours.
     """
 
     works: int
@@ -52,12 +53,12 @@ class Neighbours:
 
     @property
     def share(self) -> Annotated[float, Written.ALWAYS]:
-        """Of those that were asked, the ones that work."""
+        """Fraction of the evaluated neighbours that work."""
         return self.works / self.tried
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Of the share, at 95 %."""
+        """95 % interval of the fraction."""
         return share_interval(self.works, self.tried, self.looks)
 
     @property
@@ -67,48 +68,50 @@ class Neighbours:
 
 
 def neighbour_offsets(goal: Goal, count: int, seed: int) -> Array:
-    """By how many widths neighbours are off, the same of every design, (count, deviation)."""
-    shares = latin_points(len(goal.deviations), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
-    columns = [deviation.offsets(column) for deviation, column in zip(goal.deviations, shares.T, strict=True)]
+    """Return the deviations of neighbours in widths, the same for every design, (count, deviation)."""
+    points = latin_points(len(goal.deviations), 2 ** math.ceil(math.log2(max(count, 1))), seed)[:count]
+    columns = [deviation.offsets(column) for deviation, column in zip(goal.deviations, points.T, strict=True)]
     return np.array(columns).T
 
 
 def neighbours_of(
     goal: Goal, assess: Assessor, designs: Sequence[Design], offsets: Array, least: float | None
 ) -> list[Neighbours]:
-    """Ask neighbours of designs, ever more of them, until it is plain that a wanted share cannot be reached.
+    """Evaluate ever more neighbours of designs, until a required fraction clearly cannot be reached.
 
     Args:
-        goal: what is asked of each.
-        assess: that answers.
-        designs: whose neighbours are asked.
-        offsets: by how many widths each neighbour is off, (neighbour, deviation).
-        least: share that is to work; None to ask all of them.
+        goal: requirements for each neighbour.
+        assess: computes rows of designs.
+        designs: to evaluate.
+        offsets: deviation of each neighbour in widths, (neighbour, deviation).
+        least: required fraction; None to evaluate all neighbours.
     """
     count = len(offsets)
     allowed = count if least is None else count - math.ceil(least * count - 1e-9)
     works, runs, tried = [0] * len(designs), [0] * len(designs), [0] * len(designs)
-    going, asked = list(range(len(designs))), 0
-    while going and asked < count:
-        upto = min(count, max(_FIRST, 2 * asked))
-        owners = [number for number in going for _ in range(asked, upto)]
-        off = [_off(goal, designs[number], offsets[row]) for number in going for row in range(asked, upto)]
-        for number, found in zip(owners, screened(goal, assess, off, runs_first=True), strict=True):
-            works[number] += found.meets
-            runs[number] += goal.simulate and not found.ruled_out
+    open_designs, done = list(range(len(designs))), 0
+    while open_designs and done < count:
+        end = min(count, max(_FIRST, 2 * done))
+        owners = [number for number in open_designs for _ in range(done, end)]
+        variants = [
+            _variant(goal, designs[number], offsets[row]) for number in open_designs for row in range(done, end)
+        ]
+        for number, result in zip(owners, screened(goal, assess, variants, runs_first=True), strict=True):
+            works[number] += result.meets
+            runs[number] += goal.simulate and not result.ruled_out
             tried[number] += 1
-        going = [number for number in going if tried[number] - works[number] <= allowed]
-        asked = upto
+        open_designs = [number for number in open_designs if tried[number] - works[number] <= allowed]
+        done = end
     return [
         Neighbours(works=works[number], tried=tried[number], wanted=count, runs=runs[number])
         for number in range(len(designs))
     ]
 
 
-def _off(goal: Goal, design: Design, offsets: Array) -> Design | str:
-    """A design that is off, or why it cannot be built so."""
+def _variant(goal: Goal, design: Design, offsets: Array) -> Design | str:
+    """Return a deviating design, or why it cannot be built."""
     try:
-        return design.with_values(off_values(design, goal.deviations, [float(each) for each in offsets]))
+        return design.with_values(off_values(design, goal.deviations, [float(offset) for offset in offsets]))
     except InputError as error:
         return str(error)
 
@@ -118,10 +121,10 @@ class Candidate:
     """A design that was tried.
 
     Attributes:
-        point: where it lies in the unit cube of the parameters.
-        values: of the parameters by key, as a design file has them.
-        found: what it came to.
-        neighbours: what became of those within the tolerances; None where it was not worth asking.
+        point: position in the unit cube of the parameters.
+        values: of the parameters by key, as in a design file.
+        found: result.
+        neighbours: results of its neighbours; None if they were not evaluated.
     """
 
     point: Point
@@ -130,62 +133,62 @@ class Candidate:
     neighbours: Neighbours | None = None
 
     def value(self, quantity: OutcomeQuantity) -> float | None:
-        """A quantity, SI; None where there is none or it was not asked."""
+        """Return a quantity, SI; None if it does not exist or was not computed."""
         if quantity.name == PROBABILITY:
             return None if self.neighbours is None else self.neighbours.share
         return value_of(self.found.row, quantity, self.found.design)
 
 
 def axes_of(goal: Goal) -> tuple[Axis, ...]:
-    """The axes of a goal's parameters, in their order."""
-    return tuple(Axis(levels=len(each.choices), ordered=each.ordered) for each in goal.parameters)
+    """Return the axes of a goal's parameters, in their order."""
+    return tuple(Axis(levels=len(parameter.choices), ordered=parameter.ordered) for parameter in goal.parameters)
 
 
 def wanted_share(goal: Goal) -> Limit | None:
-    """The least share of neighbours that is to work, if there is one."""
-    wanted = [each for each in goal.limits if each.quantity.name == PROBABILITY and each.kind == ">="]
-    return max(wanted, key=lambda each: each.bound, default=None)
+    """Return the required fraction of working neighbours as a limit, if there is one."""
+    limits = [limit for limit in goal.limits if limit.quantity.name == PROBABILITY and limit.kind == ">="]
+    return max(limits, key=lambda limit: limit.bound, default=None)
 
 
 def asks_probability(goal: Goal) -> bool:
-    """Whether the probability of working is itself to be as large as can be."""
-    return any(each.quantity.name == PROBABILITY for each in goal.objectives)
+    """Return whether the probability of working is an objective."""
+    return any(objective.quantity.name == PROBABILITY for objective in goal.objectives)
 
 
 def costs(goal: Goal, candidate: Candidate) -> tuple[float, ...]:
-    """What is to be small, an objective each; nan where one is not known."""
-    found = []
-    for each in goal.objectives:
-        value = candidate.value(each.quantity)
-        # what was not worth asking is not known to be worse than nothing
-        unknown = 0.0 if each.quantity.name == PROBABILITY and candidate.found.meets else math.nan
-        found.append(each.cost(unknown if value is None else value))
-    return tuple(found)
+    """Return the numbers to minimise, one per objective; nan if unknown."""
+    values = []
+    for objective in goal.objectives:
+        value = candidate.value(objective.quantity)
+        # the probability of a design whose neighbours were not evaluated counts as 0
+        unknown = 0.0 if objective.quantity.name == PROBABILITY and candidate.found.meets else math.nan
+        values.append(objective.cost(unknown if value is None else value))
+    return tuple(values)
 
 
 def trial_of(goal: Goal, candidate: Candidate) -> Trial:
-    """A candidate as the search sees it."""
-    found, wanted, neighbours = candidate.found, wanted_share(goal), candidate.neighbours
+    """Return a candidate as a trial of the search."""
+    result, required, neighbours = candidate.found, wanted_share(goal), candidate.neighbours
     surplus = math.nan
-    if wanted is not None and neighbours is not None:
-        surplus = neighbours.share - wanted.bound
+    if required is not None and neighbours is not None:
+        surplus = neighbours.share - required.bound
         if neighbours.tried < neighbours.wanted:
-            # of those that were given up the first ones may have done well
+            # if the evaluation was stopped early, the first neighbours may have been better than average
             surplus = min(surplus, -1 / neighbours.wanted)
-    margins = (*found.margins, found.works) if goal.simulate else found.margins
+    margins = (*result.margins, result.works) if goal.simulate else result.margins
     return Trial(point=candidate.point, objectives=costs(goal, candidate), margins=margins, surplus=surplus)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Verification:
-    """How a candidate does where the search did not look.
+    """Check of a candidate with conditions that the search did not use.
 
     Attributes:
-        candidate: that was verified.
-        timestep: of its run, s; None where nothing is run.
-        finer: what it comes to at a quarter of that; None where nothing is run.
-        fresh: what became of neighbours that the search did not ask; None without tolerances.
-        holds: whether all limits are met again, that on the probability among them.
+        candidate: the candidate.
+        timestep: of its run, s; None without simulation.
+        finer: result at a quarter of this timestep; None without simulation.
+        fresh: results of new neighbours; None without tolerances.
+        holds: whether all limits are met again, including that on the probability.
     """
 
     candidate: Candidate
@@ -196,7 +199,7 @@ class Verification:
 
     @property
     def residual(self) -> float | None:
-        """The largest share of the energy that is missing at the finer timestep."""
+        """Largest fraction of the energy that the balance misses at the finer timestep."""
         return None if self.finer is None else self.finer.row.get("residual")
 
 
@@ -204,31 +207,32 @@ def verified(goal: Goal, assess: Assessor, candidates: Sequence[Candidate], befo
     """Verify candidates that meet a goal.
 
     Args:
-        goal: what is asked.
-        assess: that answers.
-        candidates: that were built.
-        before: how many others were verified before and did not hold: each time the fresh neighbours are drawn anew.
+        goal: the goal.
+        assess: computes rows of designs.
+        candidates: that could be built.
+        before: number of other candidates that failed verification before; new neighbours are drawn each time.
     """
-    designs = [each.found.design for each in candidates if isinstance(each.found.design, Design)]
-    steps = [_timestep(each) for each in candidates]
+    designs = [candidate.found.design for candidate in candidates if isinstance(candidate.found.design, Design)]
+    steps = [_timestep(candidate) for candidate in candidates]
     finer: list[Screened | None] = [None] * len(candidates)
     if goal.simulate:
-        finer = [*screened(goal, assess, [_finer(d, step) for d, step in zip(designs, steps, strict=True)])]
+        finer = [*screened(goal, assess, [_finer(design, step) for design, step in zip(designs, steps, strict=True)])]
     fresh: list[Neighbours | None] = [None] * len(candidates)
     if goal.deviations:
         offsets = neighbour_offsets(goal, _FRESH * goal.neighbours, goal.seed + _OTHER_SEED + before)
         fresh = [*neighbours_of(goal, assess, designs, offsets, None)]
-    wanted = wanted_share(goal)
+    required = wanted_share(goal)
     return [
         Verification(
             candidate=candidate,
             timestep=step,
-            finer=fine,
-            # the first that does well enough is taken
-            fresh=None if other is None else replace(other, looks=before + 1),
-            holds=(fine is None or fine.meets) and (wanted is None or other is None or wanted.margin(other.share) >= 0),
+            finer=result,
+            # the number of selected designs widens the interval, because the first one that passes is taken
+            fresh=None if neighbours is None else replace(neighbours, looks=before + 1),
+            holds=(result is None or result.meets)
+            and (required is None or neighbours is None or required.margin(neighbours.share) >= 0),
         )
-        for candidate, step, fine, other in zip(candidates, steps, finer, fresh, strict=True)
+        for candidate, step, result, neighbours in zip(candidates, steps, finer, fresh, strict=True)
     ]
 
 
@@ -238,7 +242,7 @@ def _timestep(candidate: Candidate) -> float | None:
 
 
 def _finer(design: Design, timestep: float | None) -> Design | str:
-    """The design at a quarter of a timestep, s."""
+    """Return the design at a quarter of a timestep, s."""
     try:
         return design if timestep is None else design.with_values({"protocol.timestep": timestep / FINER})
     except InputError as error:

@@ -1,4 +1,4 @@
-"""Result of a search for the best design, and which designs deserve a record."""
+"""Result of a search for the best design, and the selection of designs whose records are kept."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Effort:
-    """What a search cost, and what it did without.
+    """Numbers of designs and runs that a search needed and avoided.
 
     Attributes:
         tried: designs that were tried.
-        runs: designs that were simulated, neighbours and finer timesteps left out.
+        runs: designs that were simulated, without neighbours and finer timesteps.
         ruled_out: designs that closed forms, statics or the builder ruled out before any run, by which of them.
         neighbour_runs: neighbours that were simulated.
-        spared_neighbours: neighbours that were not asked, because too few could work any more, or because what they
-            are neighbours of was worse than what was known to be good.
-        verification_runs: at the finer timestep, and of fresh neighbours.
-        simulated: whether designs were to be run at all.
+        spared_neighbours: neighbours that were not evaluated, because too few could work any more, or because their
+            design was worse than a known good one.
+        verification_runs: runs at the finer timestep and of new neighbours.
+        simulated: whether the goal needs simulation.
     """
 
     tried: int
@@ -46,23 +46,23 @@ class Effort:
 
     @property
     def spared_runs(self) -> Annotated[int, Key("runs_spared")]:
-        """Runs that were never made, where there would have been any."""
+        """Number of runs that were avoided."""
         return sum(self.ruled_out.values()) if self.simulated else 0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Optimum(Displayed):
-    """The best designs by a goal.
+    """The best designs for a goal.
 
     Attributes:
-        goal: what was asked.
-        candidates: all that were tried, in their order.
-        best: the best of them, with how they do where the search did not look: one, or a front by its first
-            objective; none where nothing meets the goal.
-        discarded: better ones that did not hold when they were verified.
-        effort: what it cost.
-        relaxations: where nothing meets the goal, by limit, what would have to give; the last one is that the structure
-            works, if it is simulated.
+        goal: the goal.
+        candidates: all designs that were tried, in their order.
+        best: the best of them, verified: one, or a front sorted by its first objective; empty if no design meets the
+            goal.
+        discarded: better ones that failed verification.
+        effort: numbers of designs and runs.
+        relaxations: if no design meets the goal, how far each limit would have to be relaxed, by limit; the last one is
+            for the success of the protocol, if it is simulated.
         table: all candidates.
     """
 
@@ -78,16 +78,18 @@ class Optimum(Displayed):
     def designs(self) -> tuple[Design, ...]:
         """The best designs."""
         return tuple(
-            each.candidate.found.design for each in self.best if isinstance(each.candidate.found.design, Design)
+            verification.candidate.found.design
+            for verification in self.best
+            if isinstance(verification.candidate.found.design, Design)
         )
 
     @property
     def feasible(self) -> bool:
-        """Whether anything meets the goal."""
+        """Whether any design meets the goal."""
         return bool(self.best)
 
     def __repr__(self) -> str:
-        """What was asked and how many designs answer it."""
+        """Return the numbers of best and of tried designs."""
         return f"<Optimum {self.goal.name}: {len(self.best)} of {self.effort.tried} designs are best>"
 
 
@@ -95,11 +97,11 @@ Numbers = NDArray[np.int64]
 
 
 def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKeep]:
-    """The best, the front, and of the others those that meet the goal and those that do not by turns, spread evenly.
+    """Return the runs of the best designs, of the front, and of others that meet or miss the goal, evenly spread.
 
     Args:
-        optimum: what was found.
-        most: runs at most; none where nothing is run.
+        optimum: the result.
+        most: largest number of runs. Without simulation, none is returned.
     """
     if not optimum.goal.simulate:
         return []
@@ -109,14 +111,14 @@ def candidates_to_keep(optimum: Optimum, most: int = MOST_KEPT) -> list[RunToKee
     left = most - len(first)
     ran = table["outcome"].values != "not run"
     others = [_spread(np.flatnonzero(ran & ~best & ~front & kind), left) for kind in (feasible, ~feasible)]
-    by_turns = [int(numbers[place]) for place in range(left) for numbers in others[::-1] if place < len(numbers)]
-    designs = [each.found.design for each in optimum.candidates]
+    by_turns = [int(numbers[index]) for index in range(left) for numbers in others[::-1] if index < len(numbers)]
+    designs = [candidate.found.design for candidate in optimum.candidates]
     return designs_to_keep(designs, [*map(int, first), *by_turns], most)
 
 
 def _spread(numbers: Numbers, most: int) -> Numbers:
-    """So many of some numbers, evenly."""
+    """Return at most this many of some numbers, evenly spread."""
     if len(numbers) <= most:
         return numbers
-    places = np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(np.int64)
-    return np.asarray(numbers[places], dtype=np.int64)
+    indices = np.linspace(0, len(numbers) - 1, max(most, 0)).round().astype(np.int64)
+    return np.asarray(numbers[indices], dtype=np.int64)

@@ -1,4 +1,4 @@
-"""All candidates of a search as a labelled table."""
+"""Table of all candidates of a search."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ _WORDS = ("status", "verdict", "outcome")
 def optimum_table(
     goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate], discarded: Sequence[Candidate]
 ) -> xarray.Dataset:
-    """Label what became of every candidate.
+    """Build the labelled table of all candidates.
 
     Args:
-        goal: what was asked.
+        goal: the goal.
         candidates: in the order in which they were tried.
-        best: those of them that were verified.
-        discarded: those that did not hold when they were.
+        best: those that passed verification.
+        discarded: those that failed it.
 
     Returns:
-        One dimension, "candidate"; coordinates are the parameters, in SI with `units`, `display` and `key`. Variables
-        are the quantities of the goal; `margin`, the least of all, and those of every limit; `works`, `feasible`,
-        `front` and `best`; `probability` with its interval; `status`, `verdict` and `outcome` in words; nan where
-        something was not asked.
+        One dimension, "candidate". Coordinates are the parameters, in SI with `units`, `display` and `key`. Variables
+        are the quantities of the goal; `margin` (the smallest one) and the margins of all limits; `works`, `feasible`,
+        `front` and `best`; `probability` with its interval; `status`, `verdict` and `outcome` in words; nan if not
+        computed.
     """
     from forficula.study.tables.study_table import StudyTable
 
@@ -51,56 +51,67 @@ def optimum_table(
         **_standing(goal, candidates, best, discarded),
     }
     variables |= _probabilities(candidates)
-    words = [_words(each) for each in candidates]
+    words = [_words(item) for item in candidates]
     for word in _WORDS:
-        variables[word] = (_AXIS, np.array([str(each[word]) for each in words], dtype=object))
+        variables[word] = (_AXIS, np.array([str(item[word]) for item in words], dtype=object))
     attributes = {
         "name": goal.name,
         "source": goal.source,
         "design": goal.base.name,
         "design_hash": goal.base.hash,
-        "objectives": ", ".join(f"{each.kind} {each.quantity.name}" for each in goal.objectives),
-        "limits": ", ".join(str(each) for each in (*goal.given, *goal.limits)),
+        "objectives": ", ".join(f"{item.kind} {item.quantity.name}" for item in goal.objectives),
+        "limits": ", ".join(str(item) for item in (*goal.given, *goal.limits)),
     }
     return StudyTable(variables, _coordinates(goal, candidates), attributes)
 
 
 def _quantities(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
-    """What limits and objectives are about; the probability has an interval, and stands by itself."""
-    found: dict[str, Any] = {}
+    """Return the quantities of limits and objectives, except the probability, which has an interval of its own."""
+    columns: dict[str, Any] = {}
     for quantity in goal.quantities:
         if quantity.name != PROBABILITY:
-            values = [each.value(quantity) for each in candidates]
+            values = [candidate.value(quantity) for candidate in candidates]
             attributes = {"units": quantity.unit.si, "display": quantity.unit.display, "long_name": quantity.meaning}
-            found[quantity.dimension] = (_AXIS, _numbers(values), attributes)
-    return found
+            columns[quantity.dimension] = (_AXIS, _numbers(values), attributes)
+    return columns
 
 
 def _margins(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
-    """The least margin of all, those of every limit, and that of what the protocol asks for."""
-    found: dict[str, Any] = {
-        "margin": (_AXIS, _numbers([each.found.least for each in candidates]), {"long_name": "least margin"})
+    """Return the smallest margin, those of every limit, and that of the protocol."""
+    columns: dict[str, Any] = {
+        "margin": (
+            _AXIS,
+            _numbers([candidate.found.least for candidate in candidates]),
+            {"long_name": "smallest margin"},
+        )
     }
-    for name, place in _margin_names(goal):
-        told = f"margin of {own_limits(goal)[place]}"
-        found[name] = (_AXIS, _numbers([each.found.margins[place] for each in candidates]), {"long_name": told})
-    works = _numbers([each.found.works for each in candidates])
-    found["margin_works"] = (_AXIS, works, {"long_name": "margin of what the protocol asks for"})
-    return found
+    for name, index in _margin_names(goal):
+        meaning = f"margin of {own_limits(goal)[index]}"
+        columns[name] = (
+            _AXIS,
+            _numbers([candidate.found.margins[index] for candidate in candidates]),
+            {"long_name": meaning},
+        )
+    works = _numbers([candidate.found.works for candidate in candidates])
+    columns["margin_works"] = (_AXIS, works, {"long_name": "margin of the protocol's goals"})
+    return columns
 
 
 def _standing(
     goal: Goal, candidates: Sequence[Candidate], best: Sequence[Candidate], discarded: Sequence[Candidate]
 ) -> dict[str, Any]:
-    """Which candidates work, meet everything, are beaten by none, and were verified."""
-    trials = [trial_of(goal, each) for each in candidates]
-    # what was beaten before its neighbours were asked may have too few that work
-    asked = [wanted_share(goal) is None or each.neighbours is not None for each in candidates]
-    lost = {each.point for each in discarded}
-    meets = [trial.feasible and told and trial.point not in lost for trial, told in zip(trials, asked, strict=True)]
-    front, verified = {trial.point for trial in pareto_front(trials)}, {each.point for each in best}
+    """Return which candidates work, meet everything, are on the front, and passed verification."""
+    trials = [trial_of(goal, candidate) for candidate in candidates]
+    # a candidate that was worse before its neighbours were evaluated may have too few working ones
+    evaluated = [wanted_share(goal) is None or candidate.neighbours is not None for candidate in candidates]
+    failed = {candidate.point for candidate in discarded}
+    meets = [
+        trial.feasible and is_evaluated and trial.point not in failed
+        for trial, is_evaluated in zip(trials, evaluated, strict=True)
+    ]
+    front, verified = {trial.point for trial in pareto_front(trials)}, {candidate.point for candidate in best}
     return {
-        "works": (_AXIS, np.array([each.found.works > 0 for each in candidates])),
+        "works": (_AXIS, np.array([candidate.found.works > 0 for candidate in candidates])),
         "feasible": (_AXIS, np.array(meets)),
         "front": (_AXIS, np.array([trial.point in front for trial in trials])),
         "best": (_AXIS, np.array([trial.point in verified for trial in trials])),
@@ -108,7 +119,7 @@ def _standing(
 
 
 def optimum_csv(table: xarray.Dataset) -> str:
-    """The table as text, one line a candidate, units in the names of the columns, empty where there is no number."""
+    """Return the table as text: one line per candidate, units in column names, empty cells for missing numbers."""
     columns = {**table.coords, **table.data_vars}
     names = [f"{name}{unit_suffix(column.attrs.get('units', ''))}" for name, column in columns.items()]
     rows = zip(*(column.values.tolist() for column in columns.values()), strict=True)
@@ -116,19 +127,19 @@ def optimum_csv(table: xarray.Dataset) -> str:
 
 
 def _coordinates(goal: Goal, candidates: Sequence[Candidate]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
-    for each in goal.parameters:
-        unit = each.factor.unit
-        attributes = {"key": each.key, "long_name": each.key.replace(".", " ").replace("_", " ")}
+    coordinates: dict[str, Any] = {}
+    for parameter in goal.parameters:
+        unit = parameter.factor.unit
+        attributes = {"key": parameter.key, "long_name": parameter.key.replace(".", " ").replace("_", " ")}
         if unit is not None:
             attributes |= {"units": unit.si, "display": unit.display}
-        values = [_value(each, candidate.values[each.key]) for candidate in candidates]
-        found[each.factor.dimension] = (_AXIS, values, attributes)
-    return found
+        values = [_value(parameter, candidate.values[parameter.key]) for candidate in candidates]
+        coordinates[parameter.factor.dimension] = (_AXIS, values, attributes)
+    return coordinates
 
 
 def _value(parameter: Parameter, value: object) -> object:
-    """A value in SI, as a number, or as text where it has no unit and is none."""
+    """Return a value in SI, as a number if it has a unit or is one, else as text."""
     unit = parameter.factor.unit
     if unit is None:
         return value if isinstance(value, int | float | str) else as_written(value)
@@ -136,48 +147,54 @@ def _value(parameter: Parameter, value: object) -> object:
 
 
 def _margin_names(goal: Goal) -> list[tuple[str, int]]:
-    """What the margins of the goal's own limits are called, and their places."""
-    found: dict[str, int] = {}
-    for place, limit in enumerate(own_limits(goal)):
+    """Return the names of the margins of the goal's own limits, and their indices."""
+    names: dict[str, int] = {}
+    for index, limit in enumerate(own_limits(goal)):
         name = f"margin_{limit.quantity.dimension}"
-        again = sum(each == name or (each.startswith(f"{name}_") and each[len(name) + 1 :].isdigit()) for each in found)
-        found[name if not again else f"{name}_{again + 1}"] = place
-    return list(found.items())
+        count = sum(
+            other == name or (other.startswith(f"{name}_") and other[len(name) + 1 :].isdigit()) for other in names
+        )
+        names[name if not count else f"{name}_{count + 1}"] = index
+    return list(names.items())
 
 
 def _probabilities(candidates: Sequence[Candidate]) -> dict[str, Any]:
-    asked = [each.neighbours for each in candidates]
+    neighbours = [result.neighbours for result in candidates]
     columns: list[tuple[str, str, list[float | None]]] = [
-        (PROBABILITY, "share of neighbours that work", [None if each is None else each.share for each in asked]),
+        (
+            PROBABILITY,
+            "fraction of neighbours that work",
+            [None if result is None else result.share for result in neighbours],
+        ),
         (
             f"{PROBABILITY}_low",
             "lower end of its 95 % interval",
-            [None if each is None else each.interval[0] for each in asked],
+            [None if result is None else result.interval[0] for result in neighbours],
         ),
         (
             f"{PROBABILITY}_high",
             "upper end of its 95 % interval",
-            [None if each is None else each.interval[1] for each in asked],
+            [None if result is None else result.interval[1] for result in neighbours],
         ),
-        ("neighbours", "neighbours that were asked", [each.tried if each else 0 for each in asked]),
+        ("neighbours", "neighbours that were evaluated", [result.tried if result else 0 for result in neighbours]),
     ]
     return {name: (_AXIS, _numbers(values), {"long_name": meaning}) for name, meaning, values in columns}
 
 
 def _words(candidate: Candidate) -> dict[str, object]:
-    """How the run of a candidate ended, or why there was none."""
-    found = candidate.found
-    if isinstance(found.design, str):
-        return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=found.design))
-    if "verdict" in found.row:
-        return found.row
-    if found.ruled_out:
-        return {"status": "not run: misses a limit before", "verdict": "", "outcome": "not run"}
+    """Return the ending of a candidate's run, or why there was no run."""
+    result = candidate.found
+    if isinstance(result.design, str):
+        return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=result.design))
+    if "verdict" in result.row:
+        return result.row
+    if result.ruled_out:
+        return {"status": "not run: misses a limit before the run", "verdict": "", "outcome": "not run"}
     return {"status": "not run", "verdict": "", "outcome": "not run"}
 
 
 def _numbers(values: Sequence[float | None]) -> np.ndarray:
-    return np.array([math.nan if each is None else float(each) for each in values])
+    return np.array([math.nan if value is None else float(value) for value in values])
 
 
 def _cell(value: object) -> object:

@@ -1,4 +1,4 @@
-"""Search by parabolas and differential evolution: which points to try next, from the outcomes of earlier trials."""
+"""Search by parabolas and differential evolution: proposes the next points from the results of earlier trials."""
 
 from __future__ import annotations
 
@@ -25,48 +25,48 @@ from forficula.goals.optimise.trials import (
     relaxations,
 )
 
-# Shares of a batch that parabolas propose, and that are drawn around the best trials.
+# Fractions of a batch that parabolas propose, and that are drawn around the best trials.
 _PROPOSED, _AROUND = 0.25, 0.25
-# Of the rest, as long as nothing is feasible: the share that fills the space further.
+# Fraction of the remaining batch that fills the space, as long as no trial is feasible.
 _FILLING = 0.5
-# Trials before parabolas are of use, an axis, and at least.
+# Number of trials before parabolas are used: per axis, and in total at least.
 _START, _LEAST_START = 4, 32
-# How far proposals go, as shares of the neighbourhood, and how far they stay within the limits, one after another.
+# Lengths of proposed steps, as fractions of the neighbourhood, and distances to keep from the limits, used in turn.
 _REACHES, _BACKS = (2.0, 1.0, 0.5, 0.25), (1e-6, 1e-3, 1e-4, 1e-2)
-# Bases are that far apart, and there are so many at most.
+# Smallest distance between bases, and their largest number.
 _APART, _BASES = 0.2, 4
-# A front of no more than its ends does not tell yet how far it spans.
+# A front that consists of its ends alone does not yet define its span.
 _ENDS, _LEAST_SPAN = 2, 1e-12
 _END_EVERY = 4
-# Trials that differential evolution goes on with, batches; the share of them from which all others start.
+# Number of batches of trials that differential evolution uses; fraction of them from which it starts.
 _POPULATION, _LEADING = 2, 0.05
-# Share of a difference that is gone, from and to, share of axes that change, and share of places that are drawn anew.
+# Range of the step factor for differences; fraction of axes that change; fraction of positions that are drawn anew.
 _STEPS, _CROSSED, _DRAWN = (0.4, 0.9), 0.8, 0.1
-# Parts of each side of the weights of aims, by the number of objectives: 17 and 28 directions.
+# Number of parts per side of the weights of aims, by the number of objectives: 17 and 28 directions.
 _PARTS = {1: 1, 2: 16, 3: 6}
-# No objective is ever quite without weight, so that it is not given away for nothing.
+# Every objective has at least this weight, so that it is not worsened without benefit.
 _LEAST_WEIGHT = 0.01
 
 
 class Optimiser(Protocol):
-    """A method that looks for the best points of the unit cube, batch after batch."""
+    """A method that searches for the best points of the unit cube, batch by batch."""
 
     def ask(self) -> list[Point]:
-        """Return the points to try next; none where no point is left."""
+        """Return the points to try next; empty if no point is left."""
         ...
 
     def tell(self, trials: Sequence[Trial]) -> None:
-        """Learn from trials of the points that were tried, which may be others than those that `ask` returned."""
+        """Use the trials of the tried points, which may differ from those that `ask` returned."""
         ...
 
 
 class ParabolaSearch:
     """Search that fits parabolas to the trials around the best points and proposes the optimum of the parabolas.
 
-    Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas through the trials around the best ones,
-    apart from one another, propose where their optimum is, further ones are drawn around these, and the rest comes from
-    differential evolution, which finds what parabolas do not see. Points are a pure function of the arguments and of
-    what was told, in their order: the same trials in the same order give the same points.
+    Scrambled Sobol points (Owen, 1998) fill the space first. Then parabolas are fitted to the trials around the best
+    ones that are apart from each other. Their optima are proposed, further points are drawn around these, and the rest
+    comes from differential evolution, which finds what parabolas do not represent. Points are a pure function of the
+    arguments and of the trials in their order.
     """
 
     def __init__(
@@ -76,10 +76,10 @@ class ParabolaSearch:
 
         Args:
             axes: of the unit cube.
-            objectives: how many, 1 to 3.
-            batch: points at a time.
-            seed: of all that is drawn.
-            starts: points to look at first.
+            objectives: number of objectives, 1 to 3.
+            batch: number of points per batch.
+            seed: of all random numbers.
+            starts: points to try first.
         """
         self._axes, self._batch, self._seed, self._starts = axes, batch, seed, starts
         self._weights = aim_weights(objectives)
@@ -89,7 +89,7 @@ class ParabolaSearch:
         self._number = 0
 
     def ask(self) -> list[Point]:
-        """Return the next batch of points, none of which was tried before; none where no point is left."""
+        """Return the next batch of untried points; empty if no point is left."""
         generator = np.random.default_rng([self._seed, self._number])
         if len(self._trials) < filling_count(self._axes, self._batch):
             starts = self._starts if self._number == 0 else []
@@ -102,30 +102,31 @@ class ParabolaSearch:
             best = best_ranked(self._trials, _POPULATION * self._batch)
             wanted += _varied(self._axes, best, rest - spread, generator)
         points = self._new(wanted)
-        # what differential evolution repeats is of no use: fill instead, as long as there is anything to fill
+        # points that differential evolution repeats are replaced by points that fill the space, as long as there are
+        # any
         for _ in range(8):
             if len(points) < self._batch:
                 points = self._new([*points, *self._fill(self._batch)])
         return points
 
     def tell(self, trials: Sequence[Trial]) -> None:
-        """Learn from the trials of a batch."""
+        """Use the trials of a batch."""
         self._trials += trials
         self._tried |= {trial.point for trial in trials}
         self._number += 1
 
     def _fill(self, count: int) -> list[Point]:
-        """Further points of the Sobol sequence."""
+        """Return further points of the Sobol sequence."""
         # one by one, because SciPy warns of counts that are no power of two
         drawn = [self._filling.random()[0] for _ in range(count)]
         return placed(self._axes, np.array(drawn).reshape(count, len(self._axes)))
 
     def _new(self, points: Sequence[Point]) -> list[Point]:
-        """Points that were not tried before, each once, a batch at most."""
+        """Return untried points without repetition, at most a batch."""
         return [point for point in dict.fromkeys(points) if point not in self._tried][: self._batch]
 
     def _near_the_best(self, generator: np.random.Generator) -> list[Point]:
-        """What parabolas propose, and points around their bases."""
+        """Return points that parabolas propose, and points around their bases."""
         axes, batch, weights, points = self._axes, self._batch, self._weights, list[Point]()
         archive = archive_of(self._trials)
         known = archive.objectives[np.isfinite(archive.objectives).all(axis=1)]
@@ -134,44 +135,44 @@ class ParabolaSearch:
         front = np.array([trial.objectives for trial in pareto_front(self._trials)])
         best = front if len(front) else known
         ideal, span = best.min(axis=0), np.ptp(front if len(front) > _ENDS else known, axis=0)
-        giving = [] if len(front) else relaxations(self._trials)
+        relaxable = [] if len(front) else relaxations(self._trials)
         count, ends = max(1, round(_PROPOSED * batch)), archive.objectives.shape[1]
         for number in range(count):
             turn = self._number * count + number
-            # the ends of a front move last, and the rest is scaled by them
+            # the ends of a front move last, because they scale the rest
             chosen = turn // _END_EVERY % ends if number % _END_EVERY == 0 else turn % len(weights)
             aim = Aim(weights=weights[chosen], ideal=ideal, span=np.maximum(span, _LEAST_SPAN))
             bases = _bases(axes, archive, aim)
             base = bases[0 if number % 2 == 0 else turn // 2 % len(bases)]
-            # where nothing is feasible one limit after another gives, so that what each costs alone is found, too
-            gives = giving[self._number % len(giving)] if giving and number == count - 1 else None
-            if gives is not None and gives.trial is not None:
-                base = gives.trial
+            # if nothing is feasible, one limit after another is relaxed, so that the cost of each alone is found, too
+            relaxed = relaxable[self._number % len(relaxable)] if relaxable and number == count - 1 else None
+            if relaxed is not None and relaxed.trial is not None:
+                base = relaxed.trial
             near = neighbourhood(axes, archive, base, aim)
             if near is None:
                 continue
             kind = (number if len(weights) == 1 else turn // len(weights)) % len(_REACHES)
-            limit = None if gives is None else gives.limit
+            limit = None if relaxed is None else relaxed.limit
             points.append(proposed(axes, near, aim, _REACHES[kind], _BACKS[kind], limit))
             points += _around(axes, base.point, near.radius / 2, max(1, round(_AROUND * batch / count)), generator)
         return points
 
 
 def filling_count(axes: Sequence[Axis], batch: int) -> int:
-    """How many points fill the space evenly before a search looks closer anywhere, in whole batches.
+    """Return the number of points that fill the space evenly before the search uses results, in whole batches.
 
     Args:
         axes: of the search.
-        batch: points at a time.
+        batch: number of points per batch.
     """
     return batch * math.ceil(max(_LEAST_START, _START * len(axes), batch) / batch)
 
 
 def aim_weights(objectives: int) -> Array:
-    """Weights of objectives, one row an aim; the ends first, then those in between in an order that leaps.
+    """Return weights of objectives, one row per aim; first the ends, then those in between in a scattered order.
 
-    Das and Dennis, 1998, doi.org/10.1137/S1052623496307510. The least greatest weighted objective lies along the
-    direction of the inverse weights.
+    Das and Dennis, 1998, doi.org/10.1137/S1052623496307510. The minimum of the greatest weighted objective lies along
+    the direction of the inverse weights.
 
     Args:
         objectives: 1, 2 or 3.
@@ -184,14 +185,14 @@ def aim_weights(objectives: int) -> Array:
     ]
     ends = [share for share in shares if share.max() == 1]
     others = [share for share in shares if share.max() < 1]
-    leaping = sorted(range(len(others)), key=lambda number: (number * 7) % max(len(others), 1))
-    directions = np.maximum(np.array(ends + [others[number] for number in leaping]), _LEAST_WEIGHT)
+    scattered = sorted(range(len(others)), key=lambda number: (number * 7) % max(len(others), 1))
+    directions = np.maximum(np.array(ends + [others[number] for number in scattered]), _LEAST_WEIGHT)
     weights = 1 / directions
     return np.asarray(weights / weights.max(axis=1, keepdims=True))
 
 
 def _bases(axes: Sequence[Axis], archive: Archive, aim: Aim) -> list[Trial]:
-    """The best trials by an aim that lie apart from one another, the best first."""
+    """Return the best trials for an aim that are apart from each other, the best first."""
     lost = archive.standings.any(axis=1)
     values = np.where(lost, 0.0, aim.values(archive.objectives))
     order = np.lexsort((values, *archive.standings.T[::-1]))
@@ -203,15 +204,15 @@ def _bases(axes: Sequence[Axis], archive: Archive, aim: Aim) -> list[Trial]:
 
 
 def _varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: np.random.Generator) -> list[Point]:
-    """Points by differential evolution from the best.
+    """Return points by differential evolution from the best trials.
 
-    Storn and Price, 1997, doi.org/10.1023/A:1008202821328: their "best/1", of a few that are best.
+    Storn and Price, 1997, doi.org/10.1023/A:1008202821328: "best/1" with one of the few best trials.
 
     Args:
         axes: of the search.
         best: trials, the best first.
-        count: how many.
-        generator: that draws.
+        count: number of points.
+        generator: of random numbers.
     """
     points = np.array([trial.point for trial in best])
     base, first, second = (points[generator.integers(len(points), size=count)] for _ in range(3))
@@ -219,7 +220,7 @@ def _varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: 
     start = points[generator.integers(min(leading, len(points)), size=count)]
     moved = start + generator.uniform(*_STEPS, size=(count, 1)) * (first - second)
     unordered = np.array([not axis.ordered for axis in axes])
-    # of a choice there is no difference: it is one or another
+    # choices have no differences: they are taken over
     moved[:, unordered] = start[:, unordered]
     crossed = generator.random(moved.shape) < _CROSSED
     crossed[np.arange(count), generator.integers(len(axes), size=count)] = True
@@ -232,12 +233,12 @@ def _varied(axes: Sequence[Axis], best: Sequence[Trial], count: int, generator: 
 def _around(
     axes: Sequence[Axis], base: Point, radius: float, count: int, generator: np.random.Generator
 ) -> list[Point]:
-    """Points drawn from the box of a radius about a point; they tell parabolas of its surroundings."""
+    """Return random points in the box of a radius about a point, with which parabolas are fitted later."""
     shift = radius * (2 * generator.random((count, len(axes))) - 1)
     shift[:, [not axis.ordered for axis in axes]] = 0.0
     return placed(axes, _reflected(np.asarray(base) + shift))
 
 
-def _reflected(shares: Array) -> Array:
-    """Shares, folded back at 0 and 1."""
-    return np.asarray(1 - np.abs(1 - np.abs(shares) % 2))
+def _reflected(coordinates: Array) -> Array:
+    """Reflect coordinates at 0 and 1."""
+    return np.asarray(1 - np.abs(1 - np.abs(coordinates) % 2))

@@ -1,22 +1,23 @@
-"""Parabolas through the trials around a point, and where they have their optimum within the limits.
+"""Parabolas through the trials around a point, and the position of their optimum within the limits.
 
 Near a base b of the unit cube every objective f and every margin g of a limit is modelled as
 
     q(s) = q0 + a.s + s.C s / 2,    s = x - b,
 
-over all axes but choices. The coefficients fit the trials nearest to the base with weights that fall with the distance;
-n axes have (n + 1) (n + 2) / 2 coefficients, and twice as many trials are fitted where there are as many. Too few
-trials for a parabola get a plane, C = 0. The proposed point is b + s, where the step s is the solution of
+over all axes except choices. The coefficients are fitted to the trials nearest to the base, with weights that decrease
+with the distance. n axes have (n + 1) (n + 2) / 2 coefficients, and up to twice as many trials are fitted. If there are
+too few trials for a parabola, a plane is fitted, C = 0. The proposed point is b + s, where the step s is the solution
+of
 
     minimise    t + 0.001 sum_i f_i(s) + sum_j p_j v_j
     subject to  w_i f_i(s) <= t,  g_j(s) + v_j >= d,  v_j >= 0,  |s| <= R,  0 <= b + s <= 1.
 
 The auxiliary t turns the greatest of the weighted objectives (Steuer and Choo, 1983, doi.org/10.1007/BF02591870) into
-smooth constraints. The violations v_j make the problem solvable where no step meets all limits: they cost an exact
-penalty with prices p_j above any multiplier, so that limits are met where they can be and are otherwise missed by as
-little as possible (the elastic mode of Gill, Murray and Saunders, 2005, doi.org/10.1137/S0036144504446096). A distance
-d from the limits and a reach R, which differ from proposal to proposal, make up for what the parabolas miss. The
-problem has a few variables and is solved by SciPy's SLSQP (Kraft, 1988).
+smooth constraints. The violations v_j make the problem solvable even if no step meets all limits. They have an exact
+penalty with prices p_j above any multiplier, so limits are met if possible, and otherwise missed by as little as
+possible (the elastic mode of Gill, Murray and Saunders, 2005, doi.org/10.1137/S0036144504446096). The distance d from
+the limits and the reach R differ between proposals, to compensate for errors of the parabolas. The problem has a few
+variables and is solved by SciPy's SLSQP (Kraft, 1988).
 """
 
 from __future__ import annotations
@@ -30,31 +31,31 @@ import scipy
 from forficula.arrays import Array, Flags, Indices
 from forficula.goals.optimise.trials import Archive, Axis, Point, Trial, placed
 
-# Share of the sum of all objectives beside the greatest of them, so that none is given away for nothing.
+# Weight of the sum of all objectives beside the greatest one, so that no objective is worsened without benefit.
 _SUM = 1e-3
-# Price of missing a limit by the whole of its bound, in spans of the objectives: more than any objective can win.
+# Price of missing a limit by its whole bound, in spans of the objectives: more than any objective can gain.
 _PRICE, _LEAST_SPAN = 100.0, 1e-12
-# Price of a limit that is to give, as a share of that.
+# Price of a limit that is to be relaxed, as a fraction of the full price.
 _GIVING = 0.1
-# Trials that nearly coincide, as shares of their distance from the base, add nothing to a fit.
+# Trials closer than this fraction of their distance from the base add nothing to a fit.
 _APART = 0.02
 _TRIALS_PER_COEFFICIENT = 2
-# Distance, as a share of the radius, at which a trial counts half as much as one at the base.
+# Distance, as a fraction of the radius, at which the weight of a trial is half of that at the base.
 _NEAR = 0.1
 _LEAST_RADIUS = 1e-6
-# Singular values below this share of the largest belong to coefficients that the trials do not determine.
+# Singular values below this fraction of the largest belong to coefficients that the trials do not determine.
 _UNDETERMINED = 1e-8
 _PRECISION, _STEPS = 1e-15, 100
 
 
 @dataclass(frozen=True, kw_only=True)
 class Aim:
-    """What a proposal is to minimise: the greatest of the weighted objectives.
+    """Function that a proposal minimises: the greatest of the weighted objectives.
 
     Attributes:
-        weights: one an objective.
-        ideal: the least value of each objective so far.
-        span: the range of each objective over the front.
+        weights: one per objective.
+        ideal: least value of each objective so far.
+        span: range of each objective over the front.
     """
 
     weights: Array
@@ -62,24 +63,24 @@ class Aim:
     span: Array
 
     def shares(self, objectives: Array) -> Array:
-        """Objectives, counted from 0 at the ideal to 1 at the end of the span."""
+        """Return objectives, scaled from 0 at the ideal to 1 at the end of the span."""
         return (objectives - self.ideal) / self.span
 
     def values(self, objectives: Array) -> Array:
-        """Compute the value of each row of objectives."""
+        """Return the value of each row of objectives."""
         shares = self.shares(objectives)
         return np.asarray((self.weights * shares).max(axis=1) + _SUM * shares.sum(axis=1))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Parabola:
-    """A quantity near a base.
+    """Quadratic model of a quantity near a base.
 
     Attributes:
         value: at the base.
-        slope: derivatives with respect to the shares of the free axes.
+        slope: derivatives with respect to the coordinates of the free axes.
         curvature: second derivatives, symmetric.
-        span: range of the values that it was fitted to.
+        span: range of the fitted values.
     """
 
     value: float
@@ -94,10 +95,10 @@ class Neighbourhood:
 
     Attributes:
         base: the trial in the middle.
-        free: which axes vary: all but choices.
+        free: axes that vary: all except choices.
         radius: distance of the farthest trial.
-        objectives: as parabolas, from 0 at the ideal to 1 at the end of the span.
-        margins: as parabolas, by number of the limit, where enough trials are known.
+        objectives: as parabolas, scaled from 0 at the ideal to 1 at the end of the span.
+        margins: as parabolas, by index of the limit, if enough trials are known.
     """
 
     base: Trial
@@ -108,7 +109,7 @@ class Neighbourhood:
 
 
 def neighbourhood(axes: Sequence[Axis], archive: Archive, base: Trial, aim: Aim) -> Neighbourhood | None:
-    """Fit parabolas to the trials around a base; None where they are too few for planes."""
+    """Fit parabolas to the trials around a base; None if there are too few for planes."""
     free = np.array([axis.ordered for axis in axes])
     if not free.any():
         return None
@@ -135,12 +136,12 @@ def neighbourhood(axes: Sequence[Axis], archive: Archive, base: Trial, aim: Aim)
 
 
 def _nearest(points: Array, away: Array, count: int) -> Indices:
-    """Numbers of the points nearest to a base, the nearest first, without those that nearly coincide.
+    """Return indices of the points nearest to a base, the nearest first, without those that nearly coincide.
 
     Args:
-        points: one row each.
-        away: their distances from the base.
-        count: how many at most.
+        points: one per row.
+        away: distances from the base.
+        count: largest number of points.
     """
     chosen: list[int] = []
     for number in np.argsort(away, kind="stable")[: 4 * count]:
@@ -153,15 +154,15 @@ def _nearest(points: Array, away: Array, count: int) -> Indices:
 
 
 def _fitted(points: Array, values: Array, centre: Array) -> Parabola:
-    """The parabola that best fits values near a base; a plane where there are too few of them.
+    """Fit a parabola to values near a base, or a plane if there are too few.
 
     Args:
-        points: places on the free axes, one row each.
-        values: of a quantity there.
+        points: coordinates on the free axes, one point per row.
+        values: of a quantity at these points.
         centre: the base.
     """
     steps = points - centre
-    # so that squares of small steps are no smaller than the steps
+    # normalised, so that squares of small steps are not much smaller than the steps
     radius = max(float(np.abs(steps).max()), _LEAST_RADIUS)
     steps = steps / radius
     count, axes = steps.shape
@@ -184,7 +185,7 @@ def _fitted(points: Array, values: Array, centre: Array) -> Parabola:
 
 
 def _coefficients(axes: int) -> int:
-    """How many coefficients a parabola over some axes has."""
+    """Return the number of coefficients of a parabola over some axes."""
     return (axes + 1) * (axes + 2) // 2
 
 
@@ -193,15 +194,15 @@ def proposed(
 ) -> Point:
     """Return the point where the parabolas of a neighbourhood have the optimum of an aim within the limits.
 
-    Stepped axes are rounded to their places first; the optimum over the others then follows.
+    Stepped axes are rounded to their steps first; then the optimum over the other axes is computed.
 
     Args:
         axes: of the search.
-        near: whose parabolas are used.
+        near: neighbourhood with the parabolas.
         aim: to be minimised.
-        reach: the longest step, as a share of the neighbourhood's radius.
-        back: distance to keep from the limits, as a share of the span of their margins.
-        giving: number of the limit that is to give where not all can be met; None where all count the same.
+        reach: the longest step, as a fraction of the neighbourhood's radius.
+        back: distance to keep from the limits, as a fraction of the span of their margins.
+        giving: index of the limit to relax if not all can be met; None to treat all equally.
     """
     centre = np.array(near.base.point)
     low = np.maximum(-reach * near.radius, -centre[near.free])
@@ -209,17 +210,17 @@ def proposed(
     stepped = np.array([axis.levels > 0 for axis in axes])[near.free]
     point = centre.copy()
     point[near.free] += _optimum(near, aim, low, high, back, giving)
-    (place,) = placed(axes, point[None, :])
+    (rounded,) = placed(axes, point[None, :])
     if stepped.any() and not stepped.all():
-        fixed = (np.array(place) - centre)[near.free]
+        fixed = (np.array(rounded) - centre)[near.free]
         step = _optimum(near, aim, np.where(stepped, fixed, low), np.where(stepped, fixed, high), back, giving)
         point[near.free] = centre[near.free] + step
-        (place,) = placed(axes, point[None, :])
-    return place
+        (rounded,) = placed(axes, point[None, :])
+    return rounded
 
 
 def _optimum(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float, giving: int | None) -> Array:
-    """The step, as shares, that minimises an aim within bounds.
+    """Return the step, in unit-cube coordinates, that minimises an aim within bounds.
 
     The unknowns are the step in radii, the violation of every limit in spans of its margin, and t.
     """
@@ -254,7 +255,7 @@ def _optimum(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float
         method="SLSQP",
         bounds=[*zip(low / radius, high / radius, strict=True), *[(0.0, None)] * len(spans), (None, None)],
         constraints=[
-            {"type": "ineq", "fun": lambda each, of=of: of(each)[0], "jac": lambda each, of=of: of(each)[1]}
+            {"type": "ineq", "fun": lambda x, of=of: of(x)[0], "jac": lambda x, of=of: of(x)[1]}
             for of in ((margins, ceilings) if near.margins else (ceilings,))
         ],
         options={"ftol": _PRECISION, "maxiter": _STEPS},
@@ -264,7 +265,7 @@ def _optimum(near: Neighbourhood, aim: Aim, low: Array, high: Array, back: float
 
 
 def _at(parabolas: Sequence[Parabola], step: Array) -> tuple[Array, Array]:
-    """Values and slopes of parabolas after a step, one row each."""
+    """Return values and slopes of parabolas after a step, one row each."""
     bent = np.array([parabola.curvature @ step for parabola in parabolas]).reshape(-1, len(step))
     slopes = np.array([parabola.slope for parabola in parabolas]).reshape(-1, len(step))
     values = np.array([parabola.value for parabola in parabolas])

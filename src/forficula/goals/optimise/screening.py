@@ -1,4 +1,4 @@
-"""What designs come to by a goal, the cheap before the dear: what fails a limit goes no further."""
+"""Evaluation of designs for a goal, from cheap to expensive sources, until a limit is missed."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from forficula.goals.outcome_quantity import Source
 from forficula.structure import Transition, structure_of
 from forficula.study.running.journal import Row
 
-# A structure that only just does not do what is asked misses it by no less.
+# Smallest negative margin of a structure that does not reach the goals of its protocol.
 _JUST = 1e-9
 _SIMULATED: tuple[Source, ...] = ("run", "record", "search")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Screened:
-    """What is known of a design.
+    """Result of a design.
 
     Attributes:
-        design: or why there is none.
-        row: with what its sources told, as far as it was asked.
-        works: margin of what its protocol asks for; nan where it was not run; 1 where no run is asked for.
-        margins: of the goal's own limits, in their order; nan where they were not looked at.
-        ruled_out: source of the limit that it failed before anything was run; "" where it was run, or nothing is.
+        design: the design, or why there is none.
+        row: values of its sources, as far as computed.
+        works: margin of the protocol; nan if it was not run; 1 if the goal needs no run.
+        margins: of the goal's own limits, in their order; nan if not computed.
+        ruled_out: source of the limit that it missed before any run; "" if it was run, or if the goal needs no run.
     """
 
     design: Design | str
@@ -39,12 +39,12 @@ class Screened:
 
     @property
     def meets(self) -> bool:
-        """Whether it works and no limit is missed."""
+        """Whether the design works and misses no limit."""
         return self.works > 0 and all(margin >= 0 for margin in self.margins)
 
     @property
     def least(self) -> float:
-        """The margin that decides, of those that were looked at; -1 of none."""
+        """Smallest margin that was computed; -1 if there is none."""
         return min((margin for margin in (self.works, *self.margins) if not math.isnan(margin)), default=-1.0)
 
 
@@ -56,41 +56,41 @@ def screened(
     *,
     runs_first: bool = False,
 ) -> list[Screened]:
-    """Ask of designs what a goal wants to know, source after source, as long as each meets what was asked before.
+    """Evaluate designs, one source after another, as long as each design meets the limits so far.
 
     Args:
-        goal: what is asked.
-        assess: that answers.
-        designs: or why there is none.
-        points: the values of each that are not the base's.
-        runs_first: whether to run them before statics is asked: of designs that most likely meet it, what takes longer
-            comes last, and many side by side run in less time than it.
+        goal: the goal.
+        assess: computes rows of designs.
+        designs: designs, or why there is none.
+        points: values of each design that differ from the base.
+        runs_first: whether to run designs before statics. This is faster if most of them meet the goal, because many
+            runs side by side take less time than statics.
     """
     limits, transitions = own_limits(goal), structure_of(goal.base).transitions
     rows: list[Row] = [{} for _ in designs]
     margins = [[math.nan] * len(limits) for _ in designs]
     works = [math.nan if goal.simulate else 1.0 for _ in designs]
     ruled_out = ["not built" if isinstance(design, str) else "" for design in designs]
-    going = [number for number, design in enumerate(designs) if isinstance(design, Design)]
+    open_designs = [number for number, design in enumerate(designs) if isinstance(design, Design)]
     for sources in sorted(_stages(goal), key=lambda stage: "run" not in stage) if runs_first else _stages(goal):
-        told = assess(
-            [designs[number] for number in going],
+        results = assess(
+            [designs[number] for number in open_designs],
             sources,
-            points=[points[number] for number in going] if points else (),
+            points=[points[number] for number in open_designs] if points else (),
             search=goal.search,
         )
-        for number, row in zip(going, told, strict=True):
+        for number, row in zip(open_designs, results, strict=True):
             rows[number] = rows[number] | row
-            for place, limit in enumerate(limits):
+            for position, limit in enumerate(limits):
                 if limit.quantity.source in sources:
-                    margins[number][place] = limit.margin(value_of(rows[number], limit.quantity, designs[number]))
+                    margins[number][position] = limit.margin(value_of(rows[number], limit.quantity, designs[number]))
             if "run" in sources:
                 works[number] = _works(row, transitions)
-        failing = [number for number in going if _fails(works[number], margins[number])]
+        failing = [number for number in open_designs if _fails(works[number], margins[number])]
         for number in failing:
             if not set(sources) & set(_SIMULATED):
                 ruled_out[number] = sources[0]
-        going = [number for number in going if number not in failing]
+        open_designs = [number for number in open_designs if number not in failing]
     return [
         Screened(design=design, row=row, works=work, margins=tuple(margin), ruled_out=out)
         for design, row, work, margin, out in zip(designs, rows, works, margins, ruled_out, strict=True)
@@ -98,16 +98,16 @@ def screened(
 
 
 def _stages(goal: Goal) -> list[tuple[Source, ...]]:
-    """Sources that are asked together, one stage after another."""
-    asked = [source for source in goal.sources if source != "neighbours"]
-    runs = tuple(source for source in asked if source in ("run", "record"))
-    stages: list[tuple[Source, ...]] = [(source,) for source in asked if source not in _SIMULATED]
+    """Return the sources that are computed together, one stage after another."""
+    sources = [source for source in goal.sources if source != "neighbours"]
+    runs = tuple(source for source in sources if source in ("run", "record"))
+    stages: list[tuple[Source, ...]] = [(source,) for source in sources if source not in _SIMULATED]
     stages += [runs] if runs else []
-    return stages + ([("search",)] if "search" in asked else [])
+    return stages + ([("search",)] if "search" in sources else [])
 
 
 def _works(row: Row, transitions: Sequence[Transition]) -> float:
-    """The margin of what a run was to do; one that just does not do it fails, too."""
+    """Return the margin of a run's protocol; if a goal is missed, the margin is negative, however small."""
     margin = chained_row(row, transitions)
     return margin if margin > 0 else min(margin, -_JUST)
 

@@ -1,4 +1,4 @@
-"""What a search came to, in sentences."""
+"""Conclusions of a search in sentences."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from forficula.goals.parameter import Parameter
 from forficula.names import counted
 from forficula.quantities import show_quantity
 
-# of the way from bound to bound: no further from one it lies there
+# distance from a bound, as a fraction of the range, within which a value counts as at the bound
 _NEAR = 1e-3
 
 
-def told(found: Optimum) -> list[str]:
-    """Say what was found, what it cost, and where nothing meets the goal, what would have to give."""
-    said = [_answer(found)]
-    if found.best:
-        said += [_verified(found.best)]
-        edge = bounded_text(found.goal, found.best[0].candidate) if len(found.goal.objectives) == 1 else None
-        said += [] if edge is None else [edge]
-    said += _discarded(found)
-    if not found.best:
-        said += _missing(found)
-    filled = filling_text(found.goal)
-    return [*said, _effort(found), *([] if filled is None else [filled])]
+def told(result: Optimum) -> list[str]:
+    """Return the conclusions, the effort, and, if no design meets the goal, what would have to be relaxed."""
+    sentences = [_answer(result)]
+    if result.best:
+        sentences += [_verified(result.best)]
+        edge = bounded_text(result.goal, result.best[0].candidate) if len(result.goal.objectives) == 1 else None
+        sentences += [] if edge is None else [edge]
+    sentences += _discarded(result)
+    if not result.best:
+        sentences += _missing(result)
+    filled = filling_text(result.goal)
+    return [*sentences, _effort(result), *([] if filled is None else [filled])]
 
 
 def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
-    """The quantities of a goal of a candidate, as sentences have them."""
+    """Return texts with the quantities of a goal for a candidate."""
     texts = []
     for quantity in goal.quantities:
         value = candidate.value(quantity)
@@ -44,137 +44,147 @@ def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
     return texts
 
 
-def _answer(found: Optimum) -> str:
-    goal, count = found.goal, found.effort.tried
-    asked = " and ".join(f"the {each.kind} {each.quantity.name}" for each in goal.objectives)
-    if not found.best:
-        what = "holds when it is verified" if found.discarded else "meets every limit"
+def _answer(result: Optimum) -> str:
+    goal, count = result.goal, result.effort.tried
+    asked = " and ".join(f"the {objective.kind} {objective.quantity.name}" for objective in goal.objectives)
+    if not result.best:
+        what = "passes verification" if result.discarded else "meets every limit"
         return f"none of {counted(count, 'design')} {what}"
     if len(goal.objectives) > 1:
-        return f"{counted(len(found.best), 'design')} of the front of {asked}, of {count} that were tried"
-    best = found.best[0].candidate
+        return f"{counted(len(result.best), 'design')} on the Pareto front of {asked}, of {count} that were tried"
+    best = result.best[0].candidate
     values = ", ".join(f"{key} = {value}" for key, value in best.values.items())
     return f"{asked} of {counted(count, 'design')}: {', '.join(value_texts(goal, best))}, with {values}"
 
 
 def _verified(best: tuple[Verification, ...]) -> str:
-    said = []
-    residuals = [each.residual for each in best if each.residual is not None]
+    sentences = []
+    residuals = [verification.residual for verification in best if verification.residual is not None]
     if residuals:
-        said.append(
+        sentences.append(
             f"at a quarter of the timestep {'it meets' if len(best) == 1 else 'they meet'} the goal, too,"
-            f" with at most {max(residuals):.2g} of the energy missing"
+            f" and the energy residual is at most {max(residuals):.2g}"
         )
-    fresh = [each.fresh for each in best if each.fresh is not None]
+    fresh = [verification.fresh for verification in best if verification.fresh is not None]
     if fresh:
-        worst = min(fresh, key=lambda each: each.share)
-        said.append(f"of {worst.tried} fresh neighbours within the tolerances {_share(worst)} work")
-    return "; ".join(said) or "statics alone was asked, and nothing was run"
+        worst = min(fresh, key=lambda neighbours: neighbours.share)
+        sentences.append(f"of {worst.tried} new random variants within the tolerances, {_share(worst)} work")
+    return "; ".join(sentences) or "only statics was computed, nothing was simulated"
 
 
-def _share(of: Neighbours) -> str:
-    low, high = of.interval
-    return f"{100 * of.share:.3g} % ({100 * low:.3g} to {100 * high:.3g} %)"
+def _share(neighbours: Neighbours) -> str:
+    low, high = neighbours.interval
+    return f"{100 * neighbours.share:.3g} % ({100 * low:.3g} to {100 * high:.3g} %)"
 
 
-def _discarded(found: Optimum) -> list[str]:
-    if not found.discarded:
+def _discarded(result: Optimum) -> list[str]:
+    if not result.discarded:
         return []
-    coarse = sum(each.finer is not None and not each.finer.meets for each in found.discarded)
-    said = []
+    coarse = sum(verification.finer is not None and not verification.finer.meets for verification in result.discarded)
+    sentences = []
     if coarse:
-        said.append(f"{coarse} that looked better did not do it at a quarter of the timestep")
-    if len(found.discarded) > coarse:
-        said.append(f"{len(found.discarded) - coarse} that looked better had too few fresh neighbours that work")
-    return ["; ".join(said)]
+        sentences.append(f"{counted(coarse, 'better design')} failed at a quarter of the timestep")
+    if len(result.discarded) > coarse:
+        count = counted(len(result.discarded) - coarse, "better design")
+        sentences.append(f"{count} had too few new variants within the tolerances that work")
+    return ["; ".join(sentences)]
 
 
-def _missing(found: Optimum) -> list[str]:
-    """Which limits fail, by how much, and which would have to give."""
-    goal, wanted = found.goal, wanted_share(found.goal)
+def _missing(result: Optimum) -> list[str]:
+    """Return which limits are missed, by how much, and which would have to be relaxed."""
+    goal, wanted = result.goal, wanted_share(result.goal)
     limits: list[Limit | None] = [*own_limits(goal)]
-    said: list[str] = []
-    meeting = [each for each in found.candidates if each.found.meets]
+    sentences: list[str] = []
+    meeting = [candidate for candidate in result.candidates if candidate.found.meets]
     named = [*limits, None] if goal.simulate else limits
-    said += _not_built(found)
-    if all(isinstance(each.found.design, str) for each in found.candidates):
-        return said
+    sentences += _not_built(result)
+    if all(isinstance(candidate.found.design, str) for candidate in result.candidates):
+        return sentences
     if not meeting:
-        said += [_relaxed(found, each, named[each.limit]) for each in found.relaxations]
-        said += _outcomes(found)
-    elif wanted is not None and not found.discarded:
-        asked = [each.neighbours for each in meeting if each.neighbours is not None]
-        whole = [each for each in asked if each.tried == each.wanted] or asked
-        best = max((each.share for each in whole), default=0.0)
-        said += [
-            f"{counted(len(meeting), 'design')} {'meets' if len(meeting) == 1 else 'meet'} all limits alone, but of the"
-            f" neighbours at best {100 * best:.3g} % work, where"
-            f" {show_quantity(wanted.bound, wanted.quantity.unit)} are wanted:"
-            " widen the limits, tighten the tolerances, or want less"
+        sentences += [_relaxed(result, relaxation, named[relaxation.limit]) for relaxation in result.relaxations]
+        sentences += _outcomes(result)
+    elif wanted is not None and not result.discarded:
+        evaluated = [candidate.neighbours for candidate in meeting if candidate.neighbours is not None]
+        complete = [neighbours for neighbours in evaluated if neighbours.tried == neighbours.wanted] or evaluated
+        best = max((neighbours.share for neighbours in complete), default=0.0)
+        sentences += [
+            f"{counted(len(meeting), 'design')} {'meets' if len(meeting) == 1 else 'meet'} all other limits, but at"
+            f" most {100 * best:.3g} % of the variants within the tolerances work, and"
+            f" {show_quantity(wanted.bound, wanted.quantity.unit)} are required:"
+            " widen the limits, tighten the tolerances, or require less"
         ]
-    nearest = nearest_trial([trial_of(goal, each) for each in found.candidates])
+    nearest = nearest_trial([trial_of(goal, candidate) for candidate in result.candidates])
     if nearest is not None:
-        candidate = next(each for each in found.candidates if each.point == nearest.point)
+        candidate = next(candidate for candidate in result.candidates if candidate.point == nearest.point)
         values = ", ".join(f"{key} = {value}" for key, value in candidate.values.items())
-        said.append(f"nearest to it: {', '.join(value_texts(goal, candidate))}, with {values}")
-    return said
+        sentences.append(f"closest design: {', '.join(value_texts(goal, candidate))}, with {values}")
+    return sentences
 
 
-def _not_built(found: Optimum) -> list[str]:
-    """How many designs there are not, and the most frequent reason."""
-    why = [each.found.design for each in found.candidates if isinstance(each.found.design, str)]
+def _not_built(result: Optimum) -> list[str]:
+    """Return how many designs cannot be built, and the most frequent reason."""
+    why = [candidate.found.design for candidate in result.candidates if isinstance(candidate.found.design, str)]
     if not why:
         return []
     (reason, _), *_ = Counter(why).most_common()
-    return [f"{len(why)} of {counted(len(found.candidates), 'design')} cannot be built: {reason}"]
+    return [f"{len(why)} of {counted(len(result.candidates), 'design')} cannot be built: {reason}"]
 
 
-def _outcomes(found: Optimum) -> list[str]:
-    """What those that were run and do not work mostly came to."""
-    run = [each.found for each in found.candidates if isinstance(each.found.design, Design)]
-    failed = Counter(str(each.row["outcome"]) for each in run if each.works <= 0 and "outcome" in each.row)
+def _outcomes(result: Optimum) -> list[str]:
+    """Return the most frequent outcome of the runs that failed."""
+    run = [candidate.found for candidate in result.candidates if isinstance(candidate.found.design, Design)]
+    failed = Counter(
+        str(screened.row["outcome"]) for screened in run if screened.works <= 0 and "outcome" in screened.row
+    )
     if not failed:
         return []
     (outcome, number), *_ = failed.most_common()
-    return [f"of {counted(failed.total(), 'run')} that did not work {number} ended with: {outcome}"]
+    return [f"of {counted(failed.total(), 'run')} that failed, {number} ended with: {outcome}"]
 
 
-def _relaxed(found: Optimum, relaxation: Relaxation, limit: Limit | None) -> str:
-    name = "that it works" if limit is None else str(limit)
+def _relaxed(result: Optimum, relaxation: Relaxation, limit: Limit | None) -> str:
+    name = "success of the protocol" if limit is None else str(limit)
     if math.isnan(relaxation.best):
-        return f"{name}: was never looked at, for something before it always failed"
+        return f"{name}: was never computed, because every design misses an earlier limit"
     if relaxation.trial is None:
-        best = "is met by some" if relaxation.best >= 0 else f"is missed by {_missed(relaxation.best)} at best"
-        return f"{name}: {best}, and no design meets all the others"
-    candidate = next(each for each in found.candidates if each.point == relaxation.trial.point)
+        best = (
+            "some designs meet it"
+            if relaxation.best >= 0
+            else f"all designs miss it by {_missed(relaxation.best)} or more"
+        )
+        return f"{name}: {best}, and no design meets all other limits"
+    candidate = next(each for each in result.candidates if each.point == relaxation.trial.point)
     value = None if limit is None else candidate.value(limit.quantity)
-    came = "" if limit is None or value is None else f", {show_quantity(value, limit.quantity.unit)}"
+    reached = "" if limit is None or value is None else f" ({show_quantity(value, limit.quantity.unit)})"
     missed = _missed(relaxation.alone)
-    return f"{name}: where all others are met it is missed by {missed} at best{came}; it would have to give"
+    return (
+        f"{name}: of the designs that meet all other limits, the best misses it by {missed}{reached};"
+        " this requirement would have to be relaxed"
+    )
 
 
-def _effort(found: Optimum) -> str:
-    effort = found.effort
-    said = [f"{counted(effort.tried, 'design')} tried"]
+def _effort(result: Optimum) -> str:
+    effort = result.effort
+    sentences = [f"{counted(effort.tried, 'design')} tried"]
     if effort.simulated:
-        said.append(f"{effort.runs} of them run")
+        sentences.append(f"{effort.runs} of them run")
         if effort.spared_runs:
             by = ", ".join(f"{count} by {source}" for source, count in effort.ruled_out.items())
-            said.append(f"{effort.spared_runs} ruled out before any run ({by})")
+            sentences.append(f"{effort.spared_runs} ruled out before any run ({by})")
     if effort.neighbour_runs or effort.spared_neighbours:
-        said.append(f"{counted(effort.neighbour_runs, 'neighbour')} run, {effort.spared_neighbours} spared")
+        sentences.append(f"{counted(effort.neighbour_runs, 'variant')} run, {effort.spared_neighbours} skipped")
     if effort.verification_runs:
-        said.append(f"{counted(effort.verification_runs, 'run')} to verify")
-    return ", ".join(said)
+        sentences.append(f"{counted(effort.verification_runs, 'run')} for verification")
+    return ", ".join(sentences)
 
 
 def _missed(margin: float) -> str:
-    """By how much a limit is missed: margins go no farther than a whole bound."""
+    """Return by how much a limit is missed; margins end at one whole bound."""
     return "100 % or more" if margin <= -1 else f"{100 * -margin:.3g} %"
 
 
 def bounded_text(goal: Goal, best: Candidate) -> str | None:
-    """That a design lies at bounds of what may vary, in a sentence; None where it lies between all of them."""
+    """Return a sentence if a design lies at bounds of its parameters; None if it lies between all of them."""
     ends = [
         f"{parameter.key} at its {end}"
         for parameter, share in zip(goal.parameters, best.point, strict=True)
@@ -182,11 +192,11 @@ def bounded_text(goal: Goal, best: Candidate) -> str | None:
     ]
     if not ends:
         return None
-    return f"the best lies at the edge of what may vary, {' and '.join(ends)}: further on there may be better ones"
+    return f"the best design lies at bounds of its parameters ({' and '.join(ends)}): better designs may lie beyond"
 
 
 def _end(parameter: Parameter, share: float) -> str:
-    """Which end of its range a share lies at; empty where at none, or where its values have no order."""
+    """Return the end of its range at which a parameter lies; empty if at none, or if its values have no order."""
     if not parameter.ordered:
         return ""
     near = max(_NEAR, 1 / len(parameter.choices)) if parameter.choices else _NEAR
@@ -194,7 +204,7 @@ def _end(parameter: Parameter, share: float) -> str:
 
 
 def only_fills(goal: Goal) -> int | None:
-    """How many designs fill the space of a goal where it tries no more than these, and not all there are; else None."""
+    """Return the number of space-filling designs if a goal tries no more than these and more exist; else None."""
     axes = axes_of(goal)
     count = filling_count(axes, goal.batch)
     places = math.prod(axis.levels for axis in axes) or math.inf
@@ -202,12 +212,9 @@ def only_fills(goal: Goal) -> int | None:
 
 
 def filling_text(goal: Goal) -> str | None:
-    """That a goal's designs only fill the space, in a sentence; None where they do more."""
+    """Return a sentence if a goal's designs only fill the space; else None."""
     count = only_fills(goal)
     if count is None:
         return None
-    designs = "its one design does" if goal.runs == 1 else f"its {goal.runs} designs do"
-    return (
-        f"{designs} no more than fill the space evenly: a search that learns from them begins after {count}"
-        " (search.runs)"
-    )
+    designs = "the only design fills" if goal.runs == 1 else f"all {goal.runs} designs only fill"
+    return f"{designs} the space evenly: the search begins to use results after {count} designs (search.runs)"

@@ -1,4 +1,4 @@
-"""Points of the unit cube in which a search moves, what became of them, and which of them are better."""
+"""Points of the unit cube in which a search moves, their results, and their ranking."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from forficula.arrays import Array, Flags
 from forficula.serial import Key, Written
 
 Point = tuple[float, ...]
-# Fine enough for every quantity, and coarse enough that the last bit of a sum is not another point.
+# Rounding of coordinates: fine enough for every quantity, coarse enough that rounding errors give no new points.
 _DIGITS = 6
 Standing = tuple[float, ...]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """A parameter as a search sees it: a share from 0 to 1.
+    """A parameter in the search: a coordinate from 0 to 1.
 
     Attributes:
-        levels: how many places it has, evenly spaced; 0 where it is continuous.
-        ordered: whether near places are alike: those of steps are, those of a choice are not.
+        levels: number of allowed positions, evenly spaced; 0 for a continuous parameter.
+        ordered: whether near positions are similar: true for steps, false for choices.
     """
 
     levels: int = 0
@@ -32,15 +32,15 @@ class Axis:
 
     def __post_init__(self) -> None:
         if self.levels < 0 or (self.levels == 0 and not self.ordered):
-            raise ValueError(f"levels: need >= 1 of a choice and >= 0 of what is ordered, got {self.levels}")
+            raise ValueError(f"levels: need >= 1 for a choice and >= 0 for an ordered axis, got {self.levels}")
 
 
 def placed(axes: Sequence[Axis], shares: Array) -> list[Point]:
-    """The nearest places of shares, which may lie outside of 0 to 1; places of n levels are the middles of n parts.
+    """Return the nearest allowed points; n levels lie in the middles of n parts.
 
     Args:
         axes: as many as the shares have columns.
-        shares: one row a point.
+        shares: coordinates, which may lie outside [0, 1], one row per point.
     """
     columns = []
     for axis, column in zip(axes, np.clip(shares, 0.0, 1.0).T, strict=True):
@@ -50,7 +50,7 @@ def placed(axes: Sequence[Axis], shares: Array) -> list[Point]:
 
 
 def distances(axes: Sequence[Axis], points: Array, centre: Sequence[float]) -> Array:
-    """How far points lie from a centre: the greatest difference of any share; 1 where a choice differs."""
+    """Return distances of points from a centre: the largest difference of any coordinate; 1 if a choice differs."""
     apart = np.abs(points - np.asarray(centre))
     unordered = np.array([not axis.ordered for axis in axes])
     return np.asarray(np.where(unordered & (apart > 0), 1.0, apart).max(axis=1))
@@ -58,15 +58,14 @@ def distances(axes: Sequence[Axis], points: Array, centre: Sequence[float]) -> A
 
 @dataclass(frozen=True, kw_only=True)
 class Trial:
-    """A point and what is known of it.
+    """A point and its result.
 
     Attributes:
-        point: shares from 0 to 1, one an axis.
-        objectives: to be made small, in any units; nan where one is not known.
-        margins: by how much each limit holds (> 0) or fails (< 0); nan of those that were not looked at, because a
-            cheaper one failed before.
-        surplus: by how much the probability of working is more than wanted, or, where < 0, less; nan where none is
-            wanted or the point was not worth asking.
+        point: coordinates from 0 to 1, one per axis.
+        objectives: to be minimised, in any units; nan if unknown.
+        margins: by how much each limit is met (> 0) or missed (< 0); nan if not computed, because a cheaper one was
+            missed before.
+        surplus: probability of working minus the required one; nan if none is required or it was not computed.
     """
 
     point: Point
@@ -76,35 +75,35 @@ class Trial:
 
     @property
     def unknown(self) -> int:
-        """How many limits and objectives were not looked at."""
+        """Number of limits and objectives that were not computed."""
         return sum(map(math.isnan, (*self.margins, *self.objectives)))
 
     @property
     def violation(self) -> float:
-        """By how much limits that were looked at fail, in all."""
+        """Sum by which limits are missed."""
         return sum(-margin for margin in self.margins if margin < 0)
 
     @property
     def shortfall(self) -> float:
-        """What is missing of the wanted probability; 0 where none was asked."""
+        """Difference to the required probability; 0 if none is required or it is met."""
         return -self.surplus if self.surplus < 0 else 0.0
 
     @property
     def feasible(self) -> bool:
-        """Whether every limit holds and no probability is missing."""
+        """Whether every limit is met, including that on the probability."""
         return not self.unknown and self.violation == 0 and self.shortfall == 0
 
 
 @dataclass(frozen=True, kw_only=True)
 class Archive:
-    """Trials in the order in which they were told, one row each.
+    """Trials in their order, one row each.
 
     Attributes:
-        trials: as they were told.
-        points: shares of the axes.
-        objectives: nan where not known.
-        margins: of limits, and last the surplus of probability; nan where not known.
-        standings: as `standing` gives them, without objectives.
+        trials: in their order.
+        points: coordinates.
+        objectives: nan if unknown.
+        margins: of limits, and last the surplus of probability; nan if unknown.
+        standings: see `standing`, without objectives.
     """
 
     trials: tuple[Trial, ...]
@@ -115,7 +114,7 @@ class Archive:
 
 
 def archive_of(trials: Sequence[Trial]) -> Archive:
-    """The arrays of trials, at least one."""
+    """Return the arrays of at least one trial."""
     return Archive(
         trials=tuple(trials),
         points=np.array([trial.point for trial in trials]),
@@ -126,23 +125,23 @@ def archive_of(trials: Sequence[Trial]) -> Archive:
 
 
 def standing(trial: Trial, objective: float = 0.0) -> Standing:
-    """What sorts trials, the best first: limits not looked at, violation, missing probability, objective.
+    """Return the sort key of a trial: number of limits not computed, violation, missing probability, objective.
 
-    This is the rule of Deb, 2000, doi.org/10.1016/S0045-7825(99)00389-8, with more than one kind of failing.
+    This is the rule of Deb, 2000, doi.org/10.1016/S0045-7825(99)00389-8, extended to several kinds of violation.
 
     Args:
-        trial: to place.
-        objective: that counts where nothing else does.
+        trial: to rank.
+        objective: used only if the trial is feasible.
     """
-    lost = trial.unknown or trial.violation or trial.shortfall
-    return (trial.unknown, trial.violation, trial.shortfall, 0.0 if lost else objective)
+    infeasible = trial.unknown or trial.violation or trial.shortfall
+    return (trial.unknown, trial.violation, trial.shortfall, 0.0 if infeasible else objective)
 
 
 def undominated(objectives: Array) -> Flags:
-    """Which rows no other row beats: none is as small everywhere and smaller somewhere.
+    """Return which rows are not dominated: no other row is at least as small everywhere and smaller somewhere.
 
     Args:
-        objectives: to be made small, one row a trial.
+        objectives: to be minimised, one row per trial.
     """
     nowhere_larger = (objectives[:, None, :] <= objectives[None, :, :]).all(axis=2)
     somewhere_smaller = (objectives[:, None, :] < objectives[None, :, :]).any(axis=2)
@@ -150,9 +149,9 @@ def undominated(objectives: Array) -> Flags:
 
 
 def pareto_front(trials: Sequence[Trial]) -> list[Trial]:
-    """The feasible trials that no other one beats, by their objectives; of one objective, the best one.
+    """Return the feasible trials that are not dominated, sorted by objectives; for one objective, the best trial.
 
-    Of trials with the same objectives the first one is taken.
+    Of trials with the same objectives, the first one is returned.
     """
     first = {trial.objectives: trial for trial in reversed(trials) if trial.feasible}
     kept = sorted(first.values(), key=lambda trial: trial.objectives)
@@ -163,9 +162,9 @@ def pareto_front(trials: Sequence[Trial]) -> list[Trial]:
 
 
 def best_ranked(trials: Sequence[Trial], count: int) -> list[Trial]:
-    """The best trials, the best first.
+    """Return the best trials, best first.
 
-    Of several objectives, feasible ones go by fronts, one after another, and within a front by how lonely they are.
+    With several objectives, feasible trials are sorted by fronts, and within a front by their crowding distance.
     """
     if trials and len(trials[0].objectives) == 1:
         return sorted(trials, key=lambda trial: standing(trial, trial.objectives[0]))[:count]
@@ -175,15 +174,15 @@ def best_ranked(trials: Sequence[Trial], count: int) -> list[Trial]:
         values = np.array([trial.objectives for trial in feasible])
         chosen = undominated(values)
         front = [trial for trial, is_best in zip(feasible, chosen, strict=True) if is_best]
-        lonely = _crowding(values[chosen])
-        ranked += [front[index] for index in np.argsort(-lonely, kind="stable")]
+        crowding = _crowding(values[chosen])
+        ranked += [front[index] for index in np.argsort(-crowding, kind="stable")]
         feasible = [trial for trial, is_best in zip(feasible, chosen, strict=True) if not is_best]
     others = sorted((trial for trial in trials if not trial.feasible), key=standing)
     return (ranked + others)[:count]
 
 
 def _crowding(objectives: Array) -> Array:
-    """How far apart the neighbours of each row of a front are, as of Deb et al., 2002, doi.org/10.1109/4235.996017."""
+    """Return the crowding distance of each row of a front, Deb et al., 2002, doi.org/10.1109/4235.996017."""
     crowding = np.zeros(len(objectives))
     for column in objectives.T:
         order = np.argsort(column, kind="stable")
@@ -196,16 +195,16 @@ def _crowding(objectives: Array) -> Array:
 
 @dataclass(frozen=True, kw_only=True)
 class Relaxation:
-    """What one limit costs.
+    """Cost of one limit.
 
     Attributes:
-        limit: its number.
-        best: the greatest margin that any trial has; nan where none was looked at.
-        alone: the greatest margin of trials that meet all others, so that nothing else would have to give; nan where
-            there are none.
-        unseen: the greatest margin of trials that are known to fail no other but were not asked all others, for this
-            one failed before; nan where there are none.
-        trial: that has `alone`, or None.
+        limit: index of the limit.
+        best: largest margin of any trial; nan if never computed.
+        alone: largest margin of trials that meet all other limits, so that only this one would have to be relaxed; nan
+            if there are none.
+        unseen: largest margin of trials that miss no other computed limit, but lack some limits because this one was
+            missed before; nan if there are none.
+        trial: the trial of `alone`, or None.
     """
 
     limit: Annotated[int, Written.NEVER]
@@ -216,13 +215,13 @@ class Relaxation:
 
 
 def relaxations(trials: Sequence[Trial]) -> list[Relaxation]:
-    """What each limit costs, in their order."""
+    """Return the cost of each limit, in their order."""
     count = len(trials[0].margins) if trials else 0
     return [_relaxation(trials, number) for number in range(count)]
 
 
 def nearest_trial(trials: Sequence[Trial]) -> Trial | None:
-    """The trial that comes nearest to meeting every limit; None of none."""
+    """Return the trial that is closest to meeting every limit; None without trials."""
     return min(trials, key=standing, default=None)
 
 
@@ -245,5 +244,5 @@ def _relaxation(trials: Sequence[Trial], number: int) -> Relaxation:
 
 
 def _others(trial: Trial, number: int) -> list[float]:
-    """The margins of all limits but one."""
+    """Return the margins of all limits but one."""
     return [margin for other, margin in enumerate(trial.margins) if other != number]

@@ -1,4 +1,4 @@
-"""How likely a design works as it is built: which designs are run, one batch after another, and what they say."""
+"""Tolerance analysis: probability that a design works within manufacturing tolerances, from batches of runs."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from forficula.study.running.journal import Row
 from forficula.study.running.run_study import Evaluate, Progress
 
 MINUTES = 5.0
-# what the others are called, as a group
+# name of the group of remaining factors
 REST = "the others"
-# how far the map goes, in widths: a little beyond a uniform tolerance, and as far as most of a normal one
+# range of the map in widths: slightly more than a uniform tolerance, and most of a normal distribution
 _MAP_REACH = {"uniform": 1.5, "normal": 3.0}
-# rows that must be new for their time to say how long one takes
+# number of new rows needed to measure the time per row
 _TIMED = 8
-# how many standard errors of a correlation are more than chance
+# a correlation is significant above this number of standard errors
 _CHANCE = 2.0
 
 
@@ -52,31 +52,31 @@ def assess_tolerance(
     cluster: Evaluate | None = None,
     progress: Progress | None = None,
 ) -> Tolerance:
-    """Find how likely it is that a design works as it is built, and what decides it.
+    """Estimate the probability that a design works within its tolerances, and which tolerances matter most.
 
-    How many designs are run is settled once, by how long the first of them take, and kept in the folder; from then on
-    the result depends on nothing but the question and the seed, however often it is killed and taken up again.
+    The number of runs is determined once, from the time of the first ones, and stored in the folder. From then on, the
+    result depends only on the question and the seed, even if the call is interrupted and continued.
 
     Args:
-        question: which design, how far off, and when it works.
-        out: folder with the rows and the plan; goes on there.
-        minutes: how long it may take.
-        runs: how many there may be, whatever time they take; by the time if not given.
+        question: the design, its tolerances, and the conditions for working.
+        out: folder with the rows and the plan; an interrupted analysis continues there.
+        minutes: available time.
+        runs: largest number of runs, whatever time they take; by default determined from the time.
         seed: of the points.
-        shard: number, from 1 on, and count of the processes that share every batch.
-        threads: 0 for one a core.
+        shard: number, from 1, and count of the processes that share every batch.
+        threads: number of threads; 0 for one per core.
         cluster: from `dask_cluster`.
-        progress: called after every run with the runs done now, the most that there are, and the row.
+        progress: called after every run with the number of completed runs, the largest number of runs, and the row.
 
     Raises:
-        InputError: no deviations, a number that is not allowed, or the folder holds another design's rows.
+        InputError: no deviations, a number that is not allowed, or a folder with another design's rows.
     """
     if not question.deviations:
         raise InputError(f"tolerances: need at least one, {question.design.name} has none")
     _check(minutes, seed, runs)
     trials = _Trials(question=question, progress=progress)
     with open_assessor(
-        out, question.design, shard=shard, threads=threads, cluster=cluster, progress=trials.tell
+        out, question.design, shard=shard, threads=threads, cluster=cluster, progress=trials.report
     ) as trials.assessor:
         if runs is None:
             plan = _plan(trials, Path(out), minutes, seed)
@@ -89,24 +89,26 @@ def assess_tolerance(
 def estimate_tolerance(
     question: Question, out: str | Path, minutes: float = MINUTES, seed: int = 0, runs: int | None = None
 ) -> tuple[Plan, int, float]:
-    """Say which plan a tolerance takes, how many runs that is at most, and how long these take, s.
+    """Return the plan of a tolerance analysis, its largest number of runs, and their time, s.
 
-    Where the folder has no plan, a few designs within the tolerances are run now, and not kept.
+    If the folder has no plan, a few designs within the tolerances are run, and their rows are discarded.
 
     Args:
-        question: which design, how far off, and when it works.
-        out: folder with the rows, if there are any.
-        minutes: how long it may take.
+        question: the design, its tolerances, and the conditions for working.
+        out: folder with rows, if there are any.
+        minutes: available time.
         seed: of the points.
-        runs: as of `assess_tolerance`.
+        runs: see `assess_tolerance`.
 
     Raises:
         InputError: a number is not allowed.
     """
     _check(minutes, seed, runs)
     factors = len(question.deviations)
-    few = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
-    designs = [built_design(question.design, off_values(question.design, question.deviations, each)) for each in few]
+    offsets = question.offsets(two_samples(factors, _TIMED, seed)[0]).tolist()
+    designs = [
+        built_design(question.design, off_values(question.design, question.deviations, offset)) for offset in offsets
+    ]
     start = time.monotonic()
     count = sum(1 for _ in evaluate([design for design in designs if isinstance(design, Design)]))
     seconds = (time.monotonic() - start) / max(count, 1)
@@ -128,14 +130,14 @@ def _check(minutes: object, seed: object, runs: object) -> None:
 
 @dataclass(kw_only=True)
 class _Trials:
-    """Runs designs that are off, and counts them.
+    """Runs and counts designs with deviations.
 
     Attributes:
-        question: which design.
-        progress: of the caller.
-        assessor: what makes rows.
-        most: runs that there are at most.
-        count: designs that were tried.
+        question: the tolerance question.
+        progress: callback of the caller.
+        assessor: computes rows.
+        most: largest number of runs.
+        count: number of designs that were tried.
     """
 
     question: Question
@@ -145,33 +147,33 @@ class _Trials:
     count: int = 0
 
     def __call__(self, offsets: Array) -> Samples:
-        """What becomes of designs that are off by so many widths, (samples, factors)."""
+        """Return the results of designs with deviations in widths, (samples, factors)."""
         assert self.assessor is not None
         self.count += len(offsets)
         return assess_samples(self.question, self.assessor, offsets)
 
-    def tell(self, done: int, wanted: int, row: Row) -> None:
-        """Pass on how far it is."""
+    def report(self, done: int, wanted: int, row: Row) -> None:
+        """Pass on the progress."""
         if self.progress is not None:
             self.progress(done, max(wanted, self.most), row)
 
 
 def _plan(trials: _Trials, folder: Path, minutes: float, seed: int) -> Plan:
-    """The plan that the folder has, or one for which the first runs say that there is time."""
+    """Return the plan in the folder, or the one for which there is time according to the first runs."""
     question = trials.question
     if (kept := kept_plan(folder, question, minutes, seed)) is not None:
         return kept
     factors = len(question.deviations)
-    # of a folder that has the first sample from before, the second one
+    # if the folder already has rows of the first sample, the second sample is timed
     points = np.concatenate(two_samples(factors, PLANS[0].points, seed))
     trials(np.zeros((1, factors)))
-    few, seconds = PLANS[-1].points, 0.0
-    for begin in range(0, len(points), few):
+    batch, seconds = PLANS[-1].points, 0.0
+    for begin in range(0, len(points), batch):
         assert trials.assessor is not None
         before, start = trials.assessor.wanted, time.monotonic()
-        trials(question.offsets(points[begin : begin + few]))
-        if (new := trials.assessor.wanted - before) >= _TIMED:
-            seconds = (time.monotonic() - start) / new
+        trials(question.offsets(points[begin : begin + batch]))
+        if (added := trials.assessor.wanted - before) >= _TIMED:
+            seconds = (time.monotonic() - start) / added
             break
     trials.count = 0
     return saved_plan(folder, question, minutes, seed, plan_within(factors, seconds, 60 * minutes))
@@ -179,15 +181,15 @@ def _plan(trials: _Trials, folder: Path, minutes: float, seed: int) -> Plan:
 
 @dataclass(frozen=True, kw_only=True)
 class _Decided:
-    """What decides the margins, and the samples that say so: as of `Tolerance`.
+    """Sensitivity of the margins, and the samples from which it was computed; see `Tolerance`.
 
     Attributes:
-        samples: independent ones.
-        every: these and those that were exchanged between them.
+        samples: independent samples.
+        every: these samples and those with exchanged columns.
         indices: of groups of factors.
         effects: of every factor.
         kept: factors with indices of their own.
-        screened: what the screening says; None where there is none.
+        screened: result of the screening; None without screening.
     """
 
     samples: Samples
@@ -199,7 +201,7 @@ class _Decided:
 
 
 def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
-    """Run the samples of a plan, and find what decides their margins."""
+    """Run the samples of a plan, and compute the sensitivity of their margins."""
     question = trials.question
     factors, names = len(question.deviations), margin_names(question)
     first, second = two_samples(factors, plan.points, seed)
@@ -217,15 +219,15 @@ def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
         screened = screening(points, samples.margins[0], effects, plan.kept, seed)
         kept = screened.kept
     groups = [[factor] for factor in kept]
-    called = [question.keys[factor] for factor in kept]
+    group_names = [question.keys[factor] for factor in kept]
     if screened is not None:
         groups.append([factor for factor in range(factors) if factor not in kept])
-        called.append(REST)
+        group_names.append(REST)
     mixed = [exchanged(first[: plan.rows], second[: plan.rows], group) for group in groups]
     at_mixed = trials(question.offsets(np.concatenate(mixed)))
     margins = at_mixed.margins.reshape(len(names), len(groups), plan.rows).swapaxes(0, 1)
     at_rows = at_first.margins[:, : plan.rows]
-    indices = sobol_indices(names, called, at_rows, at_second.margins, margins, seed, compared=len(kept) or None)
+    indices = sobol_indices(names, group_names, at_rows, at_second.margins, margins, seed, compared=len(kept) or None)
     return _Decided(
         samples=samples,
         every=joined([samples, at_mixed]),
@@ -237,14 +239,14 @@ def _decided(trials: _Trials, plan: Plan, seed: int) -> _Decided:
 
 
 def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
-    """Run what a plan says, and draw from it what it tells."""
+    """Do the runs of a plan, and evaluate them."""
     question = trials.question
     nominal = trials(np.zeros((1, len(question.deviations))))
     decided = _decided(trials, plan, seed)
     samples = decided.samples
-    works = samples.answers == Answer.WORKS
-    tells = works | (samples.answers == Answer.FAILS)
-    found = Tolerance(
+    working = samples.answers == Answer.WORKS
+    conclusive = working | (samples.answers == Answer.FAILS)
+    result = Tolerance(
         question=question,
         plan=plan,
         seed=seed,
@@ -256,46 +258,46 @@ def _assessed(trials: _Trials, plan: Plan, seed: int) -> Tolerance:
         kept=decided.kept,
         screened=decided.screened,
         narrowed=tuple(
-            narrowed(samples.offsets[tells, factor], works[tells], deviation.distribution)
+            narrowed(samples.offsets[conclusive, factor], working[conclusive], deviation.distribution)
             for factor, deviation in enumerate(question.deviations)
         ),
         reaches=(),
         nearest=None,
         map=None,
     )
-    if found.nominal_works:
-        found = replace(found, reaches=_alone(trials, plan), nearest=_nearest(trials, plan, decided.every))
-    found = replace(found, map=_map(trials, plan, found.order[:2]))
-    return replace(found, runs=trials.count)
+    if result.nominal_works:
+        result = replace(result, reaches=_alone(trials, plan), nearest=_nearest(trials, plan, decided.every))
+    result = replace(result, map=_map(trials, plan, result.order[:2]))
+    return replace(result, runs=trials.count)
 
 
 def _effects(trials: _Trials, plan: Plan, first: Array, second: Array, at_first: Samples, samples: Samples) -> Values:
-    """The share of the margin's variance that has to do with each factor, (factors,), from few rows."""
+    """Estimate the fraction of the margin's variance that involves each factor, (factors,), from few rows."""
     rows, factors = plan.screened, first.shape[1]
-    one, other = first[:rows], second[:rows]
+    before, after = first[:rows], second[:rows]
     mixed = trials(
-        trials.question.offsets(np.concatenate([exchanged(one, other, [factor]) for factor in range(factors)]))
+        trials.question.offsets(np.concatenate([exchanged(before, after, [factor]) for factor in range(factors)]))
     )
-    effects = total_effects(at_first.margins[0, :rows], mixed.margins[0].reshape(factors, rows), (other - one).T)
+    effects = total_effects(at_first.margins[0, :rows], mixed.margins[0].reshape(factors, rows), (after - before).T)
     variance = float(np.var(samples.margins[0]))
     return np.asarray(effects / variance if variance else effects)
 
 
 def _alone(trials: _Trials, plan: Plan) -> tuple[tuple[Reach, Reach], ...]:
-    """How far every factor alone may go down and up."""
+    """Return the deviation range of every factor alone, downwards and upwards."""
     if not plan.steps:
         return ()
     factors = len(trials.question.deviations)
-    ways = [sign * row for row in np.eye(factors) for sign in (-1.0, 1.0)]
-    found = reaches(_asking(trials, ways), len(ways), plan.steps, plan.halvings)
-    return tuple(zip(found[::2], found[1::2], strict=True))
+    directions = [sign * row for row in np.eye(factors) for sign in (-1.0, 1.0)]
+    ends = reaches(_asking(trials, directions), len(directions), plan.steps, plan.halvings)
+    return tuple(zip(ends[::2], ends[1::2], strict=True))
 
 
 def _nearest(trials: _Trials, plan: Plan, every: Samples) -> NearestFailure | None:
-    """The failure with the least largest deviation on the ways to samples that fail.
+    """Return the failure whose largest deviation is smallest, searched in the directions of failing samples.
 
-    Those whose deviations are least as a whole, and the corner in which every factor is off to the side on which the
-    margin falls, where it does so beyond chance.
+    The directions are those of the failing samples with the smallest deviations, and the corner in which every factor
+    deviates to the side on which the margin decreases, if this correlation is significant.
     """
     failing = every.offsets[every.answers == Answer.FAILS]
     if not plan.nearest:
@@ -303,48 +305,53 @@ def _nearest(trials: _Trials, plan: Plan, every: Samples) -> NearestFailure | No
     slopes = _correlations(every)
     slopes[np.abs(slopes) < _CHANCE / np.sqrt(len(every))] = 0.0
     central = failing[np.argsort(np.sum(failing**2, axis=1), kind="stable")[: plan.nearest - 1]]
-    # no minus zeros
-    ways: list[Array] = [*([0.0 - np.sign(slopes)] if slopes.any() else []), *central]
-    found = [
-        NearestFailure(offsets=reach.fails * way, works=reach.works / reach.fails)
-        for reach, way in zip(reaches(_asking(trials, ways), len(ways), (1.0,), plan.halvings), ways, strict=True)
+    # 0.0 - avoids negative zeros
+    directions: list[Array] = [*([0.0 - np.sign(slopes)] if slopes.any() else []), *central]
+    failures = [
+        NearestFailure(offsets=reach.fails * direction, works=reach.works / reach.fails)
+        for reach, direction in zip(
+            reaches(_asking(trials, directions), len(directions), (1.0,), plan.halvings), directions, strict=True
+        )
         if reach.fails is not None
     ]
-    return min(found, key=lambda each: each.largest, default=None)
+    return min(failures, key=lambda failure: failure.largest, default=None)
 
 
 def _correlations(samples: Samples) -> Values:
-    """Of the margin with every factor, (factors,); 0 where it does not vary."""
+    """Return the correlation of the margin with every factor, (factors,); 0 for a factor that does not vary."""
     margins, offsets = samples.margins[0] - np.mean(samples.margins[0]), samples.offsets - np.mean(samples.offsets, 0)
     scale = np.sqrt(np.sum(margins**2) * np.sum(offsets**2, axis=0))
     return np.asarray(np.divide(offsets.T @ margins, scale, out=np.zeros(len(scale)), where=scale > 0))
 
 
-def _asking(trials: _Trials, ways: Sequence[Array]) -> Ask:
-    """What answers to deviations along ways, each (factors,) in widths; what no key allows is not run."""
+def _asking(trials: _Trials, directions: Sequence[Array]) -> Ask:
+    """Return a function that runs designs with deviations along directions, (factors,) each, in widths.
+
+    A design that its keys do not allow is not run.
+    """
 
     def ask(moves: Sequence[tuple[int, float]]) -> Sequence[Answer]:
-        offsets = [ways[way] * distance for way, distance in moves]
-        allowed = [trials.question.allows(each) for each in offsets]
-        inside = [each for each, may in zip(offsets, allowed, strict=True) if may]
+        offsets = [directions[direction] * distance for direction, distance in moves]
+        allowed = [trials.question.allows(offset) for offset in offsets]
+        inside = [offset for offset, is_allowed in zip(offsets, allowed, strict=True) if is_allowed]
         answers = iter(trials(np.array(inside)).answers if inside else ())
-        return [next(answers) if may else Answer.OUTSIDE for may in allowed]
+        return [next(answers) if is_allowed else Answer.OUTSIDE for is_allowed in allowed]
 
     return ask
 
 
 def _map(trials: _Trials, plan: Plan, factors: Sequence[int]) -> VerdictMap | None:
-    """What becomes of designs of which two factors are off, and nothing else."""
+    """Return the results of designs in which only two factors deviate."""
     if not plan.cells or len(factors) < 2:
         return None
     deviations = trials.question.deviations
-    steps = np.stack([np.linspace(*_map_ends(trials.question, each), plan.cells) for each in factors])
+    steps = np.stack([np.linspace(*_map_ends(trials.question, factor), plan.cells) for factor in factors])
     offsets = np.zeros((plan.cells**2, len(deviations)))
     offsets[:, factors[0]], offsets[:, factors[1]] = np.repeat(steps[0], plan.cells), np.tile(steps[1], plan.cells)
     return VerdictMap(first=factors[0], second=factors[1], steps=steps, samples=trials(offsets))
 
 
 def _map_ends(question: Question, factor: int) -> tuple[float, float]:
-    """How far the map goes down and up, in widths: no farther than the key allows."""
+    """Return the lower and upper end of the map, in widths, within what the key allows."""
     far, (down, up) = _MAP_REACH[question.deviations[factor].distribution], question.reach(factor)
     return max(-far, down), min(far, up)

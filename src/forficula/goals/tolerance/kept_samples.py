@@ -1,4 +1,4 @@
-"""Samples of a tolerance whose runs are kept whole, to be played: some that work, and some of every way to fail."""
+"""Selection of a tolerance analysis's samples whose records are kept: some that work, some of every kind of failure."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from forficula.study.running.kept_runs import RunToKeep
 MOST_KEPT = 12
 
 
-def samples_to_keep(found: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]:
-    """Choose samples by turns of what they came to, of each those that are off the least.
+def samples_to_keep(result: Tolerance, most: int = MOST_KEPT) -> list[RunToKeep]:
+    """Choose samples from all outcomes in turn, those with the smallest deviations first.
 
     Args:
-        found: what the runs say.
-        most: how many at most.
+        result: result of the analysis.
+        most: largest number of samples.
     """
-    samples, question = found.samples, found.question
+    samples, question = result.samples, result.question
     near = np.argsort(np.sum(samples.offsets**2, axis=1), kind="stable").tolist()
-    told = [place for place in near if samples.answers[place] in (Answer.WORKS, Answer.FAILS)]
-    turns = [[place for place in told if samples.outcomes[place] == outcome] for outcome in found.outcomes]
-    wanted = [turn[number] for number in range(len(told)) for turn in turns if number < len(turn)]
+    conclusive = [index for index in near if samples.answers[index] in (Answer.WORKS, Answer.FAILS)]
+    turns = [[index for index in conclusive if samples.outcomes[index] == outcome] for outcome in result.outcomes]
+    wanted = [turn[rank] for rank in range(len(conclusive)) for turn in turns if rank < len(turn)]
 
     def design_of(number: int) -> Design | str:
         values = off_values(question.design, question.deviations, samples.offsets[number].tolist())

@@ -1,4 +1,4 @@
-"""What half a tolerance would do, and on which side of its value a design fails: from samples that are there."""
+"""Effect of a halved tolerance, and of the sign of a deviation, estimated from existing samples."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _NORMAL = float(scipy.special.ndtri((1 + LEVEL) / 2))
 
 @dataclass(frozen=True, kw_only=True)
 class Narrowed:
-    """What the tolerance of one factor does to the probability of working.
+    """Effect of one factor's tolerance on the probability of working.
 
     Attributes:
-        gain: by how much the probability rises where the tolerance is halved.
+        gain: increase of the probability if the tolerance is halved.
         gain_low: lower end of its 95 % interval.
         gain_high: upper end.
-        below: probability where the factor is below the design's value.
-        above: where it is above.
+        below: probability if the factor is below its nominal value.
+        above: probability if it is above.
     """
 
     gain: float
@@ -39,15 +39,15 @@ class Narrowed:
 
 
 def narrowed(offsets: Values, works: Booleans, distribution: Literal["uniform", "normal"]) -> Narrowed:
-    """Estimate what half a tolerance would do, from samples within the whole one.
+    """Estimate the effect of halving a tolerance, from samples within the full one.
 
-    Each sample counts by how much more frequent it would be (importance sampling): of a uniform tolerance those in its
-    inner half twice and the others not at all. The interval is that of the difference of two means over the same
-    samples, by its linear terms.
+    Samples are weighted by the ratio of their densities in the halved and in the full tolerance (importance sampling).
+    For a uniform tolerance the weight is 2 in the inner half and 0 outside. The interval is that of the difference of
+    two means over the same samples, to first order.
 
     Args:
         offsets: of one factor, in widths, (samples,).
-        works: whether each works, (samples,).
+        works: whether each sample works, (samples,).
         distribution: of the offsets.
     """
     if distribution == "uniform":

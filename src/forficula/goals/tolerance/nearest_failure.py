@@ -1,4 +1,4 @@
-"""How far a design may deviate in one direction before it fails."""
+"""Deviation in one direction at which a design begins to fail."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from forficula.serial import Key, Written
 
 
 class Answer(StrEnum):
-    """What a run says of a deviated design.
+    """Result of the run of a deviating design.
 
     Attributes:
         WORKS: it works.
-        FAILS: it does not.
-        UNKNOWN: the run is not to be trusted.
-        OUTSIDE: there is no such design, for a value is out of its bounds.
+        FAILS: it does not work.
+        UNKNOWN: the run is unreliable.
+        OUTSIDE: the design does not exist, because a value is out of its bounds.
     """
 
     WORKS = "works"
@@ -26,18 +26,18 @@ class Answer(StrEnum):
     OUTSIDE = "outside"
 
 
-# answers to deviations, each given as the number of a direction and how far it goes
+# returns answers for deviations, each given as the index of a direction and a distance
 Ask = Callable[[Sequence[tuple[int, float]]], Sequence[Answer]]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reach:
-    """How far a design goes in one direction.
+    """Range within which a design works in one direction.
 
     Attributes:
-        works: up to where everything that was tried works; 0 where nothing does.
-        beyond: the nearest that was tried and does not work; None where everything works.
-        why: what it is there; that it works where everything does.
+        works: largest tried distance up to which all tried designs work; 0 if none does.
+        beyond: smallest tried distance at which the design does not work; None if all work.
+        why: answer at that distance; "works" if all work.
     """
 
     works: Annotated[float, Key("works_to")]
@@ -46,45 +46,45 @@ class Reach:
 
     @property
     def fails(self) -> Annotated[float | None, Key("fails_at")]:
-        """The nearest that fails; None where it works, or cannot be told, before that."""
+        """Smallest tried distance at which the design fails; None if it works, or if the answer before is unknown."""
         return self.beyond if self.why is Answer.FAILS else None
 
 
 def reaches(ask: Ask, directions: int, steps: Sequence[float], halvings: int) -> list[Reach]:
-    """Go from where a design works in each direction in steps, then halve the stretch with the first that does not.
+    """Try steps in each direction from a working design, then bisect between the last success and the first failure.
 
-    Where a design cannot be built is not looked for. The steps of all directions are asked for at once, and so is every
-    round of halving. What fails between two steps and works again at both is not seen.
+    The limit up to which designs can be built is not searched. The steps of all directions are requested at once, and
+    so is every round of bisection. A failure between two steps that both work is not detected.
 
     Args:
-        ask: answers to deviations.
-        directions: how many.
-        steps: how far to try, rising, above 0.
-        halvings: of the stretch between the last step that works and the first that does not.
+        ask: returns answers for deviations.
+        directions: number of directions.
+        steps: distances to try, rising, above 0.
+        halvings: number of bisections.
     """
     answers = ask([(direction, step) for direction in range(directions) for step in steps])
-    each = len(steps)
-    found = [_first_end(steps, answers[each * direction : each * (direction + 1)]) for direction in range(directions)]
+    count = len(steps)
+    ends = [_first_end(steps, answers[count * direction : count * (direction + 1)]) for direction in range(directions)]
     for _ in range(halvings):
         halved = {
             direction: (reach.works + reach.beyond) / 2
-            for direction, reach in enumerate(found)
+            for direction, reach in enumerate(ends)
             if reach.beyond is not None and reach.why is not Answer.OUTSIDE
         }
         if not halved:
             break
         for (direction, middle), answer in zip(halved.items(), ask(list(halved.items())), strict=True):
-            before = found[direction]
-            found[direction] = (
+            before = ends[direction]
+            ends[direction] = (
                 Reach(works=middle, beyond=before.beyond, why=before.why)
                 if answer is Answer.WORKS
                 else Reach(works=before.works, beyond=middle, why=answer)
             )
-    return found
+    return ends
 
 
 def _first_end(steps: Sequence[float], answers: Sequence[Answer]) -> Reach:
-    """How far it works in steps alone."""
+    """Return the range in one direction from the steps alone."""
     works = 0.0
     for step, answer in zip(steps, answers, strict=True):
         if answer is not Answer.WORKS:

@@ -11,17 +11,17 @@ from forficula.goals.latin_points import latin_points
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """How many runs go into what.
+    """Numbers of runs for the parts of a tolerance analysis.
 
     Attributes:
-        points: of the first sample, at which the probability is counted; a power of two, as the next two.
-        screened: of these, those from which every factor is changed alone, to see which ones matter.
-        rows: of these, those from which indices come, which take a second sample as large; 0 for no indices.
-        kept: factors that get indices of their own; all others together get one.
-        steps: how far each factor goes alone, in tolerances; empty where none does.
-        halvings: of a stretch in which it fails.
-        nearest: samples that fail, to which the way is halved.
-        cells: on a side of the map of the two factors that decide most; 0 for no map.
+        points: points of the first sample, which gives the probability; a power of two, as the next two.
+        screened: number of these points at which every factor alone is changed, to find those that matter.
+        rows: number of these points for indices, which need a second sample of the same size; 0 for no indices.
+        kept: number of factors with indices of their own; all others together have one.
+        steps: deviations of each factor alone, in tolerances; empty to skip this part.
+        halvings: number of bisections between success and failure.
+        nearest: number of failing samples towards which the nearest failure is searched.
+        cells: number of cells per side of the map of the two most important factors; 0 for no map.
     """
 
     points: int
@@ -34,21 +34,23 @@ class Plan:
     cells: int
 
     def screens(self, factors: int) -> bool:
-        """Whether there are more factors than get indices of their own, by more than one."""
+        """Return whether factors must be screened: there are more than get indices of their own, by at least two."""
         return self.rows > 0 and factors > self.kept + 1
 
     def most_runs(self, factors: int) -> int:
-        """How many runs it takes at most."""
+        """Return the largest number of runs."""
         runs = 1 + self.points + self.rows
         if self.screens(factors):
             runs += self.screened * factors + self.kept * (self.rows - self.screened) + self.rows
         else:
             runs += self.rows * factors
-        ways = 2 * factors if self.steps else 0
-        return runs + ways * (len(self.steps) + self.halvings) + self.nearest * (1 + self.halvings) + self.cells**2
+        directions = 2 * factors if self.steps else 0
+        return (
+            runs + directions * (len(self.steps) + self.halvings) + self.nearest * (1 + self.halvings) + self.cells**2
+        )
 
 
-# from the most runs to the fewest; the screened points of each are some of its rows, these some of its points
+# from the most runs to the fewest; screened points are some of the rows, which are some of the points
 PLANS = (
     Plan(points=256, screened=16, rows=128, kept=8, steps=(1, 2, 4, 8), halvings=4, nearest=8, cells=13),
     Plan(points=256, screened=8, rows=64, kept=8, steps=(1, 2, 4, 8), halvings=3, nearest=8, cells=11),
@@ -62,41 +64,40 @@ PLANS = (
 
 
 def plan_within(factors: int, seconds_a_run: float, seconds: float) -> Plan:
-    """The plan with the most runs that there is time for, or that with the fewest.
+    """Return the plan with the most runs for which there is time, or the one with the fewest.
 
     Args:
-        factors: how many.
-        seconds_a_run: what a run takes, many side by side, s.
-        seconds: how long it may take, s.
+        factors: number of factors.
+        seconds_a_run: time per run with many runs side by side, s.
+        seconds: available time, s.
     """
     fitting = (plan for plan in PLANS if plan.most_runs(factors) * seconds_a_run <= seconds)
     return next(fitting, PLANS[-1])
 
 
 def two_samples(factors: int, count: int, seed: int) -> tuple[Array, Array]:
-    """Two samples of the unit cube that are independent of one another, row by row.
+    """Draw two samples of the unit cube that are independent of each other, row by row.
 
-    They are the halves of one Latin hypercube of twice as many columns. The first rows are the same, however many there
-    are.
+    They are the halves of one Latin hypercube with twice as many columns. The first rows do not depend on the count.
 
     Args:
-        factors: columns of each.
-        count: rows, a power of two, which keeps them balanced.
+        factors: number of columns of each sample.
+        count: number of rows, a power of two, so that they are balanced.
         seed: of the draw.
 
     Returns:
-        Both, (count, factors), above 0 and below 1.
+        Both samples, (count, factors), above 0 and below 1.
     """
     drawn = latin_points(2 * factors, count, seed)
     return drawn[:, :factors], drawn[:, factors:]
 
 
 def exchanged(first: Array, second: Array, columns: Sequence[int]) -> Array:
-    """The first sample with some columns of the second.
+    """Return the first sample with some columns of the second.
 
     Args:
         first: (count, factors).
-        second: as the first.
+        second: same shape.
         columns: of one factor, or of a group.
 
     Returns:

@@ -1,4 +1,4 @@
-"""Probability that a design works, from runs of deviated ones: a share and its interval."""
+"""Probability that a design works, with its confidence interval, from runs of deviating designs."""
 
 from __future__ import annotations
 
@@ -13,17 +13,16 @@ from forficula.serial import Key, Written
 
 @dataclass(frozen=True, kw_only=True)
 class Probability:
-    """How likely it is that something holds.
+    """Probability of a property, estimated from runs.
 
     Attributes:
-        works: runs in which it holds.
-        fails: runs in which it does not.
-        unknown: runs that tell nothing, for they are not to be trusted.
-        undecided: runs whose verdict differs at half the timestep.
-        share: of the runs that tell, those in which it holds; None where none tells.
-        low: lower end of the 95 % interval, with every run that tells nothing or is undecided counted as one that
-            fails.
-        high: upper end, with every such run counted as one that works.
+        works: number of runs with the property.
+        fails: number of runs without it.
+        unknown: number of inconclusive runs, because they are unreliable.
+        undecided: number of runs whose verdict differs at half the timestep.
+        share: fraction of the conclusive runs that have the property; None without conclusive runs.
+        low: lower end of the 95 % interval, with every inconclusive or undecided run counted as a failure.
+        high: upper end, with every such run counted as a success.
     """
 
     works: int
@@ -36,19 +35,19 @@ class Probability:
 
     @property
     def count(self) -> int:
-        """All runs, those that tell nothing and undecided ones among them."""
+        """Number of all runs, including inconclusive and undecided ones."""
         return self.works + self.fails + self.unknown + self.undecided
 
 
 def interval_both_ways(works: int, fails: int, undecided: int) -> tuple[float, float]:
-    """Compute the 95 % interval of a probability that holds whichever way undecided runs go.
+    """Compute the 95 % interval of a probability for every possible outcome of undecided runs.
 
-    The lower end is that of `share_interval` with all undecided runs failing, the upper end that with all working.
+    The lower end is that of `share_interval` if all undecided runs fail, the upper end that if all of them succeed.
 
     Args:
-        works: runs in which it holds.
-        fails: runs in which it does not.
-        undecided: runs that leave it open.
+        works: number of runs with the property.
+        fails: number of runs without it.
+        undecided: number of runs that could be either.
 
     Raises:
         ValueError: no runs at all, or a negative number of them.
@@ -62,17 +61,17 @@ def interval_both_ways(works: int, fails: int, undecided: int) -> tuple[float, f
 def probability(works: int, fails: int, unknown: int = 0, undecided: int = 0) -> Probability:
     """Estimate a probability from runs at random points.
 
-    The interval is the exact one of `share_interval`: of independent points it
-    holds the probability at least 95 times in 100, however near to 0 or 1 that is, where Wilson's does so only on
-    average. Points of a Latin hypercube scatter hardly more than independent ones, and mostly less (Owen 1997,
-    doi:10.1137/S0036142994277468), so that it mostly holds more often still. Runs that tell nothing, and those
-    that are undecided, widen it by all they could be (`interval_both_ways`).
+    The interval is the exact one of `share_interval`. For independent points it contains the probability in at least 95
+    of 100 cases, even near 0 or 1, whereas Wilson's interval does so only on average. Points of a Latin hypercube
+    scatter hardly more than independent ones, and mostly less (Owen 1997, doi:10.1137/S0036142994277468), so the
+    coverage is mostly higher. Inconclusive and undecided runs widen the interval by all that they could be
+    (`interval_both_ways`).
 
     Args:
-        works: runs in which it holds.
-        fails: runs in which it does not.
-        unknown: runs that tell nothing.
-        undecided: runs whose verdict differs at half the timestep.
+        works: number of runs with the property.
+        fails: number of runs without it.
+        unknown: number of inconclusive runs.
+        undecided: number of runs whose verdict differs at half the timestep.
 
     Raises:
         ValueError: no runs at all, or a negative number of them.
@@ -80,25 +79,25 @@ def probability(works: int, fails: int, unknown: int = 0, undecided: int = 0) ->
     if min(unknown, undecided) < 0:
         raise ValueError(f"need runs >= 0, got {unknown} without a result and {undecided} undecided")
     low, high = interval_both_ways(works, fails, unknown + undecided)
-    told = works + fails
+    conclusive = works + fails
     return Probability(
         works=works,
         fails=fails,
         unknown=unknown,
         undecided=undecided,
-        share=works / told if told else None,
+        share=works / conclusive if conclusive else None,
         low=low,
         high=high,
     )
 
 
 def surely_less(one: Probability, other: Probability, looks: int) -> bool:
-    """Whether one is less than another beyond chance, by Fisher's exact test.
+    """Return whether one probability is significantly less than another, by Fisher's exact test.
 
     Args:
         one: from some samples.
-        other: from others.
-        looks: how many such pairs are looked at, of which in all no more than 5 in 100 may differ by chance.
+        other: from other samples.
+        looks: number of compared pairs. In total, at most 5 in 100 tests are significant by chance.
     """
     counts = [[one.works, one.fails], [other.works, other.fails]]
     return bool(scipy.stats.fisher_exact(counts, alternative="less").pvalue < (1 - LEVEL) / looks)

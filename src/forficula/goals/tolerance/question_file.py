@@ -1,4 +1,4 @@
-"""Questions from designs, settings, and tolerances in files or tables."""
+"""Build the question of a tolerance analysis from a design, settings, and tolerances in files or tables."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ def question_of(
     goal: str | Path | None = None,
     settings: Mapping[str, object] | None = None,
 ) -> Question:
-    """Ask how likely it is that a design works as it is built.
+    """Build the question: with what probability does a design work within manufacturing tolerances?
 
     Args:
-        design: as it is meant; None for that of the goal.
+        design: the nominal design; None for the design of the goal.
         tolerances: by key, as in a goal file.
         limits: by quantity, as in a goal file.
-        goal: a named goal, or the path of a file with tables `[tolerances]`, and perhaps `[limits]` and `[settings]`.
-            Its tolerances and limits count where none are given here; its settings replace values of the design, but
-            for what the goal varies. Without tolerances anywhere, 10 %, uniform, on every positive number with a unit
-            that is not the protocol's.
-        settings: values by key that stand above those of the goal; a design that is given has them already.
+        goal: a named goal, or the path of a file with a table `[tolerances]` and optional tables `[limits]` and
+            `[settings]`. Its tolerances and limits are the defaults of the arguments. Its settings replace values of
+            the design, except keys that the goal varies. If no tolerances are given at all, every positive number
+            with a unit that is not in the protocol varies uniformly by 10 %.
+        settings: values by key that take precedence over those of the goal. A given design already contains them.
 
     Raises:
         InputError: no such file, an unknown key, a value that is not allowed, or no design.
     """
-    for name, given in (("tolerances", tolerances), ("limits", limits)):
-        if given is not None and not isinstance(given, Mapping):
-            raise InputError(f"{name}: need them by key, got {as_written(given)}")
+    for name, table in (("tolerances", tolerances), ("limits", limits)):
+        if table is not None and not isinstance(table, Mapping):
+            raise InputError(f"{name}: need them by key, got {as_written(table)}")
     if goal is None:
         if design is None:
             raise InputError("need a design, or a goal that has one")
@@ -51,10 +51,10 @@ def question_of(
             design = base_design(file.design, file.settings, folder)
         design = design.with_values(settings or {})
     else:
-        # settings of the goal hold but for keys that were given otherwise, and what the goal varies
-        own = {numbered_key(design, key) for key in (*(settings or {}), *file.vary)}
+        # settings of the goal apply, except to keys that were set otherwise and keys that the goal varies
+        kept_keys = {numbered_key(design, key) for key in (*(settings or {}), *file.vary)}
         values = settings_of(file.settings, folder)
-        replaced = {key: value for key, value in values.items() if numbered_key(design, key) not in own}
+        replaced = {key: value for key, value in values.items() if numbered_key(design, key) not in kept_keys}
         with error_prefix(of_file):
             design = settled_by(design, replaced) if replaced else design
     with error_prefix(of_file):
@@ -64,13 +64,13 @@ def question_of(
 def _question(
     design: Design, tolerances: Mapping[str, object] | None, limits: Mapping[str, object], folder: Path
 ) -> Question:
-    every = read_limits(limits, design)
-    torques = tuple(each for each in every if each.quantity.source == "search")
+    all_limits = read_limits(limits, design)
+    torques = tuple(limit for limit in all_limits if limit.quantity.source == "search")
     for limit in torques:
         if limit.kind == ">=":
             raise InputError(f"limits.{limit.quantity.name}: need an upper limit, which is the torque of every run")
     design = with_torques(design, torques)
-    wanted = [each for each in every if each.quantity.name == PROBABILITY]
+    required = [limit for limit in all_limits if limit.quantity.name == PROBABILITY]
     deviations: tuple[Deviation, ...] = (
         default_deviations(design) if tolerances is None else deviations_within(tolerances, design, folder)
     )
@@ -79,7 +79,7 @@ def _question(
     return Question(
         design=design,
         deviations=deviations,
-        limits=tuple(each for each in every if each not in torques and each not in wanted),
-        wanted=tuple(wanted),
+        limits=tuple(limit for limit in all_limits if limit not in torques and limit not in required),
+        wanted=tuple(required),
         assumed=tolerances is None,
     )

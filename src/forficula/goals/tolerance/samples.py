@@ -1,4 +1,4 @@
-"""Designs that are off, and what became of each: whether it works, by which margins, and how it failed."""
+"""Designs with deviations and their results: whether each works, its margins, and how it fails."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from forficula.study.running.journal import Row
 
 @dataclass(frozen=True, kw_only=True)
 class Samples:
-    """Designs that are off, and what became of each.
+    """Designs with deviations and their results.
 
     Attributes:
-        offsets: by how many widths each factor is off, (samples, factors).
-        answers: whether each works, (samples,).
-        outcomes: what each came to, in words, (samples,).
-        statuses: the same in full, (samples,).
+        offsets: deviation of each factor in widths, (samples, factors).
+        answers: whether each sample works, (samples,).
+        outcomes: outcome in words, (samples,).
+        statuses: outcome in full, (samples,).
         verdicts: of the runs, (samples,).
-        margins: by `margin_names`, (results, samples); finite whatever happened.
+        margins: by `margin_names`, (results, samples); always finite.
         facts: by `fact_names`, whether each holds, (facts, samples).
     """
 
@@ -48,7 +48,7 @@ class Samples:
 
 
 def joined(parts: Sequence[Samples]) -> Samples:
-    """All samples of several, in their order."""
+    """Concatenate samples."""
     return Samples(
         offsets=np.concatenate([part.offsets for part in parts]),
         answers=np.concatenate([part.answers for part in parts]),
@@ -61,7 +61,7 @@ def joined(parts: Sequence[Samples]) -> Samples:
 
 
 def margin_names(question: Question) -> tuple[str, ...]:
-    """What the margins of a sample are called: that of all together, of each transition, of each limit."""
+    """Return the names of the margins of a sample: the smallest one, that of each transition, and of each limit."""
     return (
         MARGIN,
         *(transition.name for transition in structure_of(question.design).transitions),
@@ -70,7 +70,7 @@ def margin_names(question: Question) -> tuple[str, ...]:
 
 
 def fact_names(question: Question) -> tuple[str, ...]:
-    """What may hold of a sample: that it works, that it does each transition and keeps it, that it meets each limit."""
+    """Return the properties of a sample: works, makes each transition, keeps each state, meets each limit."""
     facts = ["works"]
     for transition in structure_of(question.design).transitions:
         facts += [transition.wording.does, f"stays {transition.wording.stays}"]
@@ -78,22 +78,26 @@ def fact_names(question: Question) -> tuple[str, ...]:
 
 
 def assess_samples(question: Question, assess: Assessor, offsets: Array) -> Samples:
-    """Run designs that are off.
+    """Run designs with deviations.
 
     Args:
-        question: of which design, and when it works.
-        assess: what makes rows of designs.
-        offsets: in widths, (samples, factors); values stay within what their keys allow.
+        question: the design and the conditions for working.
+        assess: computes rows of designs.
+        offsets: in widths, (samples, factors); values are limited to what their keys allow.
     """
-    values = [off_values(question.design, question.deviations, each) for each in offsets.tolist()]
-    designs = [built_design(question.design, each) for each in values]
+    values = [off_values(question.design, question.deviations, offset) for offset in offsets.tolist()]
+    designs = [built_design(question.design, changed) for changed in values]
     rows = assess(designs, question.sources, points=values)
     transitions = structure_of(question.design).transitions
     margins = [_margins(question, row, design, transitions) for row, design in zip(rows, designs, strict=True)]
-    answers = [_answer(row, each) for row, each in zip(rows, margins, strict=True)]
+    answers = [_answer(row, row_margins) for row, row_margins in zip(rows, margins, strict=True)]
     facts = [
-        [answer is Answer.WORKS, *_made(row, transitions), *(margin >= 0 for margin in each[1 + len(transitions) :])]
-        for row, answer, each in zip(rows, answers, margins, strict=True)
+        [
+            answer is Answer.WORKS,
+            *_made(row, transitions),
+            *(margin >= 0 for margin in row_margins[1 + len(transitions) :]),
+        ]
+        for row, answer, row_margins in zip(rows, answers, margins, strict=True)
     ]
     outcomes = [
         "misses a limit" if answer is Answer.FAILS and row["verdict"] == Verdict.REACHED else row["outcome"]
@@ -111,7 +115,7 @@ def assess_samples(question: Question, assess: Assessor, offsets: Array) -> Samp
 
 
 def built_design(design: Design, values: dict[str, object]) -> Design | str:
-    """The design with values, or why there is none."""
+    """Return the design with values, or why there is none."""
     try:
         return design.with_values(values)
     except InputError as error:
@@ -119,27 +123,27 @@ def built_design(design: Design, values: dict[str, object]) -> Design | str:
 
 
 def _margins(question: Question, row: Row, design: Design | str, transitions: Sequence[Transition]) -> list[float]:
-    """In the order of `margin_names`."""
-    made = [float(row.get(margin_column(each.name), NOT_TRIED)) for each in transitions]
+    """Return the margins in the order of `margin_names`."""
+    of_transitions = [float(row.get(margin_column(transition.name), NOT_TRIED)) for transition in transitions]
     limits = [limit.margin(value_of(row, limit.quantity, design)) for limit in question.limits]
-    return [min([chained_row(row, transitions), *limits]), *made, *limits]
+    return [min([chained_row(row, transitions), *limits]), *of_transitions, *limits]
 
 
 def _answer(row: Row, margins: Sequence[float]) -> Answer:
     verdict = Verdict(row["verdict"])
     if verdict is Verdict.NOT_BUILT:
         return Answer.OUTSIDE
-    # what diverges and what is not to be trusted say something of the computation, not of the structure
+    # a diverged or unreliable run is a property of the computation, not of the structure
     if not verdict.tells:
         return Answer.UNKNOWN
-    return Answer.WORKS if verdict is Verdict.REACHED and all(each >= 0 for each in margins) else Answer.FAILS
+    return Answer.WORKS if verdict is Verdict.REACHED and all(margin >= 0 for margin in margins) else Answer.FAILS
 
 
 def _made(row: Row, transitions: Sequence[Transition]) -> list[bool]:
-    """Of every transition whether it was made, and whether it was kept when released."""
-    made = []
+    """Return for every transition whether it was made, and whether its state was held after release."""
+    facts = []
     for transition in transitions:
         kept = bool(row.get(transition.state))
         lost = row["verdict"] == Verdict.NOT_HELD and row["goal"] == transition.name
-        made += [kept or lost, kept]
-    return made
+        facts += [kept or lost, kept]
+    return facts

@@ -1,4 +1,4 @@
-"""The plan of a tolerance in its folder: settled once, so that what is taken up again comes to the same."""
+"""Plan of a tolerance analysis, stored in its folder so that a continued analysis gives the same result."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ _FILE = "plan.json"
 
 
 def kept_plan(folder: Path, question: Question, minutes: float, seed: int) -> Plan | None:
-    """The plan that a folder has for a question, or None where it has none, or one for another question."""
+    """Return the plan of a folder for a question; None if it has none, or one for another question."""
     try:
-        found = json.loads((folder / _FILE).read_text("utf-8"))
+        content = json.loads((folder / _FILE).read_text("utf-8"))
     except (OSError, ValueError):
         return None
-    if not isinstance(found, dict) or found.get("asked") != _asked(question, minutes, seed):
+    if not isinstance(content, dict) or content.get("asked") != _asked(question, minutes, seed):
         return None
-    return next((plan for plan in PLANS if _plain(plan) == found.get("plan")), None)
+    return next((plan for plan in PLANS if _plain(plan) == content.get("plan")), None)
 
 
 def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan: Plan) -> Plan:
-    """Write a plan where the folder has none for the question yet, and hand on the one that it has then.
+    """Write a plan if the folder has none for the question yet, and return the plan of the folder.
 
-    Of several processes that share the runs the first one settles it.
+    Among several processes that share the runs, the first one determines the plan.
 
     Raises:
         InputError: the folder cannot be written.
@@ -38,16 +38,19 @@ def saved_plan(folder: Path, question: Question, minutes: float, seed: int, plan
     with held(folder / f".{_FILE}.lock"):
         if (kept := kept_plan(folder, question, minutes, seed)) is not None:
             return kept
-        asked = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}
-        write_text(folder / _FILE, json.dumps(asked, indent=1) + "\n")
+        content = {"asked": _asked(question, minutes, seed), "plan": _plain(plan)}
+        write_text(folder / _FILE, json.dumps(content, indent=1) + "\n")
     return plan
 
 
 def _asked(question: Question, minutes: float, seed: int) -> Mapping[str, Any]:
-    """What was asked, as JSON has it."""
+    """Return the question as JSON data."""
     return {
         "design_hash": question.design.hash,
-        "tolerances": {each.key: [each.distribution, each.size, each.relative] for each in question.deviations},
+        "tolerances": {
+            deviation.key: [deviation.distribution, deviation.size, deviation.relative]
+            for deviation in question.deviations
+        },
         "limits": [str(limit) for limit in question.limits],
         "minutes": minutes,
         "seed": seed,

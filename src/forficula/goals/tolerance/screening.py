@@ -1,4 +1,4 @@
-"""Which of many factors get indices of their own: those that decide beyond chance, and those that act with others."""
+"""Screening: which factors get indices of their own, because they act significantly alone or in interactions."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from forficula.goals.share_interval import LEVEL
 
 Values = NDArray[np.float64]
 
-# how many cosines over a factor are tried, and of how many at least is one factor's part
+# number of cosines over a factor that are tried, and the numbers of cosines that one part may have
 _COSINES, _PARTS = 4, (1, 2, 4)
 _PERMUTATIONS = 199
-# rows for each coefficient of the regression at least
+# smallest number of rows per coefficient of the regression
 _ROWS_PER_COEFFICIENT = 4
-# of the factors that are kept one in so many is one that changes the margin most when it alone is exchanged
+# one in this many kept factors is chosen by the change of the margin when it alone is exchanged
 _RESERVED = 4
 _MAP_AXES = 2
 
 
 @dataclass(frozen=True, kw_only=True)
 class Screening:
-    """What few rows say of every factor.
+    """Result of the screening, from few rows.
 
     Attributes:
-        shares: of the margin's variance that each factor decides alone, (factors,), below 0 by chance.
-        resolved: which of these exceed chance: in all no more than one in twenty times one does that decides nothing.
-        effects: share of the variance that has to do with each factor, alone and with others, from fewer rows.
-        kept: numbers of the factors that get indices of their own.
+        shares: fraction of the margin's variance that each factor alone explains, (factors,); may be below 0 by chance.
+        resolved: which of these are significant: with a probability of 95 %, no factor without effect is among them.
+        effects: fraction of the variance that involves each factor, including interactions, from fewer rows.
+        kept: indices of the factors that get indices of their own.
     """
 
     shares: Values
@@ -43,16 +43,16 @@ class Screening:
 def screening(points: Values, values: Values, effects: Values, kept: int, seed: int) -> Screening:
     """Choose the factors that get indices of their own.
 
-    First those that decide something alone beyond chance, by `deciding_factors` from all rows, then those whose shares
-    come next. Few rows of exchanged factors do not rank these: of a margin with a step, most of what eight rows say of
-    a factor is chance. But they see factors that act only together with others: a quarter of the factors that are kept
-    are those of the others with the largest effects.
+    First come those that are significant alone by `deciding_factors` from all rows, then those with the next largest
+    fractions. Few rows of exchanged factors cannot rank these: for a margin with a step, most of the effect estimated
+    from eight rows is chance. But such rows detect factors that act only in interactions. Therefore a quarter of the
+    kept factors are the remaining ones with the largest effects.
 
     Args:
         points: independent rows in the unit cube, (rows, factors).
         values: of the margin, (rows,).
-        effects: as of `Screening`, (factors,).
-        kept: how many factors at most.
+        effects: see `Screening`, (factors,).
+        kept: largest number of factors.
         seed: of the permutations.
     """
     shares, resolved = deciding_factors(points, values, seed)
@@ -68,12 +68,12 @@ def screening(points: Values, values: Values, effects: Values, kept: int, seed: 
 
 
 def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values, Flags]:
-    """Find which factors decide a share of a result's variance alone, beyond chance.
+    """Find the factors that significantly explain a fraction of a result's variance alone.
 
-    Forward selection among cosines over each factor, by which the first-order index of Plischke (2010,
-    doi:10.1016/j.ress.2009.11.005) is estimated from given points. One factor after another is added: that with the
-    largest statistic, as long as it exceeds 95 of 100 of the largest ones of permuted residuals (Westfall and Young
-    1993). What the factors so far explain is noise no more, so that weaker ones are found.
+    The method is forward selection among cosines over each factor, with which the first-order index of Plischke (2010,
+    doi:10.1016/j.ress.2009.11.005) is estimated from given points. Factors are added one after another: the one with
+    the largest statistic, as long as it exceeds the 95 % quantile of the largest statistics of permuted residuals
+    (Westfall and Young 1993). Variance that earlier factors explain is no longer noise, so weaker factors can be found.
 
     Args:
         points: independent rows in the unit cube, (rows, factors).
@@ -81,7 +81,7 @@ def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values,
         seed: of the permutations.
 
     Returns:
-        Shares of the variance, (factors,), and which of them exceed chance, (factors,).
+        Fractions of the variance, (factors,), and whether each is significant, (factors,).
     """
     rows, factors = points.shape
     generator = np.random.default_rng(seed)
@@ -112,18 +112,18 @@ def deciding_factors(points: Values, values: Values, seed: int) -> tuple[Values,
 
 
 def _bases(cosines: Values, known: Values) -> Values:
-    """An orthonormal basis of each factor's cosines beside what is known, (factors, rows, cosines)."""
+    """Return an orthonormal basis of each factor's cosines, orthogonal to what is known, (factors, rows, cosines)."""
     columns = np.moveaxis(cosines, 1, 0)
     return np.linalg.qr(columns - known @ (known.T @ columns))[0]
 
 
 def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, Indices]:
-    """The largest standardised part of what is left that a factor's first cosines explain, and of how many of them.
+    """Return the largest standardised part of the residual that a factor's first cosines explain, and their number.
 
     Args:
         bases: of the factors.
-        left: (rows,), or (rows, permutations).
-        scale: its variance.
+        left: residual, (rows,) or (rows, permutations).
+        scale: variance of the residual.
 
     Returns:
         (factors,), or (factors, permutations), both.
@@ -135,6 +135,6 @@ def _largest_parts(bases: Values, left: Values, scale: float) -> tuple[Values, I
 
 
 def _share(bases: Values, left: Values, scale: float, parts: Sequence[int] | Indices) -> Values:
-    """The sum of squares that each factor's first cosines explain, less what they do by chance, (factors,)."""
+    """Return the sum of squares that each factor's first cosines explain, minus its value by chance, (factors,)."""
     squares = np.cumsum(np.tensordot(bases, left, axes=(1, 0)) ** 2, axis=1)
     return np.array([squares[factor, part - 1] - part * scale for factor, part in enumerate(parts)])

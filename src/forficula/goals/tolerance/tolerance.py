@@ -1,4 +1,4 @@
-"""Tolerance: how likely it is that a design works as it is built, and what decides it."""
+"""Result of a tolerance analysis: probability of working, and which tolerances matter most."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import Samples, fact_names
 from forficula.goals.tolerance.screening import Screening
 
-# of straight lines, which every factor has
+# number of factors that are displayed; linear indices exist for every factor
 _MOST_SHOWN = 10
 
 
 @dataclass(frozen=True, kw_only=True)
 class NearestFailure:
-    """The failure with the least of all deviations at once that was found.
+    """Failure with the smallest deviations of all factors together that was found.
 
     Attributes:
         offsets: in widths, (factors,).
-        works: up to which share of these it works.
+        works: fraction of these deviations up to which the design works.
     """
 
     offsets: Values
@@ -37,18 +37,18 @@ class NearestFailure:
 
     @property
     def largest(self) -> float:
-        """The largest of the deviations, in widths."""
+        """Largest of the deviations, in widths."""
         return float(np.max(np.abs(self.offsets)))
 
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictMap:
-    """What becomes of designs of which two factors are off, and nothing else.
+    """Results of designs in which only two factors deviate.
 
     Attributes:
-        first: number of the factor along the first axis.
-        second: along the second.
-        steps: of both, in widths, (2, cells).
+        first: index of the factor along the first axis.
+        second: index of the factor along the second axis.
+        steps: values of both, in widths, (2, cells).
         samples: cell by cell, the second factor fastest.
     """
 
@@ -60,25 +60,25 @@ class VerdictMap:
 
 @dataclass(frozen=True, kw_only=True)
 class Tolerance:
-    """How likely it is that a design works as it is built, and what decides it.
+    """Probability that a design works within its tolerances, and which tolerances matter most.
 
     Attributes:
-        question: what was asked.
-        plan: which runs were made.
+        question: design, tolerances and conditions.
+        plan: numbers of runs.
         seed: of the points.
-        runs: how many designs were tried.
-        nominal: the design as it is meant, one sample.
-        samples: independent points within the tolerances, from which the probabilities come.
-        indices: of every margin, of the factors that matter and of the others as one group; where there was no time
-            for these, first-order ones of the factors' straight lines, without total ones.
-        effects: of every factor, from few rows, the share of the margin's variance that has to do with it; of few
-            factors those of their own indices; NaN where there are none.
-        kept: numbers of the factors with indices of their own, in the order of the indices.
-        screened: what chose them among many; None where every factor has its own.
-        narrowed: of every factor.
-        reaches: of every factor alone how far it may go down and up, in widths; empty where that was not looked for.
-        nearest: nearest failure with all factors off; None where none was found or looked for.
-        map: over the two factors that decide most, or None.
+        runs: number of designs that were tried.
+        nominal: the nominal design, one sample.
+        samples: independent points within the tolerances, from which the probabilities are estimated.
+        indices: of every margin, for the important factors and for the others as one group. If there was no time for
+            these, first-order indices from a linear fit, without total ones.
+        effects: fraction of the margin's variance that involves each factor, from few rows; without screening the total
+            indices; NaN if not computed.
+        kept: factors with indices of their own, in the order of the indices.
+        screened: result of the screening; None if every factor has its own indices.
+        narrowed: effect of every factor's tolerance.
+        reaches: range of every factor alone, downwards and upwards, in widths; empty if not computed.
+        nearest: nearest failure with all factors deviating; None if not found or not computed.
+        map: over the two most important factors, or None.
     """
 
     question: Question
@@ -97,18 +97,18 @@ class Tolerance:
     map: VerdictMap | None
 
     def __repr__(self) -> str:
-        """How likely it is."""
+        """Return the interval of the probability."""
         works = self.probability
         return f"<Tolerance of {self.question.design.name}: works in {works.low:.0%} to {works.high:.0%} of cases>"
 
     @property
     def probability(self) -> Probability:
-        """That it works."""
+        """Probability that the design works."""
         return self.probabilities["works"]
 
     @property
     def probabilities(self) -> Mapping[str, Probability]:
-        """Of all that may hold, in the order of the protocol."""
+        """Probabilities of all properties, in the order of the protocol."""
         return {
             name: counted(self.samples.answers, holds)
             for name, holds in zip(fact_names(self.question), self.samples.facts, strict=True)
@@ -116,17 +116,17 @@ class Tolerance:
 
     @property
     def nominal_works(self) -> bool:
-        """Whether the design works as it is meant."""
+        """Whether the nominal design works."""
         return bool(self.nominal.answers[0] is Answer.WORKS)
 
     @property
     def tells_what_decides(self) -> bool:
-        """Whether there are enough designs to tell which tolerance decides."""
+        """Whether there are enough designs to rank the tolerances."""
         return self.plan.rows > 0 or tells_lines(len(self.samples), len(self.question.keys))
 
     @property
     def meets(self) -> bool:
-        """Whether every limit on the probability is met by the whole of its interval."""
+        """Whether every limit on the probability is met by its whole interval."""
         works = self.probability
         return all(
             works.low >= limit.bound if limit.kind == ">=" else works.high <= limit.bound
@@ -135,26 +135,26 @@ class Tolerance:
 
     @property
     def outcomes(self) -> Mapping[str, int]:
-        """How many of the samples came to what, the most frequent first."""
+        """Number of samples with each outcome, the most frequent first."""
         return dict(Counter(self.samples.outcomes.tolist()).most_common())
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Numbers of the factors with indices of their own, those that decide most first."""
-        decides = self.indices.first[0] if np.isnan(self.indices.total[0]).all() else self.indices.total[0]
-        ranked = np.argsort(-np.nan_to_num(decides[: len(self.kept)]), kind="stable")
-        return tuple(self.kept[place] for place in ranked)
+        """Factors with indices of their own, the most important first."""
+        importance = self.indices.first[0] if np.isnan(self.indices.total[0]).all() else self.indices.total[0]
+        ranked = np.argsort(-np.nan_to_num(importance[: len(self.kept)]), kind="stable")
+        return tuple(self.kept[index] for index in ranked)
 
     @property
     def shown(self) -> tuple[int, ...]:
-        """Places in the indices of what people are shown: those that decide most, then the others as a group."""
+        """Positions in the indices that are displayed: the most important factors, then the others as a group."""
         groups = range(len(self.kept), len(self.indices.groups))
         return (*(self.kept.index(factor) for factor in self.order[:_MOST_SHOWN]), *groups)
 
 
 def counted(answers: NDArray[np.object_], holds: Flags) -> Probability:
-    """The probability of what holds in some samples, (samples,) both; those that tell nothing counted apart."""
-    tells = (answers == Answer.WORKS) | (answers == Answer.FAILS)
-    holding = int(np.sum(tells & holds))
-    told = int(np.sum(tells))
-    return probability(holding, told - holding, len(answers) - told)
+    """Return the probability of a property of samples, (samples,) both, without the inconclusive ones."""
+    conclusive = (answers == Answer.WORKS) | (answers == Answer.FAILS)
+    holding = int(np.sum(conclusive & holds))
+    count = int(np.sum(conclusive))
+    return probability(holding, count - holding, len(answers) - count)

@@ -1,4 +1,4 @@
-"""A tolerance as a labelled table. Only what makes one imports this, for xarray takes long to load."""
+"""Table of a tolerance analysis. Only modules that build tables import this one, because xarray is slow to load."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from forficula.study.tables.outcome_kinds import transitions_text
 
 
 class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
-    """An `xarray.Dataset` that a notebook shows with what it says.
+    """An `xarray.Dataset` that displays its conclusions in notebooks.
 
     Attributes:
-        tolerance: that the table is of. Parts of a table and tables that were read from a file do not have it.
+        tolerance: result from which the table was built. Parts of a table and tables read from a file lack it.
     """
 
     __slots__ = ("tolerance",)
@@ -33,70 +33,73 @@ class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call
 
 
 def tolerance_of_table(table: object) -> Tolerance:
-    """Return the tolerance that a table is of.
+    """Return the result from which a table was built.
 
     Raises:
-        InputError: it is a part of a table, or was read from a file.
+        InputError: the table is a part of one, or was read from a file.
     """
-    found = getattr(table, "tolerance", None)
-    if not isinstance(found, Tolerance):
+    result = getattr(table, "tolerance", None)
+    if not isinstance(result, Tolerance):
         raise InputError(
             "need the whole table as tolerance returns it; parts of it and tables that were read from a file have no"
             " design; tolerance returns the table of its folder without new runs"
         )
-    return found
+    return result
 
 
-def tolerance_table(found: Tolerance) -> xarray.Dataset:
-    """Label what a tolerance came to.
+def tolerance_table(result: Tolerance) -> xarray.Dataset:
+    """Build the labelled table of a tolerance analysis.
 
     Args:
-        found: what the runs say.
+        result: the result.
 
     Returns:
-        Dimensions: `fact`, that it works, does each transition, stays there, meets each limit, with `probability` and
-        its interval; `group`, factors and the others as one, by `margin`, with first-order and total indices and their
-        intervals, and `leads`, the share of resamplings in which its index is the largest; `factor`, with value and
-        width in SI, what the screening says of it where there is one (`screening_share` of the variance that it decides
-        alone, `screening_resolved` whether that exceeds chance, `screening_effect` from a few exchanged rows), how far
-        it alone may go down and up, in widths, NaN where that is not known, why it ends there, and what half of its
-        tolerance gains; `map_x` and `map_y`, two factors that alone are off, with `map_outcome`, where there is a map;
-        `sample`, with every value in SI, `answer`, `outcome`, `status`, `verdict` and `margin`. The attribute `says`
-        has the sentences, and `transitions` names the transitions as that of a study does.
+        Dimensions: `fact` (works, makes each transition, keeps each state, meets each limit) with `probability` and its
+        interval. `group` (factors, and the others as one) and `result` (margins) with first-order and total indices and
+        their intervals, and `leads`, the fraction of resamplings in which the index is the largest. `factor` with
+        nominal value and width in SI; with screening, also `screening_share` (fraction of the variance explained
+        alone), `screening_resolved` (whether it is significant) and `screening_effect` (from a few exchanged rows); the
+        range of each factor alone, in widths, NaN if unknown, and why it ends; and the gain of halving its tolerance.
+        `map_x` and `map_y`, two factors that deviate alone, with `map_outcome`, if there is a map. `sample`, with every
+        value in SI, `answer`, `outcome`, `status`, `verdict` and `margin`. The attribute `says` has the conclusions,
+        and `transitions` has the transitions as in the table of a study.
     """
-    question = found.question
-    variables: dict[str, Any] = {**_facts(found), **_indices(found.indices), **_factors(found)}
-    variables |= _samples(found) | _map(found)
+    question = result.question
+    variables: dict[str, Any] = {**_facts(result), **_indices(result.indices), **_factors(result)}
+    variables |= _samples(result) | _map(result)
     coordinates = {
-        "fact": list(found.probabilities),
-        "group": list(found.indices.groups),
+        "fact": list(result.probabilities),
+        "group": list(result.indices.groups),
         "result": list(margin_names(question)),
         "factor": list(question.keys),
-        **_values(found),
+        **_values(result),
     }
     attributes = {
         "design": question.design.name,
         "design_hash": question.design.hash,
         "transitions": transitions_text(structure_of(question.design), None),
-        "nominal": str(found.nominal.outcomes[0]),
-        "seed": found.seed,
-        "runs": found.runs,
-        "says": "\n".join(advice(found)),
+        "nominal": str(result.nominal.outcomes[0]),
+        "seed": result.seed,
+        "runs": result.runs,
+        "says": "\n".join(advice(result)),
     }
     table = ToleranceTable(variables, coordinates, attributes)
-    table.tolerance = found
+    table.tolerance = result
     return table
 
 
-def _facts(found: Tolerance) -> dict[str, Any]:
-    each = found.probabilities.values()
+def _facts(result: Tolerance) -> dict[str, Any]:
+    probabilities = result.probabilities.values()
     return {
-        "probability": ("fact", [np.nan if one.share is None else one.share for one in each]),
-        "probability_low": ("fact", [one.low for one in each]),
-        "probability_high": ("fact", [one.high for one in each]),
-        "works": ("fact", [one.works for one in each]),
-        "fails": ("fact", [one.fails for one in each]),
-        "unknown": ("fact", [one.unknown for one in each]),
+        "probability": (
+            "fact",
+            [np.nan if probability.share is None else probability.share for probability in probabilities],
+        ),
+        "probability_low": ("fact", [probability.low for probability in probabilities]),
+        "probability_high": ("fact", [probability.high for probability in probabilities]),
+        "works": ("fact", [probability.works for probability in probabilities]),
+        "fails": ("fact", [probability.fails for probability in probabilities]),
+        "unknown": ("fact", [probability.unknown for probability in probabilities]),
     }
 
 
@@ -113,34 +116,34 @@ def _indices(indices: Indices) -> dict[str, Any]:
     }
 
 
-def _factors(found: Tolerance) -> dict[str, Any]:
-    question = found.question
+def _factors(result: Tolerance) -> dict[str, Any]:
+    question = result.question
     units = [_unit(question, factor) for factor in range(len(question.keys))]
-    screened, unknown = found.screened, np.full(len(units), np.nan)
+    screened, unknown = result.screened, np.full(len(units), np.nan)
     table: dict[str, Any] = {
         "value": ("factor", [float(key_value(question.design, key)) for key in question.keys]),
         "width": ("factor", deviation_widths(question.design, question.deviations)),
         "unit": ("factor", units),
-        "distribution": ("factor", [each.distribution for each in question.deviations]),
-        "screening_effect": ("factor", found.effects),
+        "distribution": ("factor", [deviation.distribution for deviation in question.deviations]),
+        "screening_effect": ("factor", result.effects),
         "screening_share": ("factor", unknown if screened is None else screened.shares),
         "screening_resolved": ("factor", unknown > 0 if screened is None else screened.resolved),
-        "gain": ("factor", [each.gain for each in found.narrowed]),
-        "gain_low": ("factor", [each.gain_low for each in found.narrowed]),
-        "gain_high": ("factor", [each.gain_high for each in found.narrowed]),
+        "gain": ("factor", [narrowed.gain for narrowed in result.narrowed]),
+        "gain_low": ("factor", [narrowed.gain_low for narrowed in result.narrowed]),
+        "gain_high": ("factor", [narrowed.gain_high for narrowed in result.narrowed]),
     }
-    for name, place in (("down", 0), ("up", 1)):
-        ways = [each[place] for each in found.reaches]
-        table[f"works_{name}"] = ("factor", [each.works for each in ways] or np.full(len(units), np.nan))
-        table[f"fails_{name}"] = ("factor", [_fails(each) for each in ways] or np.full(len(units), np.nan))
-        table[f"ends_{name}"] = ("factor", [each.why.value for each in ways] or [""] * len(units))
-    if found.nearest is not None:
-        table["nearest_failure"] = ("factor", found.nearest.offsets)
+    for name, side in (("down", 0), ("up", 1)):
+        ranges = [both[side] for both in result.reaches]
+        table[f"works_{name}"] = ("factor", [reach.works for reach in ranges] or np.full(len(units), np.nan))
+        table[f"fails_{name}"] = ("factor", [_fails(reach) for reach in ranges] or np.full(len(units), np.nan))
+        table[f"ends_{name}"] = ("factor", [reach.why.value for reach in ranges] or [""] * len(units))
+    if result.nearest is not None:
+        table["nearest_failure"] = ("factor", result.nearest.offsets)
     return table
 
 
-def _samples(found: Tolerance) -> dict[str, Any]:
-    samples = found.samples
+def _samples(result: Tolerance) -> dict[str, Any]:
+    samples = result.samples
     return {
         "answer": ("sample", samples.answers.astype(str).astype(object)),
         "outcome": ("sample", samples.outcomes),
@@ -150,34 +153,38 @@ def _samples(found: Tolerance) -> dict[str, Any]:
     }
 
 
-def _map(found: Tolerance) -> dict[str, Any]:
-    """What became of designs of which two factors alone are off, over the values of these, SI."""
-    if found.map is None:
+def _map(result: Tolerance) -> dict[str, Any]:
+    """Return the outcomes of designs in which only two factors deviate, over their values in SI."""
+    if result.map is None:
         return {}
-    drawn, question = found.map, found.question
+    verdict_map, question = result.map, result.question
     axes: dict[str, Any] = {}
-    for name, factor, steps in zip(("map_x", "map_y"), (drawn.first, drawn.second), drawn.steps, strict=True):
-        own, width = _own(question, factor)
-        axes[name] = (name, own + steps * width, _attributes(question, factor))
-    cells = drawn.samples.outcomes.reshape(drawn.steps.shape[1], -1)
+    for name, factor, steps in zip(
+        ("map_x", "map_y"), (verdict_map.first, verdict_map.second), verdict_map.steps, strict=True
+    ):
+        nominal, width = _nominal(question, factor)
+        axes[name] = (name, nominal + steps * width, _attributes(question, factor))
+    cells = verdict_map.samples.outcomes.reshape(verdict_map.steps.shape[1], -1)
     return {**axes, "map_outcome": (("map_x", "map_y"), cells)}
 
 
-def _values(found: Tolerance) -> dict[str, Any]:
-    """What every factor is in every sample, SI."""
+def _values(result: Tolerance) -> dict[str, Any]:
+    """Return the value of every factor in every sample, SI."""
     columns: dict[str, Any] = {}
-    for factor, key in enumerate(found.question.keys):
-        own, width = _own(found.question, factor)
-        # what no key allows was built with the nearest value that it does
-        values = np.clip(own + width * found.samples.offsets[:, factor], *allowed_ends(found.question.design, key))
-        columns[key.replace(".", "_")] = ("sample", values, _attributes(found.question, factor))
+    for factor, key in enumerate(result.question.keys):
+        nominal, width = _nominal(result.question, factor)
+        # a value that its key does not allow was replaced by the nearest allowed one
+        values = np.clip(
+            nominal + width * result.samples.offsets[:, factor], *allowed_ends(result.question.design, key)
+        )
+        columns[key.replace(".", "_")] = ("sample", values, _attributes(result.question, factor))
     return columns
 
 
-def _own(question: Question, factor: int) -> tuple[float, float]:
-    """The design's own value of a factor and one width, SI."""
-    own = float(key_value(question.design, question.keys[factor]))
-    return own, question.deviations[factor].width(own)
+def _nominal(question: Question, factor: int) -> tuple[float, float]:
+    """Return the nominal value of a factor and one width, SI."""
+    nominal = float(key_value(question.design, question.keys[factor]))
+    return nominal, question.deviations[factor].width(nominal)
 
 
 def _attributes(question: Question, factor: int) -> dict[str, str]:

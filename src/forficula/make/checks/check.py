@@ -1,4 +1,4 @@
-"""What is checked of parts before they are made."""
+"""Checks of parts before they are made."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from forficula.serial import WithUnit, Written
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """Whether a part can be made and works as it is drawn, in one respect.
+    """Result of one check: whether a part can be made and works as drawn.
 
     Attributes:
-        name: of what is checked.
-        part: that it is checked of.
-        ok: whether it holds; None where it was not checked, for the reason that the text gives.
-        value: found, in the unit.
-        limit: that it is held to, in the unit.
+        name: of the check.
+        part: that was checked.
+        ok: whether it passed; None if it was not checked, for the reason in the text.
+        value: measured, in the unit.
+        limit: allowed, in the unit.
         unit: SI, "" for a number.
-        text: a sentence that says what was found and what to do about it.
+        text: a sentence with the result and, if it failed, with advice.
     """
 
     name: str
@@ -38,14 +38,14 @@ class Check:
 
 
 def least_check(name: str, part: str, *, found: float, least: float, text: str, mend: str = "") -> Check:
-    """A check of whether a length, m, is as large as it has to be; where it is not, `mend` follows on the text."""
-    held = bool(found >= least)
-    told = text if held else text + mend
-    return Check(name=name, part=part, ok=held, value=float(found), limit=least, unit="m", text=told)
+    """Return a check of whether a length, m, reaches its minimum; if it does not, `mend` is appended to the text."""
+    ok = bool(found >= least)
+    sentence = text if ok else text + mend
+    return Check(name=name, part=part, ok=ok, value=float(found), limit=least, unit="m", text=sentence)
 
 
 def count_check(name: str, part: str, *, found: int, wanted: int, held: str, missed: str) -> Check:
-    """A check of whether there are as many of something as there have to be, with what is told in either case."""
+    """Return a check of whether a number is as required, with a text for either case."""
     ok = found == wanted
-    told = held if ok else missed
-    return Check(name=name, part=part, ok=ok, value=float(found), limit=float(wanted), unit="", text=told)
+    sentence = held if ok else missed
+    return Check(name=name, part=part, ok=ok, value=float(found), limit=float(wanted), unit="", text=sentence)

@@ -1,4 +1,4 @@
-"""Parts -> checks: whether they can be made, move through their range, and bear what pulls."""
+"""Check parts: whether they can be made, move through their range, and withstand their loads."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ from forficula.names import listed
 from forficula.quantities import show_value
 from forficula.structure import hinges_between
 
-# of the clearance: what corners of circles stand out takes of it
+# fraction of the clearance that remains beside the corners of polygons that approximate circles
 _ROUND = 0.998
 
 
 def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
-    """Check parts: geometry at nominal size, and formulas with the strengths of data sheets.
+    """Check parts: geometry at nominal size, and strength by formulas with values of data sheets.
 
-    What is not checked: that they print, fatigue, creep, bonding.
+    Printability, fatigue, creep and bonding are not checked.
 
     Args:
         parts: to check.
-        record: of a run of the design, or its folder, to see who touches whom in it.
+        record: record of a run of the design, or its folder, to check for collisions in this motion.
 
     Returns:
-        One that fails says what to do about it; one that could not be made says why.
+        Checks. A failed one says what to do; one that could not be done says why.
 
     Raises:
-        InputError: the record is none, or of a design with other values.
+        InputError: not a record, or one of a design with other values.
 
     >>> checks = ff.check_parts(ff.make_parts("binder2025-joint"))
     >>> [check.name for check in checks if check.ok is False]
@@ -49,15 +49,22 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     except InputError as error:
         raise InputError(f"record: {error}") from None
     sheet: tuple[Check, ...] = () if parts.sheet is None else parts.sheet.checks
-    own = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
-    return (*own, *mesh_checks(parts), *sheet, *tendon_checks(parts), *coupling_checks(parts), *_motion(parts, run))
+    joint_checks = (*range_checks(parts), *strength_checks(parts), *printing_checks(parts), *built_checks(parts))
+    return (
+        *joint_checks,
+        *mesh_checks(parts),
+        *sheet,
+        *tendon_checks(parts),
+        *coupling_checks(parts),
+        *_motion(parts, run),
+    )
 
 
 def run_of(parts: PartSet, record: object) -> Record:
-    """A run of the design whose parts are made, from its record or its folder.
+    """Return a run of the design whose parts are made, from its record or its folder.
 
     Raises:
-        InputError: it is none, or one of a design with other values; how parts are made is not of a run.
+        InputError: not a record, or one of a design with other values. Keys of the section make are not compared.
     """
     run = as_record(record)
     if run.design.hash != parts.design.hash:
@@ -68,37 +75,37 @@ def run_of(parts: PartSet, record: object) -> Record:
 
 
 def tendon_checks(parts: PartSet) -> Iterator[Check]:
-    """Whether every tendon has its straps, where all joints are made."""
+    """Check that every tendon has straps, if all joints are made."""
     structure, straps = parts.structure, {place.tendon for place in parts.straps}
     if not structure.tendons or not parts.joints or len(parts.joints) < len(bar_hinges(structure)):
         return
     without = [_without_straps(parts, number) for number in range(len(structure.tendons)) if number not in straps]
-    why = "a joint has pegs for one tendon, and nothing else carries any"
+    why = "only joints have pegs, for one tendon each"
     yield count_check(
         "straps of every tendon",
         parts.design.name,
         found=len(straps),
         wanted=len(structure.tendons),
         held="every tendon has its straps",
-        missed=f"no straps are made of {'; nor of '.join(without)}; {why}",
+        missed=f"no straps are made for {'; nor for '.join(without)}; {why}",
     )
 
 
 def _without_straps(parts: PartSet, number: int) -> str:
-    """A tendon without straps, and why it has none."""
+    """Return a text with a tendon without straps, and the reason."""
     structure = parts.structure
     tendon = structure.tendons[number]
     crossed = hinges_between(structure, *(structure.points[point].body for point in tendon.points))
-    taken = [
-        f"{joint.name} has those of {structure.tendons[joint.tendon].name}"
+    occupied = [
+        f"{joint.name} has pegs for {structure.tendons[joint.tendon].name}"
         for joint in parts.joints
         if joint.hinge in crossed and joint.tendon is not None
     ]
-    return f"{tendon.name}, for " + (listed(taken) if taken else "it crosses no hinge between two bars")
+    return f"{tendon.name}, because " + (listed(occupied) if occupied else "it crosses no hinge between two bars")
 
 
 def coupling_checks(parts: PartSet) -> Iterator[Check]:
-    """Whether parts tie neighbouring bars as their design does."""
+    """Check that parts couple neighbouring bars as their design does."""
     if uncoupled(parts):
         yield Check(
             name="basal coupling",
@@ -107,13 +114,13 @@ def coupling_checks(parts: PartSet) -> Iterator[Check]:
             value=0.0,
             limit=float(len(parts.structure.couplings)),
             unit="",
-            text="the design ties the turns of neighbouring veins, and no part does: turn every vein by a drive of its"
-            " own (protocol.driven_veins), or tie them by what you have; as-made.toml is without it",
+            text="the design couples the turns of neighbouring veins, but no part does: turn every vein by its own"
+            " drive (protocol.driven_veins), or couple them by other means; as-made.toml has no coupling",
         )
 
 
 def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
-    """What is checked of a run, or that there is none; of a sheet alone, nothing."""
+    """Check a run, or report that there is none; nothing for a sheet alone."""
     if not parts.joints:
         return
     if run is not None:
@@ -126,7 +133,7 @@ def _motion(parts: PartSet, run: Record | None) -> Iterator[Check]:
         value=math.nan,
         limit=math.nan,
         unit="m^3",
-        text="not looked at without a run of the design: give its folder, --record",
+        text="not checked without a run of the design: give its folder, --record",
     )
 
 
@@ -140,19 +147,19 @@ def mesh_checks(parts: PartSet) -> Iterator[Check]:
 
 
 def _closed(piece: OrientedPart) -> Check:
-    """Whether the surface of a piece is closed, so that slicers know what is inside."""
+    """Check that the surface of a piece is closed, so that slicers know what is inside."""
     gaps = open_edges(lying_mesh(*piece.parts))
-    missed = f"it is open at {gaps} edges, which slicers mend as they like; report it"
+    missed = f"it is open at {gaps} edges, which slicers repair in different ways; please report this"
     return count_check("closed surface", piece.name, found=gaps, wanted=0, held="it is closed", missed=missed)
 
 
 def _apart(parts: PartSet, joint: JointLayout) -> Check:
-    """Whether the halves of a joint that is printed in one stay two, flat as they are printed."""
+    """Check that the halves of a joint that is printed in place do not touch in the flat position."""
     proximal, distal = (parts.of_body(arm.body)[0].shape for arm in (joint.proximal, joint.distal))
     clearance = joint.make.clearance
     gap = float(proximal.min_gap(distal, 2 * clearance * MILLIMETRES)) / MILLIMETRES
-    told = f"flat, as it is printed, its two halves are {show_value(gap, 'm')} apart"
-    mend = "there they fuse: take a larger overbend, or a pin (make.hinge)"
+    text = f"flat, as printed, its two halves are {show_value(gap, 'm')} apart"
+    advice = "so they fuse: choose a larger overbend, or a pin (make.hinge)"
     return Check(
         name="apart as printed",
         part=joint.name,
@@ -160,5 +167,5 @@ def _apart(parts: PartSet, joint: JointLayout) -> Check:
         value=gap,
         limit=clearance,
         unit="m",
-        text=told if gap >= clearance * _ROUND else f"{told}, less than make.clearance, and {mend}",
+        text=text if gap >= clearance * _ROUND else f"{text}, less than make.clearance, {advice}",
     )

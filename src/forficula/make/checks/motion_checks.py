@@ -1,4 +1,4 @@
-"""What is checked of parts in a recorded motion: who touches whom, stops, and what roots go through."""
+"""Checks of parts in a recorded motion: collisions, stops, and angles of roots."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from forficula.material.law.law_file import load_law
 from forficula.names import listed
 from forficula.quantities import show_value
 
-# beyond a stop, of which a run's stops are springs, rad
+# allowed rotation beyond a stop, which is a spring in a run, rad
 _GIVES = math.radians(1.0)
-# Poisson's ratio of rubbers, by which they are sheared: they keep their volume
+# Poisson's ratio of rubbers for shear: they are incompressible
 _POISSON = 0.5
 
 
@@ -32,36 +32,36 @@ def motion_checks(parts: PartSet, record: Record, mend: bool = True) -> Iterator
     Args:
         parts: with joints.
         record: of a run of their design.
-        mend: whether to try what would keep parts from touching, where any do; that takes some ten seconds.
+        mend: whether to try changes that avoid collisions, if there are any; this takes about ten seconds.
     """
     if record.diverged_at is not None:
-        yield _not_looked_at(parts)
+        yield _not_checked(parts)
         return
-    found = touches(parts, record)
-    yield from _touch_checks(parts, found)
-    if found and mend:
+    collisions = touches(parts, record)
+    yield from _touch_checks(parts, collisions)
+    if collisions and mend:
         yield _mending_check(parts, mendings(parts, record))
     yield from _stop_checks(parts, record)
     yield from _root_checks(parts, record)
 
 
 def built_checks(parts: PartSet) -> Iterator[Check]:
-    """Check that bodies that no joint hinges to one another are clear of each other as they are built."""
+    """Check that bodies without a common joint do not overlap as built."""
     if len(parts.joints) < 2:
         return
-    found = built_overlaps(parts)
-    worst = max(found.values(), default=0.0)
-    text = "no two bodies that no joint hinges to one another touch as they are built"
-    if found:
-        pairs = listed([f"{one} and {other} ({volume * 1e9:.3g} mm^3)" for (one, other), volume in found.items()])
+    overlaps = built_overlaps(parts)
+    worst = max(overlaps.values(), default=0.0)
+    text = "no two bodies without a common joint touch as built"
+    if overlaps:
+        pairs = listed([f"{one} and {other} ({volume * 1e9:.3g} mm^3)" for (one, other), volume in overlaps.items()])
         text = (
-            f"in one place as they are built: {pairs}; move pegs nearer to the hinges (tendon.proximal_attachment), or"
-            " take thinner bars, pegs, hinges and roots"
+            f"bodies overlap as built: {pairs}; move pegs nearer to the hinges (tendon.proximal_attachment), or"
+            " choose thinner bars, pegs, hinges and roots"
         )
     yield Check(
         name="overlap as built",
         part=parts.design.name,
-        ok=not found,
+        ok=not overlaps,
         value=worst,
         limit=TOUCHES,
         unit="m^3",
@@ -69,7 +69,7 @@ def built_checks(parts: PartSet) -> Iterator[Check]:
     )
 
 
-def _not_looked_at(parts: PartSet) -> Check:
+def _not_checked(parts: PartSet) -> Check:
     return Check(
         name="overlap in the recorded motion",
         part=parts.design.name,
@@ -77,19 +77,19 @@ def _not_looked_at(parts: PartSet) -> Check:
         value=math.nan,
         limit=TOUCHES,
         unit="m^3",
-        text="not looked at, for the run diverged",
+        text="not checked, because the run diverged",
     )
 
 
 def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
-    """Every pair of bodies that touch, the first ones first; or that none do."""
+    """Yield a failed check for every pair of bodies that collide, the first ones first; or one passed check."""
     by_pair: dict[tuple[str, str], list[Touch]] = {}
     for touch in found:
         by_pair.setdefault(touch.bodies, []).append(touch)
-    for bodies, its in by_pair.items():
-        first, most = its[0], max(its, key=lambda touch: touch.volume)
-        told = [f"{' and '.join(each.features)} at {_when(each)}" for each in its[1:4]]
-        more = f"; then {', '.join(told)}" if told else ""
+    for bodies, collisions in by_pair.items():
+        first, most = collisions[0], max(collisions, key=lambda touch: touch.volume)
+        later = [f"{' and '.join(touch.features)} at {_when(touch)}" for touch in collisions[1:4]]
+        more = f"; then {', '.join(later)}" if later else ""
         yield Check(
             name="overlap in the recorded motion",
             part=" and ".join(bodies),
@@ -97,8 +97,8 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             value=most.volume,
             limit=TOUCHES,
             unit="m^3",
-            text=f"{' and '.join(first.features)} touch from {_when(first)} on, with {_angles(first)}{more}; they come"
-            f" to have {most.volume * 1e9:.3g} mm^3 in common, so this motion cannot be made with these parts",
+            text=f"{' and '.join(first.features)} touch from {_when(first)} on, with {_angles(first)}{more}; their"
+            f" overlap grows to {most.volume * 1e9:.3g} mm^3, so this motion cannot be made with these parts",
         )
     if not by_pair:
         yield Check(
@@ -108,13 +108,13 @@ def _touch_checks(parts: PartSet, found: Sequence[Touch]) -> Iterator[Check]:
             value=0.0,
             limit=TOUCHES,
             unit="m^3",
-            text="no two bodies that no joint hinges to one another touch, in rows of the record that are as far from"
-            " one another as can be; straps and rods are not looked at",
+            text="no two bodies without a common joint touch, in rows of the record that are chosen as different from"
+            " each other as possible; straps and rods are not checked",
         )
 
 
 def _when(touch: Touch) -> str:
-    """A moment by its stage."""
+    """Return a text with a time in its stage."""
     return f'{touch.after * 1e3:.1f} ms of stage "{touch.stage}"'
 
 
@@ -123,36 +123,39 @@ def _angles(touch: Touch) -> str:
 
 
 def _mending_check(parts: PartSet, tried: Sequence[Mending]) -> Check:
-    """What would keep parts from touching."""
-    told = [f"{each.name}: {_told(each)}" for each in tried]
-    free = [each for each in tried if each.touches is not None and not each.touches]
-    values = ", ".join(f"{key} = {value}" for key, value in (free or tried)[-1 if not free else 0].values.items())
+    """Return the changes that would avoid the collisions."""
+    results = [f"{trial.name}: {_result(trial)}" for trial in tried]
+    successful = [trial for trial in tried if trial.touches is not None and not trial.touches]
+    best = successful[0] if successful else tried[-1]
+    values = ", ".join(f"{key} = {value}" for key, value in best.values.items())
     return Check(
-        name="what would mend the recorded motion",
+        name="repair of the recorded motion",
         part=parts.design.name,
-        ok=bool(free),
-        value=float(len(free)),
+        ok=bool(successful),
+        value=float(len(successful)),
         limit=1.0,
         unit="",
-        text=f"tried in the same motion, {'; '.join(told)}; {free[0].name if free else tried[-1].name} is {values}",
+        text=f"tried in the same motion, {'; '.join(results)}; {best.name} is {values}",
     )
 
 
-def _told(tried: Mending) -> str:
-    """What became of a trial."""
+def _result(tried: Mending) -> str:
+    """Return a text with the result of a trial."""
     if tried.touches is None:
         return f"cannot be made ({tried.why})"
     if tried.first is None:
         return "nothing touches"
     first, bodies = tried.first, len({touch.bodies for touch in tried.touches})
     pair = " and ".join(f"{body} ({feature})" for body, feature in zip(first.bodies, first.features, strict=True))
-    rest = f"something touches {listed(list(tried.states))}" if tried.states else "the named states are free"
+    in_states = (
+        f"parts touch in the states {listed(list(tried.states))}" if tried.states else "the named states are free"
+    )
     pairs = "1 pair" if bodies == 1 else f"{bodies} pairs"
-    return f"first {pair} at {_when(first)}, {pairs} in all, {rest}"
+    return f"first {pair} at {_when(first)}, {pairs} in all, {in_states}"
 
 
 def _stop_checks(parts: PartSet, record: Record) -> Iterator[Check]:
-    """How far the run takes each joint beyond its stops."""
+    """Check how far the run moves each joint beyond its stops."""
     for joint in parts.joints:
         angle = record.series["hinge_angle"][:, joint.hinge]
         beyond = np.maximum(angle - joint.upper, joint.lower - angle)
@@ -165,13 +168,13 @@ def _stop_checks(parts: PartSet, record: Record) -> Iterator[Check]:
             value=most,
             limit=_GIVES,
             unit="rad",
-            text=f'stage "{stage.stage.name}" takes it {math.degrees(max(0.0, most)):.3g} deg beyond a stop, which is a'
-            f" spring in a run; real faces are taken to give way by no more than {math.degrees(_GIVES):g} deg",
+            text=f'stage "{stage.stage.name}" moves it {math.degrees(max(0.0, most)):.3g} deg beyond a stop, which is a'
+            f" spring in a run; real stops are assumed to yield by at most {math.degrees(_GIVES):g} deg",
         )
 
 
 def _root_checks(parts: PartSet, record: Record) -> Iterator[Check]:
-    """Where rods bend beside the joints they stand for, and what moments the recorded motion needs of them."""
+    """Check the distance of bending rods from the joints that they replace, and the moments that the motion needs."""
     for root in parts.roots:
         name, shift = parts.structure.bodies[root.body].name, root.bends
         height = abs(float(root.place[2]))
@@ -183,15 +186,15 @@ def _root_checks(parts: PartSet, record: Record) -> Iterator[Check]:
             value=off,
             limit=root.make.clearance,
             unit="m",
-            text=f"what bends has its middle {show_value(abs(shift), 'm')} along the bar and {show_value(height, 'm')}"
-            " above or below the joint that the design has there, so the bar does not turn about the place that it"
-            " turns about in a run; a shorter rod (make.root_length) brings it nearer",
+            text=f"the middle of the bending rod is {show_value(abs(shift), 'm')} along the bar and"
+            f" {show_value(height, 'm')} above or below the joint of the design, so the bar turns about another point"
+            " than in a run; a shorter rod (make.root_length) is nearer",
         )
         yield _root_moment(parts, record, root)
 
 
 def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
-    """The larger of the moments that bend and turn a rod as far as the run does, by the torque that folds."""
+    """Compare the larger of the moments that bend and twist a rod as far as the run does with the folding torque."""
     name = parts.structure.bodies[root.body].name
     bend, turn = root_angles(record, root)
     bending, twisting = root_moments(root, bend, turn)
@@ -204,13 +207,13 @@ def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
     if math.isfinite(needed):
         text += (
             f"; a rod of {root.make.root_material}, {show_value(root.make.root_diameter, 'm')} thick and"
-            f" {show_value(root.make.root_length, 'm')} long, takes {show_value(bending, 'N m')} and"
-            f" {show_value(twisting, 'N m')} for that"
+            f" {show_value(root.make.root_length, 'm')} long, needs {show_value(bending, 'N m')} and"
+            f" {show_value(twisting, 'N m')} for these angles"
         )
     else:
-        text += f"; the sources of {root.make.root_material} give no modulus, so no moment is known"
+        text += f"; the sources of {root.make.root_material} give no modulus, so the moment is unknown"
     if torque is not None:
-        text += f", of {key} = {show_value(torque, 'N m')}; in the run it takes none"
+        text += f"; {key} is {show_value(torque, 'N m')}; in the run the root has no stiffness"
     return Check(
         name="moment of the root",
         part=name,
@@ -223,27 +226,28 @@ def _root_moment(parts: PartSet, record: Record, root: Root) -> Check:
 
 
 def root_angles(record: Record, root: Root) -> tuple[float, float]:
-    """How far a run bends a root away from how it is built, and how far it turns it about its own axis, rad.
+    """Return the largest angles by which a run bends a root and twists it about its own axis, rad.
 
-    The rotation of the bar is taken as a turn about its own axis and then the shortest way to where it points.
+    The rotation of the bar is decomposed into a twist about its own axis and then the shortest rotation to its
+    direction.
     """
     turns = poses_of(record, range(len(record.time))).frames[:, root.body]
     pointing = turns @ root.along
     bends = np.arctan2(np.linalg.norm(np.cross(pointing, root.along), axis=1), pointing @ root.along)
-    # of a quaternion, that about an axis: twice the angle whose tangent is vector part along it by scalar part
+    # twist angle of a quaternion about an axis: 2 atan2(vector part along the axis, scalar part)
     vector = np.stack([turns[:, i, j] - turns[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=1)
     twist = 2 * np.arctan2(vector @ root.along, 1 + np.trace(turns, axis1=1, axis2=2))
     return float(bends.max()), float(np.abs(twist).max())
 
 
 def root_moments(root: Root, bend: float, turn: float) -> tuple[float, float]:
-    """What bends and turns a rod so far, evenly along it, N m: E I bend / l and G J turn / l.
+    """Return the moments that bend and twist a rod evenly by these angles, N m: E I bend / l and G J turn / l.
 
-    Of a round one I = pi d^4 / 64 and J = 2 I; rubbers keep their volume, so G = E / 3. Large turns are reckoned
-    as small ones.
+    For a round rod I = pi d^4 / 64 and J = 2 I. Rubbers are incompressible, so G = E / 3. Large angles are treated as
+    small ones.
 
     Returns:
-        nan where the sources of its material give no modulus.
+        nan if the sources of its material give no modulus.
     """
     law = load_law(root.make.root_material)
     if law.moduli is None:
@@ -254,7 +258,7 @@ def root_moments(root: Root, bend: float, turn: float) -> tuple[float, float]:
 
 
 def _fold_torque(parts: PartSet) -> tuple[float | None, str]:
-    """The torque that folds, N m, and its key; None where the design has none."""
+    """Return the folding torque, N m, and its key; None if the design has none."""
     key = "protocol.fold_torque"
     try:
         key_quantity(key, type(parts.design))

@@ -1,4 +1,4 @@
-"""What is checked of parts as they are printed: walls, what hangs over, and what a strap is like."""
+"""Checks of printed parts: walls, overhangs, pieces, and the cross-section of straps."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from forficula.make.solid.mesh import mesh_of, solid_of
 from forficula.make.solid.solids import Cut, Joined, Rod, Shared, Solid
 from forficula.pattern.geometry import triangle_normals
 
-# lines of the nozzle that a wall has at least
+# minimum number of nozzle lines in a wall
 _LINES = 2
-# cos of the steepest slope that filament holds on its own, 45 deg from the vertical
+# cos of the steepest overhang that filament needs no support for, 45 deg from the vertical
 _SLOPE = np.sqrt(0.5)
-# of what lies on the bed, that may hang free; chosen
+# [chosen] allowed overhanging area / area on the bed
 _HANGS = 0.05
-# m, of a round hole that filament bridges
+# m, largest diameter of a round hole that filament bridges
 _BRIDGED = 5e-3
-# mm: what is so near to the bed lies on it
+# mm: surfaces this near to the bed count as on it
 _ON_BED = 1e-3
 
 
@@ -33,8 +33,8 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
         if joint.strap is not None:
             walls |= {"make.strap_thickness": joint.strap.thickness, "strap width": joint.strap.width}
             walls |= {"make.peg_diameter": make.peg_diameter}
-        thin, wall = min(walls.items(), key=lambda each: each[1])
-        text = f"{thin} is the thinnest, beside two lines of make.nozzle"
+        thin, wall = min(walls.items(), key=lambda item: item[1])
+        text = f"{thin} is the thinnest wall; it needs two lines of make.nozzle"
         yield least_check("thinnest wall", joint.name, found=wall, least=least, text=text)
         if joint.strap is not None:
             strap = joint.strap
@@ -45,23 +45,21 @@ def printing_checks(parts: PartSet) -> Iterator[Check]:
                 value=strap.width,
                 limit=strap.thickness,
                 unit="m",
-                text="a strap must be wider than thick, or it bows sideways into the joint"
-                + ("" if strap.width > strap.thickness else ": take a thinner one (make.strap_thickness)"),
+                text="a strap must be wider than thick; otherwise it buckles sideways into the joint"
+                + ("" if strap.width > strap.thickness else ": choose a thinner one (make.strap_thickness)"),
             )
     for part in parts.parts:
         pieces = len(part.shape.decompose())
         missed = f"it falls into {pieces} pieces: make it longer or wider"
-        yield count_check(
-            "in one piece", part.name, found=pieces, wanted=1, held="all of it hangs together", missed=missed
-        )
+        yield count_check("in one piece", part.name, found=pieces, wanted=1, held="it is one piece", missed=missed)
     if parts.joints and parts.joints[0].make.process == "filament":
         yield from (_overhang(part) for part in parts.parts if part.printed)
 
 
 def _overhang(part: Part) -> Check:
-    """How much of a part hangs further over than filament holds, by the area that lies on the bed.
+    """Check the area of a part with steep overhangs / the area that lies on the bed.
 
-    Round holes of 5 mm and less close over themselves.
+    Round holes of 5 mm and less are bridged.
     """
     mesh = mesh_of(solid_of(_without_small_holes(part.solid)))
     corners = (mesh.points @ part.bed.T)[mesh.triangles]
@@ -79,20 +77,20 @@ def _overhang(part: Part) -> Check:
         value=float(share),
         limit=_HANGS,
         unit="",
-        text=f"{lies:.0f} mm^2 lie on the bed, and {hangs:.0f} mm^2 hang over by more than 45 deg"
+        text=f"{lies:.0f} mm^2 are on the bed, and {hangs:.0f} mm^2 overhang by more than 45 deg"
         + ("" if share <= _HANGS else ': print it with supports, or by make.process = "powder"'),
     )
 
 
 def _without_small_holes(solid: Solid) -> Solid:
-    """A solid with its small round holes filled."""
+    """Return a solid with its small round holes filled."""
     match solid:
         case Cut():
-            kept = tuple(each for each in solid.taken if not (isinstance(each, Rod) and each.diameter <= _BRIDGED))
+            kept = tuple(child for child in solid.taken if not (isinstance(child, Rod) and child.diameter <= _BRIDGED))
             return Cut(solid=_without_small_holes(solid.solid), taken=kept)
         case Joined():
-            return Joined(solids=tuple(_without_small_holes(each) for each in solid.solids))
+            return Joined(solids=tuple(_without_small_holes(child) for child in solid.solids))
         case Shared():
-            return Shared(solids=tuple(_without_small_holes(each) for each in solid.solids))
+            return Shared(solids=tuple(_without_small_holes(child) for child in solid.solids))
         case _:
             return solid

@@ -1,4 +1,4 @@
-"""What is checked of joints over their range: overlap, gaps, where stops are, and that straps pass everything."""
+"""Checks of joints over their range: overlap, gaps, stop angles, and collisions of straps."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from forficula.make.solid.mesh import MILLIMETRES, placed, solid_of
 from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.quantities import show_value
 
-# of parts that would be drawn to touch where they are round, mm^3: a polygon has corners
+# mm^3: overlap of touching round parts, because circles are polygons
 _TOUCH = 1e-2
 _ANGLES, _GAPS, _STRAPS = 61, 13, 25
-# rad, to which stops must be where the design has them
+# rad, allowed deviation of stops from the design
 _STOP_AGREES = math.radians(0.01)
-# of round holes and rods that are polygons, m
+# m, error of gaps, because round holes and rods are polygons
 _GAP_AGREES = 5e-6
 
 
@@ -43,49 +43,49 @@ def range_checks(parts: PartSet) -> Iterator[Check]:
 
 
 def stop_angles(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
-    """Where the stop faces of a joint meet, by its halves without pegs, rad, as `range_between` finds them."""
+    """Return the angles at which the stop faces of a joint meet, rad, without pegs; see `range_between`."""
     return range_between(joint, *(_bare_shape(parts, arm.body) for arm in (joint.proximal, joint.distal)))
 
 
 def lug_checks(parts: PartSet) -> Iterator[Check]:
-    """Whether every bar is longer than the lugs of the hinges at its ends, which would stand in one another."""
+    """Check that every bar is longer than the lugs of the hinges at its ends, which would overlap otherwise."""
     arms = [(joint, arm) for joint in parts.joints for arm in (joint.proximal, joint.distal)]
     for body in sorted({arm.body for _, arm in arms}):
-        own = [(joint.lug, arm.length) for joint, arm in arms if arm.body == body]
-        least, length = sum(lug for lug, _ in own), own[0][1]
+        lugs = [(joint.lug, arm.length) for joint, arm in arms if arm.body == body]
+        least, length = sum(lug for lug, _ in lugs), lugs[0][1]
         yield least_check(
             "bar beyond its lugs",
             parts.structure.bodies[body].name,
             found=length,
             least=least,
-            text=f"the lugs of its hinges take {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm",
+            text=f"the lugs of its hinges occupy {1e3 * least:.1f} mm of its {1e3 * length:.1f} mm",
             mend=": make it longer, or the hinge slimmer (make.hinge_wall, make.pin_diameter)",
         )
 
 
 def pin_checks(parts: PartSet) -> Iterator[Check]:
-    """Whether every pin turns in the distal half of its joint, with its play all around; the other half holds it."""
+    """Check that every pin turns in the distal half of its joint with its play all around; the other half holds it."""
     named = {part.name: part for part in parts.parts if part.kind == "pin"}
     for joint in parts.joints:
         pin = named.get(f"pin_{joint.name}")
         if pin is None:
             continue
         gap = pin.shape.min_gap(_body_shape(parts, joint.distal.body), 2 * joint.play * MILLIMETRES) / MILLIMETRES
-        held = gap >= joint.play - _GAP_AGREES
+        ok = gap >= joint.play - _GAP_AGREES
         yield Check(
             name="pin turns in its hole",
             part=joint.name,
-            ok=held,
+            ok=ok,
             value=gap,
             limit=joint.play,
             unit="m",
-            text=f"between it and the half that turns on it there is {show_value(gap, 'm')} of room"
-            + ("" if held else "; take a thinner one, or a larger make.pin_diameter"),
+            text=f"the gap between the pin and the half that turns on it is {show_value(gap, 'm')}"
+            + ("" if ok else "; choose a thinner pin, or a larger make.pin_diameter"),
         )
 
 
 def _pegs_on_bars(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
-    """Whether pegs are on their bars: beyond the lug of the hinge, and not beyond the end."""
+    """Check that pegs are on their bars: beyond the lug of the hinge, and not beyond the end."""
     radius = joint.make.peg_diameter / 2
     for arm in (joint.proximal, joint.distal):
         if not arm.peg or joint.strap is None:
@@ -98,32 +98,32 @@ def _pegs_on_bars(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
             value=arm.peg,
             limit=joint.lug + radius if arm.peg < arm.length / 2 else arm.length - radius,
             unit="m",
-            text=f"the bar has room for a peg from {1e3 * (joint.lug + radius):.1f} mm, where the hinge's lug ends, to"
-            f" {1e3 * (arm.length - radius):.1f} mm from the hinge; it is at {1e3 * arm.peg:.1f} mm"
+            text=f"the bar has space for a peg from {1e3 * (joint.lug + radius):.1f} mm, where the hinge's lug ends, to"
+            f" {1e3 * (arm.length - radius):.1f} mm from the hinge; the peg is at {1e3 * arm.peg:.1f} mm"
             + ("" if room >= 0 else ": change the tendon's attachment, make the bar longer, or the peg thinner"),
         )
 
 
 def _between(angles: Sequence[float]) -> str:
-    """From which angle to which, rad, in words."""
+    """Return a text with a range of angles, rad."""
     low, high = (f"{math.degrees(angle):.0f}" for angle in (min(angles), max(angles)))
     return f"at {low} deg" if low == high else f"from {low} to {high} deg"
 
 
 def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
-    """Whether the two halves are ever in one place, pegs and all."""
+    """Check that the two halves with their pegs never overlap."""
     angles = np.linspace(joint.lower, joint.upper, _ANGLES)
     volumes = [(proximal ^ placed(distal, *turned(joint, angle))).volume() for angle in angles]
     worst = int(np.argmax(volumes))
-    held = volumes[worst] <= _TOUCH
-    text = f"the two halves are never in one place, at {_ANGLES} angles"
-    if not held:
+    ok = volumes[worst] <= _TOUCH
+    text = f"the two halves do not overlap at {_ANGLES} angles"
+    if not ok:
         where = [float(angle) for angle, volume in zip(angles, volumes, strict=True) if volume > _TOUCH]
-        text = f"the two halves are in one place {_between(where)}: {_apart(joint)}"
+        text = f"the two halves overlap {_between(where)}: {_apart(joint)}"
     return Check(
         name="overlap over the range",
         part=joint.name,
-        ok=held,
+        ok=ok,
         value=volumes[worst] / MILLIMETRES**3,
         limit=_TOUCH / MILLIMETRES**3,
         unit="m^3",
@@ -132,7 +132,7 @@ def _overlap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
 
 
 def _apart(joint: JointLayout) -> str:
-    """What keeps two halves apart that meet."""
+    """Return advice that avoids an overlap of two halves."""
     arms, radius = (joint.proximal, joint.distal), joint.make.peg_diameter / 2
     if any(arm.length < joint.lug or 0 < arm.peg < joint.lug + radius for arm in arms):
         return f"a bar or its peg ends within the hinge's lug, {1e3 * joint.lug:.1f} mm from the hinge: make it longer"
@@ -140,44 +140,45 @@ def _apart(joint: JointLayout) -> str:
 
 
 def _gap(joint: JointLayout, proximal: Manifold, distal: Manifold) -> Check:
-    """The least gap between the halves where their stop faces are apart by the clearance at least."""
+    """Check the smallest gap between the halves, at angles at which their stop faces are a clearance apart or more."""
     clearance = joint.make.clearance
     apart = clearance / (joint.knuckle_diameter / 2 + clearance)
     angles = np.linspace(joint.lower + apart, joint.upper - apart, _GAPS)
     search = 2 * clearance * MILLIMETRES
     gaps = [proximal.min_gap(placed(distal, *turned(joint, angle)), search) / MILLIMETRES for angle in angles]
     least = int(np.argmin(gaps))
-    held = gaps[least] >= clearance - _GAP_AGREES
+    ok = gaps[least] >= clearance - _GAP_AGREES
     return Check(
         name="least gap",
         part=joint.name,
-        ok=held,
+        ok=ok,
         value=gaps[least],
         limit=clearance,
         unit="m",
-        text=f"the two halves come as near as that at {math.degrees(angles[least]):.0f} deg, away from the stops"
-        + ("" if held else f"; they must keep make.clearance apart: {_apart(joint)}"),
+        text=f"the gap between the two halves is smallest at {math.degrees(angles[least]):.0f} deg, away from the stops"
+        + ("" if ok else f"; it must be at least make.clearance: {_apart(joint)}"),
     )
 
 
 def _stops(parts: PartSet, joint: JointLayout) -> Iterator[Check]:
-    """Whether the solids meet where the stops are to be."""
-    for name, found, nominal in zip(
+    """Check that the solids meet at the stop angles of the design."""
+    for name, measured, nominal in zip(
         ("fold stop", "overbend stop"), stop_angles(parts, joint), (joint.lower, joint.upper), strict=True
     ):
         yield Check(
             name=name,
             part=joint.name,
-            ok=abs(found - nominal) <= _STOP_AGREES,
-            value=found,
+            ok=abs(measured - nominal) <= _STOP_AGREES,
+            value=measured,
             limit=nominal,
             unit="rad",
-            text=f"the stop faces meet at {math.degrees(found):.4f} deg; the design has {math.degrees(nominal):g} deg",
+            text=f"the stop faces meet at {math.degrees(measured):.4f} deg;"
+            f" the design has {math.degrees(nominal):g} deg",
         )
 
 
 def strap_checks(parts: PartSet) -> Iterator[Check]:
-    """Whether the straps of every tendon pass everything at all angles: taut, and slack to either side."""
+    """Check that the straps of every tendon collide with nothing at all angles, taut and slack to either side."""
     for place in parts.straps:
         joints = [joint for joint in parts.joints if joint.tendon == place.tendon]
         bodies = dict.fromkeys(arm.body for joint in joints for arm in (joint.proximal, joint.distal))
@@ -189,7 +190,7 @@ def strap_checks(parts: PartSet) -> Iterator[Check]:
 
 @dataclass(frozen=True, kw_only=True)
 class _Swept:
-    """A strap in one place: the joints' angles, summed, rad; what it takes of bars, mm^3; its bow, m."""
+    """A strap at one angle: the joints' angles, summed, rad; its overlap with bars, mm^3; its bow, m."""
 
     angle: float
     volume: float
@@ -197,47 +198,47 @@ class _Swept:
 
 
 def _swept(place: StrapPlace, joints: Sequence[JointLayout], shapes: Sequence[Manifold], *, taut: bool) -> list[_Swept]:
-    """The straps of a tendon wherever they are taut, or slack, at angles of all of its joints."""
-    found, axis = [], joints[0].frame[:, 1]
+    """Return the straps of a tendon at all angles at which they are taut, or slack."""
+    swept, axis = [], joints[0].frame[:, 1]
     for share in np.linspace(0.0, 1.0, _STRAPS):
         angles = [joint.lower + share * (joint.upper - joint.lower) for joint in joints]
         poses = _chain(joints, angles)
         posed = [placed(shape, *pose) for shape, pose in zip(shapes, poses, strict=True)]
         for start, end in place.ends:
-            here, there = (pose.of(at) for at, pose in ((start, poses[0]), (end, poses[-1])))
-            if (float(np.linalg.norm(there - here)) >= place.strap.rest_length) != taut:
+            near_end, far_end = (pose.of(at) for at, pose in ((start, poses[0]), (end, poses[-1])))
+            if (float(np.linalg.norm(far_end - near_end)) >= place.strap.rest_length) != taut:
                 continue
             for side in (1,) if taut else (1, -1):
-                line = strap_line(place, here, there, axis, side)
+                line = strap_line(place, near_end, far_end, axis, side)
                 strap = solid_of(strap_along(place, line, axis))
                 volume = sum((strap ^ body).volume() for body in posed)
-                found.append(_Swept(angle=sum(angles), volume=volume, bow=_bows(line)))
-    return found
+                swept.append(_Swept(angle=sum(angles), volume=volume, bow=_bows(line)))
+    return swept
 
 
-def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, said: str) -> Check:
-    """Check the straps of a tendon where they are taut, or where they are slack."""
-    caught = [each.angle for each in swept if each.volume > _TOUCH]
+def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, state: str) -> Check:
+    """Check the straps of a tendon at angles at which they are taut, or slack."""
+    collisions = [strap.angle for strap in swept if strap.volume > _TOUCH]
     if not swept:
-        text = f"the straps are never {said} within the range"
-        text += ": they hold nothing, so make tendon.rest_length shorter" if said == "taut" else ""
-    elif caught:
-        text = f"{said}, a strap goes through the joint {_between(caught)}: it is caught there; "
+        text = f"the straps are never {state} within the range"
+        text += ": they have no effect, so make tendon.rest_length shorter" if state == "taut" else ""
+    elif collisions:
+        text = f"{state}, a strap would pass through the joint {_between(collisions)}; "
         text += (
-            "two straps beside the bars (make.straps = 2) pass them"
+            "two straps beside the bars (make.straps = 2) avoid this"
             if place.strap.count == 1
-            else "a narrower hinge (make.hinge_width) or bars nearer to square to it let it pass"
+            else "a narrower hinge (make.hinge_width) or bars nearer to perpendicular to it avoid this"
         )
     else:
-        highest = max(each.bow for each in swept)
-        text = f"{said}, the straps pass everything, at {len(swept)} of their places"
-        text += "" if said == "taut" else f"; their bows stand up to {1e3 * highest:.0f} mm off the line between pegs"
+        highest = max(strap.bow for strap in swept)
+        text = f"{state}, the straps collide with nothing, at {len(swept)} positions"
+        text += "" if state == "taut" else f"; they bow up to {1e3 * highest:.0f} mm away from the line between pegs"
     return Check(
-        name=f"straps {said}",
+        name=f"straps {state}",
         part=name,
-        # one that is never taut does nothing; one that is never slack need not pass anything so
-        ok=not caught if swept else (False if said == "taut" else None),
-        value=max((each.volume for each in swept), default=0.0) / MILLIMETRES**3,
+        # straps that are never taut are useless; straps that are never slack need no check of the slack state
+        ok=not collisions if swept else (False if state == "taut" else None),
+        value=max((strap.volume for strap in swept), default=0.0) / MILLIMETRES**3,
         limit=_TOUCH / MILLIMETRES**3,
         unit="m^3",
         text=text,
@@ -245,7 +246,7 @@ def _strap_check(place: StrapPlace, swept: Sequence[_Swept], name: str, said: st
 
 
 def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[RigidMotion]:
-    """Place the bodies of a chain of joints, from the first one's proximal on, which does not move."""
+    """Return the positions of the bodies of a chain of joints. The first proximal body is fixed."""
     poses = [STILL]
     for joint, angle in zip(joints, angles, strict=True):
         poses.append(poses[-1].after(turned(joint, angle)))
@@ -253,18 +254,18 @@ def _chain(joints: Sequence[JointLayout], angles: Sequence[float]) -> list[Rigid
 
 
 def _bows(line: Array) -> float:
-    """How far a line stands off the straight one between its ends, m."""
-    off, way = line - line[0], (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
-    return float(np.linalg.norm(off - (off @ way)[:, None] * way, axis=1).max())
+    """Return the largest distance of a line from the straight line between its ends, m."""
+    offsets, direction = line - line[0], (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
+    return float(np.linalg.norm(offsets - (offsets @ direction)[:, None] * direction, axis=1).max())
 
 
 def _body_shape(parts: PartSet, body: int) -> Manifold:
-    """All that moves with a body but pins, which turn in what they are in, mm."""
+    """Return the shape of all parts that move with a body except pins, which turn in their holes, mm."""
     return Manifold.batch_boolean([part.shape for part in parts.of_body(body) if part.kind != "pin"], OpType.Add)
 
 
 def _bare_shape(parts: PartSet, body: int) -> Manifold:
-    """A bar without its pegs, mm."""
+    """Return a bar without its pegs, mm."""
     arms = [
         (replace(joint, strap=None), getattr(replace(joint, strap=None), side))
         for joint in parts.joints

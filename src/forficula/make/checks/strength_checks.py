@@ -1,8 +1,9 @@
-"""What is checked of joints by formulas: whether bars, pegs, pins, knuckles, stops and straps bear what loads them.
+"""Strength checks of joints by formulas: bars, pegs, pins, knuckles, stops and straps.
 
-That is the tendon's pull, the largest within the joint's range, from peg to peg as made, and at stops also the drives
-of the design. Nothing moves: impact and a tendon's damping are no part of it. Strengths are the least that the sources
-of a material give; for pegs, knuckles and printed axles that across layers, which is the lesser one however they lie.
+The loads are the tendon's largest pull within the joint's range, from peg to peg as made, and at stops also the drives
+of the design. They are static: impact and a tendon's damping are not included. Strengths are the least that the sources
+of a material give. For pegs, knuckles and printed axles it is the strength across layers, the lower one, whatever their
+orientation.
 """
 
 from __future__ import annotations
@@ -25,32 +26,32 @@ from forficula.make.solid.sections import CrossSection, bar_section, peg_modulus
 from forficula.make.stock import Stock, stock_of
 from forficula.structure import Structure, built_frames
 
-# what anything must bear, by what it has to; chosen
+# [chosen] required safety factor
 SAFE = 2.0
-# rad, by which a drive may twist a bar: a sixth of the right angle that veins turn through; chosen
+# [chosen] rad, allowed twist of a bar by a drive: a sixth of the right angle through which veins turn
 _TWIST = math.radians(15.0)
-# cos of the largest angle between a hinge and a bar that it turns about itself
+# cos of the largest angle between a hinge and a bar for which the hinge twists the bar
 _ITSELF = math.cos(math.radians(30.0))
-# of polymers, 0.35 to 0.4
+# Poisson's ratio of polymers, 0.35 to 0.4
 _POISSON = 0.4
-# of a material's strength in tension, that in shear (von Mises)
+# shear strength / tensile strength (von Mises)
 _SHEAR = 1 / math.sqrt(3)
 _ANGLES = 61
-# along each of the two bars
+# number of points along each of the two bars
 _PLACES = 33
-# of Euler's load: as near to it as loads are tried
+# largest load that is tried, as a fraction of Euler's load
 _NEAR = 1 - 1e-6
 
 
 def strength_checks(parts: PartSet) -> Iterator[Check]:
-    """Check by formulas what the joints of a set of parts bear."""
+    """Check the strength of the joints of a set of parts by formulas."""
     for joint in parts.joints:
-        place = next((each for each in parts.straps if each.tendon == joint.tendon), None)
+        place = next((strap for strap in parts.straps if strap.tendon == joint.tendon), None)
         if place is None:
             continue
         stock = stock_of(joint.make.bar_material)
-        each = largest_pulls(parts.structure, joint, place)
-        pull, longest = float(each.sum()), float(each.max())
+        pulls = largest_pulls(parts.structure, joint, place)
+        pull, longest = float(pulls.sum()), float(pulls.max())
         stops = [stop_load(parts.structure, joint, place, stop) for stop in ("overbend", "fold")]
         yield from _column(joint, place, stock, pull)
         yield from _pegs(joint, place, stock, longest)
@@ -60,13 +61,13 @@ def strength_checks(parts: PartSet) -> Iterator[Check]:
         yield _strap(parts, joint, place, longest)
     arms = [(joint, arm) for joint in parts.joints for arm in (joint.proximal, joint.distal)]
     for body in dict.fromkeys(arm.body for _, arm in arms):
-        yield from _twist(parts, *next(each for each in arms if each[1].body == body))
+        yield from _twist(parts, *next(pair for pair in arms if pair[1].body == body))
 
 
 def largest_pulls(structure: Structure, joint: JointLayout, place: StrapPlace) -> Array:
-    """The pull of each strap where they pull most together, while one joint goes through its range, N, (strap,).
+    """Return the pull of each strap at the angle at which their total pull is largest, for one joint, N, (strap,).
 
-    Across an oblique hinge the one is longer than the other; each has its share of the tendon's law.
+    Across an oblique hinge the straps have different lengths. Each has its share of the tendon's law.
     """
     law, pulls = structure.tendons[place.tendon].law.elastic, []
     for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
@@ -77,84 +78,84 @@ def largest_pulls(structure: Structure, joint: JointLayout, place: StrapPlace) -
 
 
 def _factor(name: str, joint: JointLayout, bears: float | None, load: float, text: str, mend: str) -> Check:
-    """A check of what something bears by what it has to, in any one unit; not made where the material is not known."""
+    """Return a check of a strength / a load in the same unit. It is not done if the strength is unknown."""
     factor = math.inf if bears is None or load <= 0 else bears / load
-    held = None if bears is None else factor >= SAFE
+    ok = None if bears is None else factor >= SAFE
     if bears is None:
-        text += "; not checked, for no source gives the strength of what it is made of"
+        text += "; not checked, because no source gives the strength of its material"
     return Check(
         name=name,
         part=joint.name,
-        ok=held,
+        ok=ok,
         value=math.nan if bears is None else factor,
         limit=SAFE,
         unit="",
-        text=text + (f"; {mend}" if held is False else ""),
+        text=text + (f"; {mend}" if ok is False else ""),
     )
 
 
 def column_of(joint: JointLayout, place: StrapPlace, youngs_modulus: float) -> BucklingColumn:
-    """The bars of a joint between its pegs as a column, as the joint rests against its overbend stop.
+    """Return the bars of a joint between its pegs as a column, with the joint at its overbend stop.
 
-    There the bars are one in the sheet's plane by their knuckles, and out of it by the stop.
+    There the bars are rigidly connected: in the sheet's plane by their knuckles, and out of it by the stop.
     """
     opened = turned(joint, joint.upper)
     start, end = place.ends[:, 0].mean(axis=0), opened.of(place.ends[:, 1].mean(axis=0))
-    way = (end - start) / np.linalg.norm(end - start)
-    in_sheet = np.cross(joint.frame[:, 2], way) / np.linalg.norm(np.cross(joint.frame[:, 2], way))
+    direction = (end - start) / np.linalg.norm(end - start)
+    in_sheet = np.cross(joint.frame[:, 2], direction) / np.linalg.norm(np.cross(joint.frame[:, 2], direction))
     rise = joint.standoff * joint.frame[:, 2]
     inner, outer = joint.proximal, joint.distal
-    # of the bars' axes
-    places = np.array(
+    # points on the bars' axes
+    points = np.array(
         [
             joint.origin + rise + inner.peg * inner.along,
             joint.origin + rise,
             opened.of(joint.origin + rise + outer.peg * outer.along),
         ]
     )
-    off = places - start
+    offsets = points - start
     return BucklingColumn(
-        lengths=(float((off[1] - off[0]) @ way), float((off[2] - off[1]) @ way)),
-        offsets=off @ np.column_stack([in_sheet, np.cross(way, in_sheet)]),
+        lengths=(float((offsets[1] - offsets[0]) @ direction), float((offsets[2] - offsets[1]) @ direction)),
+        offsets=offsets @ np.column_stack([in_sheet, np.cross(direction, in_sheet)]),
         section=bar_section(joint.bar_diameter),
         youngs_modulus=youngs_modulus,
     )
 
 
 def _column(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Iterator[Check]:
-    """The bars between the pegs as a column: Euler's load of a straight one, and what one as bent as it is bears."""
+    """Check the bars between the pegs as a column: Euler's load of a straight one, and the strength of the bent one."""
     modulus, strength = stock.youngs_modulus, stock.strength
     length = float(np.linalg.norm(np.diff(place.ends.mean(axis=0), axis=0)))
     buckles = None if modulus is None else euler_load(length, bar_section(joint.bar_diameter), modulus)
-    mend = "take thicker bars (vein.diameter), a softer tendon, or pegs nearer to each other"
+    advice = "choose thicker bars (vein.diameter), a softer tendon, or pegs nearer to each other"
     shown = "" if buckles is None else f"; they buckle at {buckles:.0f} N (Euler)"
     yield _factor(
         "buckling of the bars",
         joint,
         buckles,
         pull,
-        f"the tendon presses {1e3 * length:.0f} mm of bars together with {pull:.1f} N{shown}",
-        mend,
+        f"the tendon compresses {1e3 * length:.0f} mm of bars with {pull:.1f} N{shown}",
+        advice,
     )
-    # the bars between the pegs of a tendon across several hinges are more than two
+    # a tendon across several hinges has more than two bars between its pegs
     if not (joint.proximal.peg and joint.distal.peg):
         return
     column = column_of(joint, place, modulus or math.nan)
     bears = None if modulus is None or strength is None else column.bears(strength)
     beside = float(np.linalg.norm(column.offsets, axis=1).max())
-    shown = "" if bears is None else f"; bent so, they bear {bears:.0f} N"
+    shown = "" if bears is None else f"; with this eccentricity, they withstand {bears:.0f} N"
     yield _factor(
         "bending of the bars",
         joint,
         bears,
         pull,
-        f"the tendon's line passes up to {1e3 * beside:.1f} mm beside the bars' axes{shown}",
-        mend,
+        f"the line of the tendon is up to {1e3 * beside:.1f} mm away from the bars' axes{shown}",
+        advice,
     )
 
 
 def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> Iterator[Check]:
-    """Bending of a peg where it leaves its bar, as a cantilever with the strap on its end that pulls more."""
+    """Check a peg in bending at its bar, as a cantilever with the strap of larger pull at its end."""
     arms = [arm for arm in (joint.proximal, joint.distal) if arm.peg]
     if not arms:
         return
@@ -166,12 +167,12 @@ def _pegs(joint: JointLayout, place: StrapPlace, stock: Stock, pull: float) -> I
         stock.strength_across,
         stress,
         f"a strap pulls {pull:.1f} N at {1e3 * lever:.1f} mm from the bar, {stress / 1e6:.1f} MPa",
-        "take thicker pegs (make.peg_diameter), a narrower hinge (make.hinge_width) or a softer tendon",
+        "choose thicker pegs (make.peg_diameter), a narrower hinge (make.hinge_width) or a softer tendon",
     )
 
 
 def _feet(joint: JointLayout, stock: Stock, pull: float) -> Iterator[Check]:
-    """Bending of what carries a peg that is off its bar: a block as wide as the bar and as long as the peg is thick."""
+    """Check the foot of a peg off its bar in bending: a block as wide as the bar and as long as the peg is thick."""
     lifted = [arm for arm in (joint.proximal, joint.distal) if arm.peg and not is_level(joint, arm)]
     if not lifted:
         return
@@ -182,35 +183,35 @@ def _feet(joint: JointLayout, stock: Stock, pull: float) -> Iterator[Check]:
         joint,
         stock.strength_across,
         stress,
-        f"{pull:.1f} N pull at {1e3 * off:.1f} mm from the bar's axis, {stress / 1e6:.1f} MPa",
-        "take pegs nearer to the height of the bars (make.anchors) or thicker ones (make.peg_diameter)",
+        f"{pull:.1f} N act at {1e3 * off:.1f} mm from the bar's axis, {stress / 1e6:.1f} MPa",
+        "choose pegs nearer to the height of the bars (make.anchors) or thicker ones (make.peg_diameter)",
     )
 
 
 def _pin(joint: JointLayout, stock: Stock, pull: float, stops: list[StopLoad]) -> Iterator[Check]:
-    """Shear and bending of the pin, and tension in the walls of its knuckles, by the largest force on it.
+    """Check shear and bending of the pin, and tension in the walls of its knuckles, by the largest force on it.
 
-    Off the stops that is all of the pull, and at a stop the larger, what is left of pull and stop. A couple across the
-    hinge's axis loads the one outer knuckle more. The pin is a beam held in the outer knuckles: with N spread evenly
-    over the middle c of a span s it has its largest moment there, N (3 s^2 - c^2) / (24 s).
+    Away from the stops the force is the whole pull; at a stop, it is the resultant of pull and stop force if this is
+    larger. A couple across the hinge's axis loads one outer knuckle more. The pin is a beam held in the outer knuckles:
+    with N spread evenly over the middle c of a span s, its largest moment is there, N (3 s^2 - c^2) / (24 s).
     """
     make = joint.make
     inner, outer = joint.side_widths
-    force = max([pull, *(load.on_pin for load in stops)])
-    couple = max(load.couple for load in stops)
+    force = max([pull, *(stop.on_pin for stop in stops)])
+    couple = max(stop.couple for stop in stops)
     side = force / 2 + couple / (outer + joint.width / 2)
     bought = make.hinge == "pin"
     strength = stock_of(make.pin_material).strength if bought else stock.strength_across
-    mend = "take a thicker pin (make.pin_diameter)" + ("" if bought else " or one of metal (make.hinge)")
-    told = f"the pin takes up to {force:.1f} N, {side:.1f} N of it on one side"
+    advice = "choose a thicker pin (make.pin_diameter)" + ("" if bought else " or one made of metal (make.hinge)")
+    load = f"the pin carries up to {force:.1f} N, {side:.1f} N of it on one side"
     shear = side / (math.pi / 4 * make.pin_diameter**2)
     yield _factor(
         "shear of the pin",
         joint,
         None if strength is None else _SHEAR * strength,
         shear,
-        f"{told}, {shear / 1e6:.2f} MPa in shear",
-        mend,
+        f"{load}, {shear / 1e6:.2f} MPa in shear",
+        advice,
     )
     span, middle = 2 * outer, 2 * inner
     moment = force * (3 * span**2 - middle**2) / (24 * span)
@@ -220,8 +221,8 @@ def _pin(joint: JointLayout, stock: Stock, pull: float, stops: list[StopLoad]) -
         joint,
         strength,
         bending,
-        f"{told}, {bending / 1e6:.1f} MPa in bending between its knuckles",
-        mend,
+        f"{load}, {bending / 1e6:.1f} MPa in bending between its knuckles",
+        advice,
     )
     walls = 2 * make.hinge_wall
     tension = max(force / (middle * walls), side / ((joint.width / 2 - outer) * walls))
@@ -230,13 +231,13 @@ def _pin(joint: JointLayout, stock: Stock, pull: float, stops: list[StopLoad]) -
         joint,
         stock.strength_across,
         tension,
-        f"{told}, {tension / 1e6:.1f} MPa in walls of {1e3 * make.hinge_wall:.1f} mm",
-        "take thicker walls (make.hinge_wall) or a wider hinge (make.hinge_width)",
+        f"{load}, {tension / 1e6:.1f} MPa in walls of {1e3 * make.hinge_wall:.1f} mm",
+        "choose thicker walls (make.hinge_wall) or a wider hinge (make.hinge_width)",
     )
 
 
 def _stop(joint: JointLayout, stock: Stock, load: StopLoad) -> Check:
-    """Pressure on the faces of a stop."""
+    """Check the pressure on the faces of a stop."""
     pressure = 0.0 if load.force <= 0 else math.inf if load.area == 0 else load.force / load.area
     drive = f' and the drive "{load.drive}" with {100 * load.by_drive:.1f} N cm' if load.drive else ""
     return _factor(
@@ -246,12 +247,12 @@ def _stop(joint: JointLayout, stock: Stock, load: StopLoad) -> Check:
         pressure,
         f"the tendon presses it with {100 * load.by_tendon:.1f} N cm about the pin{drive}: {load.force:.1f} N on"
         f" {1e6 * load.area:.0f} mm^2, {pressure / 1e6:.2f} MPa",
-        "take a wider hinge (make.hinge_width)",
+        "choose a wider hinge (make.hinge_width)",
     )
 
 
 def _strap(parts: PartSet, joint: JointLayout, place: StrapPlace, pull: float) -> Check:
-    """Engineering stress in the strap that pulls more."""
+    """Check the engineering stress in the strap of larger pull."""
     stock = parts.strap_of(place.tendon).stock
     stress = pull / (place.strap.width * place.strap.thickness)
     return _factor(
@@ -259,14 +260,14 @@ def _strap(parts: PartSet, joint: JointLayout, place: StrapPlace, pull: float) -
         joint,
         stock.strength,
         stress,
-        f"{1e3 * place.strap.width:.1f} x {1e3 * place.strap.thickness:.1f} mm of {stock.name} take {pull:.1f} N,"
+        f"{1e3 * place.strap.width:.1f} x {1e3 * place.strap.thickness:.1f} mm of {stock.name} carry {pull:.1f} N,"
         f" {stress / 1e6:.1f} MPa",
-        "take a longer tendon of the same stiffness, which is stretched by a smaller share",
+        "choose a longer tendon of the same stiffness, whose strain is smaller",
     )
 
 
 def _twist(parts: PartSet, joint: JointLayout, arm: Arm) -> Iterator[Check]:
-    """The twist of a bar by the drive that turns it most about itself at its far end; nothing where none does."""
+    """Check the twist of a bar by the drive with the largest torque about it at its far end; nothing without one."""
     torque = _torque_about(parts.structure, arm)
     if torque == 0:
         return
@@ -274,22 +275,22 @@ def _twist(parts: PartSet, joint: JointLayout, arm: Arm) -> Iterator[Check]:
     known = stock.youngs_modulus is not None
     rigidity = (stock.youngs_modulus or math.nan) / (2 * (1 + _POISSON)) * bar_section(joint.bar_diameter).torsion
     twist = torque * arm.length / rigidity
-    held = twist <= _TWIST if known else None
+    ok = twist <= _TWIST if known else None
     text = f"{100 * torque:.0f} N cm twist {1e3 * arm.length:.0f} mm of {stock.name}"
-    text += f" by {math.degrees(twist):.0f} deg" if known else "; not checked, for no source gives its modulus"
+    text += f" by {math.degrees(twist):.0f} deg" if known else "; not checked, because no source gives its modulus"
     yield Check(
         name="twist of the bar",
         part=parts.structure.bodies[arm.body].name,
-        ok=held,
+        ok=ok,
         value=twist,
         limit=_TWIST,
         unit="rad",
-        text=text + ("; take thicker bars (vein.diameter)" if held is False else ""),
+        text=text + ("; choose thicker bars (vein.diameter)" if ok is False else ""),
     )
 
 
 def _torque_about(structure: Structure, arm: Arm) -> float:
-    """The largest torque of a drive about a bar itself, by the hinges that turn it there, N m."""
+    """Return the largest torque of a drive about a bar's own axis, by the hinges that turn it, N m."""
     _, frames = built_frames(structure)
     most = 0.0
     for drive in structure.drives:
@@ -297,26 +298,26 @@ def _torque_about(structure: Structure, arm: Arm) -> float:
         for motor, strength in zip(structure.motors, drive.strengths, strict=True):
             for number in motor.hinges if motor.kind == "torque" else ():
                 hinge = structure.hinges[number]
-                own = abs(float(frames[arm.body] @ hinge.axis @ arm.along))
-                if hinge.body == arm.body and own > _ITSELF:
-                    torque += strength * own
+                along_bar = abs(float(frames[arm.body] @ hinge.axis @ arm.along))
+                if hinge.body == arm.body and along_bar > _ITSELF:
+                    torque += strength * along_bar
         most = max(most, abs(torque))
     return most
 
 
 def euler_load(length: float, section: CrossSection, youngs_modulus: float) -> float:
-    """At which a straight column, m long, whose ends turn freely, buckles to its weaker side, N."""
+    """Return the buckling load of a straight column, m long, with hinged ends, about its weaker axis, N."""
     return math.pi**2 * youngs_modulus * section.least / length**2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BucklingColumn:
-    """Two bars, rigidly joined where they meet, pressed together along the line between their far ends.
+    """Two rigidly connected bars, compressed along the line between their far ends.
 
     Attributes:
         lengths: of the two bars, m.
-        offsets: of the bars' axes from the line of the load as they are made, at the first end, where they meet, and at
-            the other end, m, (3, 2): in the sheet's plane and out of it.
+        offsets: of the bars' axes from the line of the load, unloaded, at the first end, at the connection, and at the
+            other end, m, (3, 2): in the sheet's plane and out of it.
         section: of both.
         youngs_modulus: Pa.
     """
@@ -328,33 +329,34 @@ class BucklingColumn:
 
     @property
     def buckles_at(self) -> float:
-        """Euler's load of it, were it straight, N."""
+        """Euler's load of a straight column of the same length, N."""
         return euler_load(sum(self.lengths), self.section, self.youngs_modulus)
 
     def bows(self, push: float) -> Array:
-        """How far the axes are off the line of a load below `buckles_at`, N, m, (place, 2), first end first.
+        """Return distances of the axes from the line of a load, N, below `buckles_at`, m, (point, 2), first end first.
 
-        With k = sqrt(push / (E I)) the offset v of each bar obeys v'' = -k^2 v. It is given at the ends; where the bars
-        meet its slope has the jump that they are made with. So there, with lengths a and b and offsets as made of
-        e_0, e_1, e_2: k (V (cot ka + cot kb) - e_0 / sin ka - e_2 / sin kb) = (e_1 - e_0) / a + (e_1 - e_2) / b. Ends
-        e_0 = e_1 = e_2 give the secant formula (Timoshenko and Gere 1961, Theory of Elastic Stability, chapter 1).
+        With k = sqrt(push / (E I)) the offset v of each bar obeys v'' = -k^2 v. It is given at the ends. At the
+        connection, its slope has the same jump as in the unloaded state. The offset V there follows, with lengths a and
+        b and unloaded offsets e_0, e_1, e_2, from k (V (cot ka + cot kb) - e_0 / sin ka - e_2 / sin kb) = (e_1 - e_0) /
+        a + (e_1 - e_2) / b. Equal offsets e_0 = e_1 = e_2 give the secant formula (Timoshenko and Gere 1961, Theory of
+        Elastic Stability, chapter 1).
         """
         (first, middle, last), (a, b) = self.offsets, self.lengths
         seconds = np.array([self.section.in_sheet, self.section.out_of_sheet])
         wave = np.sqrt(push / (self.youngs_modulus * seconds))
         jump = (middle - first) / a + (middle - last) / b
-        there = jump / wave + first / np.sin(wave * a) + last / np.sin(wave * b)
-        there /= 1 / np.tan(wave * a) + 1 / np.tan(wave * b)
+        at_joint = jump / wave + first / np.sin(wave * a) + last / np.sin(wave * b)
+        at_joint /= 1 / np.tan(wave * a) + 1 / np.tan(wave * b)
 
         def between(end: Array, length: float) -> Array:
             at = np.linspace(0.0, length, _PLACES)[:, None]
-            bow: Array = (end * np.sin(wave * (length - at)) + there * np.sin(wave * at)) / np.sin(wave * length)
+            bow: Array = (end * np.sin(wave * (length - at)) + at_joint * np.sin(wave * at)) / np.sin(wave * length)
             return bow
 
         return np.vstack([between(first, a), between(last, b)[::-1]])
 
     def bears(self, strength: float) -> float:
-        """The load at which the largest stress anywhere comes to a strength, Pa, or at which it buckles, N."""
+        """Return the load at which the largest stress reaches a strength, Pa, or at which the column buckles, N."""
 
         def missing(push: float) -> float:
             return self.section.stress(push, push * self.bows(push)) - strength

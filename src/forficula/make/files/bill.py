@@ -1,4 +1,4 @@
-"""What has to be had to make a design: every part, how many, of what, how large and how heavy."""
+"""Bill of materials of a design: every part with its number, material, size and mass."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ class BillRow:
     """A part of a bill.
 
     Attributes:
-        part: its name.
-        kind: of it: bar, pin, strap, hub, root, or sheet.
-        count: how many.
-        material: by name; None where the design names none, as for a sheet.
-        comes: how one comes by it.
-        size: of the box around one of it as it lies, the longest rod in it along x, m; None where that is not known.
-        volume: of one of it, m^3; None where that is not known.
-        density: of the material, kg/m^3; None where its sources give none.
-        density_source: who says so; "" where nobody does.
-        printed_share: of the volume, what whole layers of a filament make of it.
+        part: name.
+        kind: bar, pin, strap, hub, root, or sheet.
+        count: number of pieces.
+        material: name; None if the design names none, as for a sheet.
+        comes: how it is obtained.
+        size: of the box around one piece in its print orientation, its longest rod along x, m; None if unknown.
+        volume: of one piece, m^3; None if unknown.
+        density: of the material, kg/m^3; None if its sources give none.
+        density_source: source of the density; "" without one.
+        printed_share: fraction of the volume that remains after rounding to whole layers of a filament.
     """
 
     part: str
@@ -47,7 +47,7 @@ class BillRow:
 
     @property
     def mass(self) -> float | None:
-        """Of one of it, as solid as its volume but for the share that is printed, kg; None where it is not known."""
+        """Mass of one piece, solid, with the printed fraction of its volume, kg; None if unknown."""
         if self.density is None or self.volume is None:
             return None
         return self.density * self.volume * self.printed_share
@@ -55,15 +55,15 @@ class BillRow:
 
 @dataclass(frozen=True, kw_only=True)
 class BillTotal:
-    """What is needed of a material.
+    """Total amount of a material.
 
     Attributes:
-        material: its name.
-        count: of pieces.
-        volume: of all of them, m^3.
-        mass: of all of them, kg; None where its density is not known.
-        density: kg/m^3; None where its sources give none.
-        density_source: who says so; "" where nobody does.
+        material: name.
+        count: number of pieces.
+        volume: of all pieces, m^3.
+        mass: of all pieces, kg; None if the density is unknown.
+        density: kg/m^3; None if its sources give none.
+        density_source: source of the density; "" without one.
     """
 
     material: str
@@ -75,14 +75,14 @@ class BillTotal:
 
 
 def bill_of(parts: PartSet) -> tuple[BillRow, ...]:
-    """Every part of a design, with its sheet last."""
+    """Return every part of a design, with its sheet last."""
     shares = printed_shares(parts)
     rows = [replace(_row(part), printed_share=shares.get(part.name, 1.0)) for part in parts.parts]
     if parts.sheet is None:
         return tuple(rows)
     length, width = (float(side) for side in parts.sheet.size)
     facet = parts.design.facet if isinstance(parts.design, SheetDesign) else None
-    # windows and hinges cut out are still in it
+    # with parts, the mass of the structure includes windows and hinges that are cut out of the sheet
     known = facet is not None and bool(facet.density) and not parts.parts
     sheet = BillRow(
         part="sheet",
@@ -99,46 +99,46 @@ def bill_of(parts: PartSet) -> tuple[BillRow, ...]:
 
 
 def bill_totals(rows: Sequence[BillRow]) -> tuple[BillTotal, ...]:
-    """What is needed of every material that has a name, in the order of the rows."""
+    """Return the total of every named material, in the order of the rows."""
     totals = []
     for material in dict.fromkeys(row.material for row in rows if row.material is not None):
-        own = [row for row in rows if row.material == material]
-        masses = [row.count * row.mass for row in own if row.mass is not None]
+        of_material = [row for row in rows if row.material == material]
+        masses = [row.count * row.mass for row in of_material if row.mass is not None]
         totals.append(
             BillTotal(
                 material=material,
-                count=sum(row.count for row in own),
-                volume=sum(row.count * (row.volume or 0.0) for row in own),
-                mass=sum(masses) if len(masses) == len(own) else None,
-                density=own[0].density,
-                density_source=own[0].density_source,
+                count=sum(row.count for row in of_material),
+                volume=sum(row.count * (row.volume or 0.0) for row in of_material),
+                mass=sum(masses) if len(masses) == len(of_material) else None,
+                density=of_material[0].density,
+                density_source=of_material[0].density_source,
             )
         )
     return tuple(totals)
 
 
 def bill_csv(rows: Sequence[BillRow]) -> str:
-    """A bill as comma-separated text, a row a part; what is not known is empty."""
+    """Return a bill as comma-separated text, one row per part; unknown values are empty."""
     lines = [_plain(row) for row in rows]
     for line in lines:
         # a spreadsheet has no lists in its cells
         size = line.pop("size_mm")
         line |= {f"size_{axis}_mm": side for axis, side in zip("xyz", size, strict=True)}
-    return csv_text([list(lines[0]), *([_cell(each) for each in line.values()] for line in lines)])
+    return csv_text([list(lines[0]), *([_cell(value) for value in line.values()] for line in lines)])
 
 
 def bill_json(rows: Sequence[BillRow]) -> dict[str, Any]:
-    """A bill as plain data: its parts, and what they come to by material; what is not known is None."""
+    """Return a bill as plain data: its parts, and totals by material; unknown values are None."""
     totals = [
         {
-            "material": each.material,
-            "pieces": each.count,
-            "volume_cm3": _rounded(each.volume, _CM3),
-            "mass_g": _rounded(each.mass, _GRAMS),
-            "density_kg_per_m3": each.density,
-            "density_source": each.density_source or None,
+            "material": total.material,
+            "pieces": total.count,
+            "volume_cm3": _rounded(total.volume, _CM3),
+            "mass_g": _rounded(total.mass, _GRAMS),
+            "density_kg_per_m3": total.density,
+            "density_source": total.density_source or None,
         }
-        for each in bill_totals(rows)
+        for total in bill_totals(rows)
     ]
     return {"parts": [_plain(row) for row in rows], "totals": totals}
 
@@ -179,7 +179,7 @@ def _plain(row: BillRow) -> dict[str, Any]:
 
 
 def _rounded(value: float | None, factor: float) -> float | None:
-    """In another unit, to as many digits as make no difference to what is made."""
+    """Convert to another unit and round to significant digits."""
     return None if value is None else float(f"{factor * value:.{_DIGITS}g}")
 
 

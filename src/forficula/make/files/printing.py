@@ -18,11 +18,11 @@ _HEADER = 80  # bytes
 
 
 def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None) -> dict[str, bytes]:
-    """All printed pieces as STL, one file each, and as one 3MF file, by the places of the files; none without pieces.
+    """Return all printed pieces as STL, one file each, and as one 3MF file, by file path; empty without pieces.
 
     Args:
         parts: of a design.
-        progress: is told which file is made.
+        progress: called with a text for each file.
 
     >>> list(print_files(ff.make_parts("binder2025-joint")))
     ['stl/proximal0.stl', 'stl/distal0.stl', 'stl/strap0.stl', 'parts.3mf']
@@ -41,17 +41,17 @@ def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None
 
 
 def stl_bytes(mesh: Mesh, name: str) -> bytes:
-    """A mesh as binary STL, which says nothing of units: every slicer takes them for mm.
+    """Return a mesh as binary STL, which has no units: every slicer assumes mm.
 
     Args:
         mesh: mm.
-        name: for the header; it must not begin with "solid", by which readers know STL in text.
+        name: for the header; it must not begin with "solid", which marks STL in text form.
     """
     triangles = np.zeros(len(mesh.triangles), dtype=_TRIANGLE)
     corners = mesh.points[mesh.triangles].astype("<f4")
     normals = triangle_normals(corners)
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    # a triangle without area has none
+    # a triangle without area has no normal
     triangles["normal"] = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
     triangles["corners"] = corners
     header = f"forficula, mm: {name}".encode("ascii", "replace")[:_HEADER].ljust(_HEADER)

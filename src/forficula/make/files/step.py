@@ -1,4 +1,4 @@
-"""Parts as STEP, by Open Cascade: a second kernel, with true cylinders, that evaluates the same tree of solids."""
+"""Parts as STEP files, by Open Cascade: a second geometry kernel, with true cylinders, for the same tree of solids."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from forficula.make.solid.mesh import MILLIMETRES
 from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
 
 _MISSING = 'need Open Cascade: pip install "forficula[step]"'
-# the same part is the same bytes, whenever it is written
+# a fixed time, so that the same part always gives the same bytes
 _TIME = "1980-01-01T00:00:00"
 _GRAMS_PER_CM3 = 1e-3
 
 
 def check_step() -> None:
-    """Say what to install where STEP files cannot be written.
+    """Check that STEP files can be written, and otherwise say what to install.
 
     Raises:
-        InputError: Open Cascade is not there.
+        InputError: Open Cascade is not installed.
     """
     try:
         import OCP.STEPCAFControl  # noqa: F401
@@ -34,16 +34,16 @@ def check_step() -> None:
 
 
 def write_step(part: Part, path: Path) -> None:
-    """Write a part where it is in the structure built flat, in the axes of the ground, in mm.
+    """Write a part in its position in the flat structure, in the axes of the ground, in mm.
 
-    The file has its name, its material and, where that is known, its density.
+    The file has the part's name, its material and, if known, its density.
 
     Args:
         part: to write.
-        path: of the file, which is not written whole or not at all: the caller sees to that.
+        path: of the file. It may be left incomplete after an error; the caller handles this.
 
     Raises:
-        InputError: Open Cascade is not there, or cannot write the file.
+        InputError: Open Cascade is not installed, or cannot write the file.
     """
     check_step()
     from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
@@ -68,10 +68,10 @@ def write_step(part: Part, path: Path) -> None:
 
 
 def shape_of(solid: Solid) -> Any:
-    """Evaluate a tree of solids by Open Cascade, mm; circles are circles.
+    """Evaluate a tree of solids with Open Cascade, mm; circles are exact.
 
     Raises:
-        InputError: Open Cascade is not there, or finds no result.
+        InputError: Open Cascade is not installed, or finds no result.
     """
     check_step()
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Common, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
@@ -84,34 +84,34 @@ def shape_of(solid: Solid) -> Any:
         case Joined():
             return _combined(BRepAlgoAPI_Fuse(), solid.solids[:1], solid.solids[1:])
         case Shared():
-            # of several tools it would take what any of them shares
+            # with several tools at once, it would return the intersection with any of them
             shape = shape_of(solid.solids[0])
-            for each in solid.solids[1:]:
-                shape = _operated(BRepAlgoAPI_Common(), [shape], [shape_of(each)])
+            for tool in solid.solids[1:]:
+                shape = _operated(BRepAlgoAPI_Common(), [shape], [shape_of(tool)])
             return shape
         case Cut():
             return _combined(BRepAlgoAPI_Cut(), [solid.solid], solid.taken)
 
 
 def shape_volume(shape: Any) -> float:
-    """The volume of an evaluated solid, m^3."""
+    """Return the volume of an evaluated solid, m^3."""
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
 
-    found = GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, found)
-    return float(found.Mass()) / MILLIMETRES**3
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(shape, properties)
+    return float(properties.Mass()) / MILLIMETRES**3
 
 
 def shape_gap(one: Any, other: Any) -> float:
-    """The least distance between two evaluated solids, m; 0 where they touch."""
+    """Return the smallest distance between two evaluated solids, m; 0 if they touch."""
     from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 
     return float(BRepExtrema_DistShapeShape(one, other).Value()) / MILLIMETRES
 
 
 def _document(part: Part) -> Any:
-    """A document that holds a part, with its name, material and density."""
+    """Return a document with a part, its name, material and density."""
     from OCP.TCollection import TCollection_ExtendedString as Name
     from OCP.TCollection import TCollection_HAsciiString as Text
     from OCP.TDataStd import TDataStd_Name
@@ -130,20 +130,20 @@ def _document(part: Part) -> Any:
 
 
 def _combined(operation: Any, solids: Sequence[Solid], tools: Sequence[Solid]) -> Any:
-    return _operated(operation, [shape_of(each) for each in solids], [shape_of(each) for each in tools])
+    return _operated(operation, [shape_of(child) for child in solids], [shape_of(child) for child in tools])
 
 
 def _operated(operation: Any, shapes: Sequence[Any], tools: Sequence[Any]) -> Any:
-    """What a boolean operation makes of shapes and what it takes to them, faces that go on united."""
+    """Return the result of a boolean operation on shapes and tools, with continuous faces united."""
     if not tools:
         return shapes[0]
     from OCP.OCP.collections import List_TopoDS_Shape
 
-    for shape, take in ((shapes, operation.SetArguments), (tools, operation.SetTools)):
-        every = List_TopoDS_Shape()
-        for each in shape:
-            every.Append(each)
-        take(every)
+    for operands, assign in ((shapes, operation.SetArguments), (tools, operation.SetTools)):
+        shape_list = List_TopoDS_Shape()
+        for operand in operands:
+            shape_list.Append(operand)
+        assign(shape_list)
     operation.Build()
     if not operation.IsDone():
         raise InputError("Open Cascade finds no result of a boolean operation")
@@ -152,16 +152,16 @@ def _operated(operation: Any, shapes: Sequence[Any], tools: Sequence[Any]) -> An
 
 
 def _alone(shape: Any) -> Any:
-    """What is alone in a compound, in its place."""
+    """Return the only shape of a compound, or the compound if it has several."""
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopoDS import TopoDS_Iterator
 
-    found = TopoDS_Iterator(shape)
-    if shape.ShapeType() != TopAbs_ShapeEnum.TopAbs_COMPOUND or not found.More():
+    children = TopoDS_Iterator(shape)
+    if shape.ShapeType() != TopAbs_ShapeEnum.TopAbs_COMPOUND or not children.More():
         return shape
-    inside = found.Value()
-    found.Next()
-    return shape if found.More() else inside
+    only = children.Value()
+    children.Next()
+    return shape if children.More() else only
 
 
 def _rod(rod: Rod) -> Any:
@@ -201,7 +201,7 @@ def _direction(along: Array) -> Any:
 
 @contextmanager
 def _silent() -> Iterator[None]:
-    """Keep Open Cascade from telling on standard output what it writes."""
+    """Suppress messages of Open Cascade on standard output."""
     from OCP.Message import Message
 
     messenger = Message.DefaultMessenger_s()

@@ -1,7 +1,7 @@
-"""All printed parts as one 3MF file, beside one another on the bed.
+"""One 3MF file with all printed parts, side by side on the bed.
 
-3MF Core Specification 1.3: a package of XML in a ZIP file. Objects have their material as a base material; as slicers
-ignore that, it is in their names, too.
+3MF Core Specification 1.3: a package of XML in a ZIP file. Objects have their material as a base material. It is also
+part of their names, because slicers ignore base materials.
 """
 
 from __future__ import annotations
@@ -32,25 +32,25 @@ _RELATIONS = """\
 Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
 """
-# the earliest that ZIP knows: the same parts are the same bytes, whenever they are written
+# the earliest date of ZIP files, so that the same parts always give the same bytes
 _DATE = (1980, 1, 1, 0, 0, 0)
-# that slicers and viewers show materials in, in turn; of Okabe and Ito, black left out
+# colours in which slicers and viewers display materials, in turn; from Okabe and Ito, without black
 _COLOURS = ("#56B4E9", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#0072B2")
-# mm: between parts, for brims and for fingers
+# mm, between parts, for brims and fingers
 GAP = 5.0
-# mm, of a common printer; what is longer makes it wider
+# mm, width of a common printer's bed; a longer part makes it wider
 BED = 220.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Item:
-    """What is printed, so many times.
+    """A printed part and its number of copies.
 
     Attributes:
         name: of the part.
-        material: that it is printed of.
-        mesh: as it lies, its least x, y and z 0, mm.
-        count: how many of it.
+        material: of the part.
+        mesh: in print orientation, smallest x, y and z 0, mm.
+        count: number of copies.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Item:
 
 
 def three_mf_bytes(items: Sequence[Item], title: str) -> bytes:
-    """Printed parts as a 3MF file, in mm, each piece in a place of its own on the bed; the same bytes for the same."""
+    """Return printed parts as a 3MF file, in mm, each copy at its own position on the bed; always the same bytes."""
     materials = list(dict.fromkeys(item.material for item in items))
     model = "\n".join([*_head(title, materials), *_objects(items, materials), *_build(items), "</model>", ""])
     package = io.BytesIO()
@@ -72,14 +72,14 @@ def three_mf_bytes(items: Sequence[Item], title: str) -> bytes:
         ):
             entry = zipfile.ZipInfo(name, _DATE)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            # whoever writes: the default is told by the system
+            # fixed attributes, because the defaults depend on the operating system
             entry.create_system, entry.external_attr = 3, 0o644 << 16
             file.writestr(entry, text.encode())
     return package.getvalue()
 
 
 def _head(title: str, materials: Sequence[str]) -> list[str]:
-    """What comes before the objects; the base materials have number 1."""
+    """Return the lines before the objects. The base materials have the id 1."""
     return [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<model unit="millimeter" xml:lang="en-US" xmlns="{_CORE}">',
@@ -96,7 +96,7 @@ def _head(title: str, materials: Sequence[str]) -> list[str]:
 
 
 def _objects(items: Sequence[Item], materials: Sequence[str]) -> list[str]:
-    """The meshes, numbered from 2."""
+    """Return the lines of the meshes, with ids from 2."""
     lines = []
     for number, item in enumerate(items, 2):
         name, material = quoteattr(f"{item.name}, {item.material}"), materials.index(item.material)
@@ -113,14 +113,14 @@ def _objects(items: Sequence[Item], materials: Sequence[str]) -> list[str]:
 
 
 def _build(items: Sequence[Item]) -> list[str]:
-    """Every piece in its place on the bed."""
+    """Return the lines that place every copy on the bed."""
     pieces = [(number, item) for number, item in enumerate(items, 2) for _ in range(item.count)]
-    places = places_on_bed([np.ptp(item.mesh.points, axis=0)[:2].tolist() for _, item in pieces])
+    positions = places_on_bed([np.ptp(item.mesh.points, axis=0)[:2].tolist() for _, item in pieces])
     return [
         "<build>",
         *(
             f'<item objectid="{number}" transform="1 0 0 0 1 0 0 0 1 {x:.7g} {y:.7g} 0"/>'
-            for (number, _), (x, y) in zip(pieces, places.tolist(), strict=True)
+            for (number, _), (x, y) in zip(pieces, positions.tolist(), strict=True)
         ),
         "</build>",
     ]
@@ -131,32 +131,31 @@ def _text(text: str) -> str:
 
 
 def places_on_bed(sizes: Sequence[Sequence[float]], gap: float = GAP, bed: float = BED) -> NDArray[np.float64]:
-    """Where the least corners of boxes go, on shelves one behind the other, the deepest first, mm, (box, 2).
+    """Return the smallest corners of boxes on shelves one behind the other, deepest boxes first, mm, (box, 2).
 
-    It does not look for the tightest packing, and tells of no bed how deep it is: whoever has several pieces
-    moves them in a slicer anyway.
+    The packing is not the tightest, and the depth of the bed is not limited, because pieces can be moved in the slicer.
 
     Args:
         sizes: of the boxes along x and y, mm.
         gap: between any two, mm.
-        bed: how wide shelves are, mm; as wide as the longest box where that is longer.
+        bed: width of the shelves, mm; a longer box makes them wider.
 
     >>> places_on_bed([(100, 10), (100, 20), (100, 10)]).tolist()
     [[105.0, 0.0], [0.0, 0.0], [0.0, 25.0]]
     """
     places = np.zeros((len(sizes), 2))
     wide = max([bed, *(float(size[0]) for size in sizes)])
-    # of every shelf: where it begins, and up to where it is taken
+    # of every shelf: its front, and the end of its occupied part
     starts: list[float] = []
-    taken: list[float] = []
+    occupied: list[float] = []
     end = 0.0
-    for number in sorted(range(len(sizes)), key=lambda each: (-sizes[each][1], -sizes[each][0], each)):
+    for number in sorted(range(len(sizes)), key=lambda box: (-sizes[box][1], -sizes[box][0], box)):
         length, width = sizes[number][:2]
-        shelf = next((each for each, x in enumerate(taken) if x + length <= wide), len(taken))
-        if shelf == len(taken):
+        shelf = next((index for index, x in enumerate(occupied) if x + length <= wide), len(occupied))
+        if shelf == len(occupied):
             starts.append(end)
-            taken.append(0.0)
+            occupied.append(0.0)
             end += width + gap
-        places[number] = taken[shelf], starts[shelf]
-        taken[shelf] += length + gap
+        places[number] = occupied[shelf], starts[shelf]
+        occupied[shelf] += length + gap
     return places

@@ -12,21 +12,21 @@ from forficula.arrays import Array, Indices
 from forficula.design import MakeSection
 from forficula.make.flat.regions import spans_within
 
-# share of a whole cut: what is left of one at the end of a crease is left out if shorter
+# a shortened cut at the end of a crease is omitted below this fraction of a whole cut
 _SHORTEST = 1 / 3
-_ROUNDING = 1e-9  # of a number of cuts
+_ROUNDING = 1e-9  # rounding error of a number of cuts
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CreaseLine:
-    """A crease of a flat sheet, and what it meets at its ends.
+    """A crease of a flat sheet, with the neighbouring lines at its ends.
 
     Attributes:
         tail: m, (2,).
         head: m, (2,).
-        beside: angles to the next creases or cuts at the tail and at the head, rad: of each end first that on the left
-            of the line from tail to head, then that on the right; inf where there is none.
-        beyond: how far it may run on beyond its tail and its head, through a margin, m.
+        beside: angles to the next creases or cuts at the tail and at the head, rad: for each end first to the left of
+            the line from tail to head, then to the right; inf if there is none.
+        beyond: distance by which it may continue beyond its tail and its head, through a margin, m.
     """
 
     tail: Array
@@ -36,7 +36,7 @@ class CreaseLine:
 
     @property
     def length(self) -> float:
-        """From tail to head, m."""
+        """Distance from tail to head, m."""
         return float(np.linalg.norm(self.head - self.tail))
 
     @property
@@ -46,21 +46,21 @@ class CreaseLine:
 
 
 def crease_cuts(crease: CreaseLine, make: MakeSection, sides: Array) -> list[Array]:
-    """The cuts of a crease by the style of its design, as long as the gaps that they leave.
+    """Return the cuts of a crease in the style of its design, with the length of the gaps that they leave.
 
-    A perforation is a row of whole cuts with bridges between them, in the middle of what there is of the crease, so
-    that both ends stay bridged. A lattice has rows of them, every second row shifted by half a cut and half a bridge
-    (lamina emergent torsion: Jacobsen, Chen, Howell and Magleby 2009, Mechanism and Machine Theory 44, 2098), the last
-    cuts shortened. Cuts keep half a bridge, and half a kerf, away from the bisector to the next crease at either
-    end, so that those of neighbouring creases leave a bridge between them and never cross.
+    A perforation is a row of whole cuts with bridges between them, centred on the crease, so that both ends stay
+    bridged. A lattice has several rows, every second row shifted by half a cut and half a bridge (lamina emergent
+    torsion: Jacobsen, Chen, Howell and Magleby 2009, Mechanism and Machine Theory 44, 2098), with shortened cuts at the
+    ends. Cuts keep half a bridge and half a kerf away from the bisector to the next crease at either end, so that the
+    cuts of neighbouring creases leave a bridge between them and never cross.
 
     Args:
-        crease: where it lies.
-        make: how the sheet is made; a style other than a score.
-        sides: of the region that cuts may lie in, m, (side, 2, 2).
+        crease: the crease.
+        make: how the sheet is made; with a style other than a score.
+        sides: of the region in which cuts are allowed, m, (side, 2, 2).
 
     Returns:
-        The ends of every cut, m, (2, 2) each; none where the crease is too short for one.
+        The ends of every cut, m, (2, 2) each; empty if the crease is too short.
     """
     across = np.array([-crease.along[1], crease.along[0]])
     cuts: list[Array] = []
@@ -80,25 +80,25 @@ def crease_cuts(crease: CreaseLine, make: MakeSection, sides: Array) -> list[Arr
 
 
 def row_offsets(make: MakeSection) -> list[float]:
-    """How far the rows of cuts lie to the left of their crease, m."""
+    """Return the offsets of the rows of cuts to the left of their crease, m."""
     rows = make.lattice_rows if make.crease_style == "lattice" else 1
     return [(row - (rows - 1) / 2) * make.lattice_pitch for row in range(rows)]
 
 
 def crease_width(make: MakeSection) -> float:
-    """From the first row of a crease to the last, m; 0 of a score or a perforation."""
+    """Return the distance between the first and the last row of a crease, m; 0 for a score or a perforation."""
     return row_offsets(make)[-1] - row_offsets(make)[0]
 
 
 def whole_dashes(low: float, high: float, cut: float, bridge: float) -> list[tuple[float, float]]:
-    """As many whole cuts with bridges between them as there is room for, in the middle of it, m."""
+    """Return as many whole cuts with bridges between them as fit, centred in the available length, m."""
     count = math.floor((high - low + bridge) / (cut + bridge) + _ROUNDING)
     first = (low + high - count * (cut + bridge) + bridge) / 2
     return [(first + k * (cut + bridge), first + k * (cut + bridge) + cut) for k in range(count)]
 
 
 def clipped_dashes(low: float, high: float, cut: float, bridge: float, middle: float) -> list[tuple[float, float]]:
-    """Cuts with bridges between them, one of which has its middle at a place, up to the ends of the room, m."""
+    """Return cuts with bridges between them, one of which is centred at `middle`, clipped at the ends, m."""
     period = cut + bridge
     first, last = math.floor((low - middle) / period), math.ceil((high - middle) / period)
     cuts = [(middle + k * period - cut / 2, middle + k * period + cut / 2) for k in range(first, last + 1)]
@@ -107,10 +107,10 @@ def clipped_dashes(low: float, high: float, cut: float, bridge: float, middle: f
 
 
 def _between_bisectors(crease: CreaseLine, offset: float, apart: float) -> tuple[float, float]:
-    """Where a row may begin and end, from the tail on, m, so that it keeps a distance from the bisectors, m.
+    """Return the allowed start and end of a row, from the tail, m, at a distance from the bisectors, m.
 
-    A place (s, y) of the row is s sin(a / 2) - abs(y) cos(a / 2) away from the bisector to a crease at the angle a on
-    its side of the line.
+    A point (s, y) of the row is at the distance s sin(a / 2) - abs(y) cos(a / 2) from the bisector to a crease at the
+    angle a on its side of the line.
     """
     reach = []
     for (left, right), beyond in zip(crease.beside, crease.beyond, strict=True):
@@ -129,16 +129,16 @@ def _between_bisectors(crease: CreaseLine, offset: float, apart: float) -> tuple
 def crease_lines(
     points: Array, edges: Indices, chosen: Sequence[int], others: Sequence[int]
 ) -> Mapping[int, CreaseLine]:
-    """The creases of a flat sheet with the angles between them.
+    """Return the creases of a flat sheet with the angles between them.
 
     Args:
         points: of its vertices, m, (vertex, 2).
         edges: two vertices each, (edge, 2).
-        chosen: numbers of the edges that are creases.
-        others: numbers of edges that are cut, and met alike.
+        chosen: indices of the edges that are creases.
+        others: indices of edges that are cut; they count as neighbours, too.
 
     Returns:
-        By number of the edge.
+        By index of the edge.
     """
     at: dict[int, list[tuple[float, int]]] = {}
     for edge in (*chosen, *others):
@@ -149,10 +149,10 @@ def crease_lines(
     for edge in chosen:
         ends = []
         for tail in edges[edge].tolist():
-            own = next(angle for angle, other in at[tail] if other == edge)
-            away = [(angle - own) % (2 * math.pi) for angle, other in at[tail] if other != edge]
+            own_angle = next(angle for angle, other in at[tail] if other == edge)
+            away = [(angle - own_angle) % (2 * math.pi) for angle, other in at[tail] if other != edge]
             left, right = min(away, default=math.inf), 2 * math.pi - max(away, default=-math.inf)
-            # seen from tail to head, what is left at the head is on its other side
+            # seen from tail to head, left and right are exchanged at the head
             ends.append((left, right) if tail == edges[edge][0] else (right, left))
         lines[edge] = CreaseLine(tail=points[edges[edge][0]], head=points[edges[edge][1]], beside=(ends[0], ends[1]))
     return lines

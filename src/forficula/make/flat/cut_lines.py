@@ -1,4 +1,4 @@
-"""A sheet as it is cut, scored and marked: what the files of it are written from."""
+"""A sheet as it is cut, scored and marked, from which its files are written."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ Kind = Literal["border", "window", "hole", "relief", "cut", "slit", "crease", "e
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CutLine:
-    """A way of the cutter.
+    """A path of the cutter.
 
     Attributes:
-        layer: that tells how it is made.
-        kind: what it is of: the border, a window, a hole of the pattern, a relief hole, a cut of the pattern, a slit of
-            a crease, a crease that is scored, or the edge of the model's membrane within the sheet.
-        points: m, (point, 2); of a closed one the first is not repeated.
-        closed: whether it goes back to its first point.
-        edge: number of the pattern's edge that it is of, as built; -1 of others.
+        layer: which determines how it is made.
+        kind: the border, a window, a hole of the pattern, a relief hole, a cut of the pattern, a slit of a crease, a
+            scored crease, or the edge of the model's membrane within the sheet.
+        points: m, (point, 2); in a closed line the first is not repeated.
+        closed: whether it returns to its first point.
+        edge: index of the pattern's edge as built; -1 for others.
     """
 
     layer: Layer
@@ -40,13 +40,13 @@ class CutLine:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CutHole:
-    """A round hole, as the cutter goes around it.
+    """A round hole with the path of the cutter.
 
     Attributes:
-        kind: "relief" where creases meet, "window" of a peg.
+        kind: "relief" where creases meet, "window" for a peg.
         place: m, (2,).
-        diameter: of the cutter's way, m.
-        nominal: diameter of the hole that it leaves, m.
+        diameter: of the cutter's path, m.
+        nominal: diameter of the finished hole, m.
     """
 
     kind: Kind
@@ -57,11 +57,11 @@ class CutHole:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CutLabel:
-    """A word on the sheet, to be engraved or left out.
+    """A text on the sheet, to be engraved or omitted.
 
     Attributes:
-        text: of it.
-        place: of its middle, m, (2,).
+        text: the text.
+        place: of its centre, m, (2,).
         height: of its letters, m.
     """
 
@@ -72,22 +72,22 @@ class CutLabel:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CutSheet:
-    """A crease pattern as it is cut from a sheet, seen from +z, in the coordinates of the pattern laid flat.
+    """A crease pattern as it is cut from a sheet, seen from +z, in the coordinates of the flat pattern.
 
     Attributes:
         name: of the design.
-        title: what the pattern is.
+        title: of the pattern.
         style: of its creases.
-        kerf: that its lines make up for, m.
-        pattern: laid flat, m.
-        outlines: of what is to stay, in its nominal size, holes clockwise, round holes left out, m, (corner, 2) each.
-        creases: by number of the pattern's edge as built, with all lines of one that is cut in several pieces.
+        kerf: for which its lines compensate, m.
+        pattern: flat, m.
+        outlines: of the finished sheet, nominal size, holes clockwise, without round holes, m, (corner, 2) each.
+        creases: by index of the pattern's edge as built; a crease that is cut in several pieces has all its lines.
         lines: of the cutter.
-        holes: that are round.
-        labels: on it.
-        notes: sentences for who makes it.
-        checks: of it.
-        faults: outlines of what fails them: windows that meet others, pieces that come off, m, (corner, 2) each.
+        holes: round holes.
+        labels: texts on the sheet.
+        notes: sentences for the maker.
+        checks: of the sheet.
+        faults: outlines of what fails the checks: overlapping windows, pieces that come off, m, (corner, 2) each.
     """
 
     name: str
@@ -106,33 +106,33 @@ class CutSheet:
 
     @property
     def corners(self) -> Array:
-        """The least and the largest x and y of all that is cut, m, (2, 2)."""
+        """Smallest and largest x and y of all cuts, m, (2, 2)."""
         points = np.concatenate([line.points for line in self.lines])
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     @property
     def size(self) -> Array:
-        """Of the finished sheet along x and y, m, (2,)."""
+        """Size of the finished sheet along x and y, m, (2,)."""
         points = np.concatenate(self.outlines)
         return np.asarray(np.ptp(points, axis=0))
 
 
 def layer_texts(sheet: CutSheet) -> dict[Layer, str]:
-    """What is done with the lines of each layer that a sheet has, a sentence each."""
+    """Return a sentence for each layer of a sheet that says what to do with its lines."""
     scored = sheet.style == "score"
     face, back = (", from the face", ", from the back if you can turn the sheet over") if scored else ("", "")
-    marks = "numbers of seams, where two edges of one number are joined" if sheet.labels else "where the membrane ends"
-    does = {
+    marks = "numbers of seams: join the two edges with the same number" if sheet.labels else "where the membrane ends"
+    action = {
         "score": "score half through",
         "perforation": "cut through, as dashes",
         "lattice": "cut through, as staggered slits",
     }[sheet.style]
     texts: dict[Layer, str] = {
         "cut": "cut through: border, holes, windows and cuts of the pattern",
-        "score": "score half through, from the face: creases that fold either way, or too short for dashes",
-        "mountain": f"mountain creases, which rise towards you: {does}{face}",
-        "valley": f"valley creases, which fall away from you: {does}{back}",
-        "mark": f"engrave or leave out: {marks}",
+        "score": "score half through, from the face: creases that fold in both directions or are too short for dashes",
+        "mountain": f"mountain creases, which rise towards you: {action}{face}",
+        "valley": f"valley creases, which fall away from you: {action}{back}",
+        "mark": f"engrave or omit: {marks}",
     }
     used = {line.layer for line in sheet.lines} | ({"mark"} if sheet.labels else set())
     return {layer: texts[layer] for layer in LAYERS if layer in used}

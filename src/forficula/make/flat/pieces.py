@@ -1,4 +1,4 @@
-"""The bars of parts cut into pieces that have a name each: hinge, peg, sleeve, and the bar between them."""
+"""The bars of parts, divided into named pieces: hinge, peg, sleeve, and the bar between them."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from forficula.make.part import PartSet
 from forficula.make.solid.mesh import MILLIMETRES
 from forficula.structure import GROUND
 
-# beside a peg, what is still called so, m
+# m, distance beside a peg that still belongs to the piece "peg"
 _BESIDE = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Piece:
-    """A piece of a body, where it is as built.
+    """A piece of a body, in its built position.
 
     Attributes:
-        body: its number, or GROUND.
-        feature: what it is: "hinge", "peg", "sleeve", "bar" or "hub".
+        body: index of the body, or GROUND.
+        feature: "hinge", "peg", "sleeve", "bar" or "hub".
         shape: mm.
-        ends: of a line in it, m, (2, 3).
-        radius: around that line within which all of it is, m.
-        frame: axes of the box that holds it, as columns, (3, 3).
+        ends: of a line through the piece, m, (2, 3).
+        radius: around this line that contains the whole piece, m.
+        frame: axes of its bounding box, as columns, (3, 3).
         middle: of the box, m, (3,).
-        half: of its sides, m, (3,).
+        half: half sides of the box, m, (3,).
     """
 
     body: int
@@ -45,46 +45,48 @@ class Piece:
 
 
 def pieces_of(parts: PartSet) -> list[Piece]:
-    """All bars and the hub in pieces; no straps, and nothing else that bends."""
+    """Return the pieces of all bars and of the hub; straps and other parts that bend are excluded."""
     arms: dict[int, list[tuple[JointLayout, Arm]]] = {}
     for joint in parts.joints:
         arms.setdefault(joint.proximal.body, []).append((joint, joint.proximal))
         arms.setdefault(joint.distal.body, []).append((joint, joint.distal))
-    found = [piece for body in sorted(arms) for piece in _cut(parts, body, arms[body])]
+    pieces = [piece for body in sorted(arms) for piece in _cut(parts, body, arms[body])]
     if parts.of_body(GROUND):
-        found.append(_piece(GROUND, "hub", half(parts, GROUND)))
-    return found
+        pieces.append(_piece(GROUND, "hub", half(parts, GROUND)))
+    return pieces
 
 
 def _cut(parts: PartSet, body: int, arms: list[tuple[JointLayout, Arm]]) -> list[Piece]:
-    """A bar in pieces, square to it, from where its first joint is."""
+    """Return the pieces of a bar, cut perpendicular to it, beginning at its first joint."""
     joint, arm = arms[0]
     origin, along = joint.origin, arm.along
     zones: list[tuple[float, float, str]] = []
-    for its, own in arms:
-        at = float((its.origin - origin) @ along)
-        way = float(np.sign(own.along @ along))
-        zones.append((at - 2 * its.lug, at + 2 * its.lug, "hinge"))
-        if own.peg:
-            reach = PEG_HEAD * its.make.peg_diameter / 2 + _BESIDE
-            zones.append((at + way * own.peg - reach, at + way * own.peg + reach, "peg"))
+    for arm_joint, bar_arm in arms:
+        at = float((arm_joint.origin - origin) @ along)
+        direction = float(np.sign(bar_arm.along @ along))
+        zones.append((at - 2 * arm_joint.lug, at + 2 * arm_joint.lug, "hinge"))
+        if bar_arm.peg:
+            reach = PEG_HEAD * arm_joint.make.peg_diameter / 2 + _BESIDE
+            zones.append((at + direction * bar_arm.peg - reach, at + direction * bar_arm.peg + reach, "peg"))
     for root in parts.roots:
         if root.body == body:
-            deep = float((root.at(root.begins + 2 * root.make.root_diameter + root.make.hinge_wall) - origin) @ along)
-            # a little before it, for a plane along its end would leave slivers of it
-            zones.append((deep - _BESIDE / 10, deep + arm.length, "sleeve"))
-    found, rest, begun = [], half(parts, body), -np.inf
+            sleeve_start = float(
+                (root.at(root.begins + 2 * root.make.root_diameter + root.make.hinge_wall) - origin) @ along
+            )
+            # slightly before the sleeve, because a plane along its end would leave slivers of it
+            zones.append((sleeve_start - _BESIDE / 10, sleeve_start + arm.length, "sleeve"))
+    pieces, rest, cut_to = [], half(parts, body), -np.inf
     for low, high, feature in sorted(zones):
-        before, rest = _parted(rest, along, origin, max(low, begun))
-        own_piece, rest = _parted(rest, along, origin, max(high, begun))
-        begun = max(high, begun)
-        found += [(before, "bar"), (own_piece, feature)]
-    found.append((rest, "bar"))
-    return [_piece(body, feature, shape) for shape, feature in found if shape.num_tri()]
+        before, rest = _parted(rest, along, origin, max(low, cut_to))
+        feature_piece, rest = _parted(rest, along, origin, max(high, cut_to))
+        cut_to = max(high, cut_to)
+        pieces += [(before, "bar"), (feature_piece, feature)]
+    pieces.append((rest, "bar"))
+    return [_piece(body, feature, shape) for shape, feature in pieces if shape.num_tri()]
 
 
 def _parted(solid: Manifold, along: Array, origin: Array, at: float) -> tuple[Manifold, Manifold]:
-    """What of a solid is before a plane square to a direction, and what is beyond it."""
+    """Return the parts of a solid before and beyond a plane perpendicular to a direction."""
     if not np.isfinite(at):
         return Manifold(), solid
     beyond, before = solid.split_by_plane(along.tolist(), float(origin @ along + at) * MILLIMETRES)
@@ -92,7 +94,7 @@ def _parted(solid: Manifold, along: Array, origin: Array, at: float) -> tuple[Ma
 
 
 def _piece(body: int, feature: str, shape: Manifold) -> Piece:
-    """A piece with its box along its principal axes, and a line through its middle: that which takes the least room."""
+    """Return a piece with its box along its principal axes, and the axis of its smallest enclosing capsule."""
     points = np.asarray(shape.to_mesh64().vert_properties)[:, :3] / MILLIMETRES
     frame = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2].T
     low, high = (points @ frame).min(axis=0), (points @ frame).max(axis=0)

@@ -1,4 +1,4 @@
-"""The sheet of a design as it is cut: outlines with the kerf made up for, windows, relief holes, creases."""
+"""The sheet of a design as it is cut: outlines with kerf compensation, windows, relief holes, creases."""
 
 from __future__ import annotations
 
@@ -44,28 +44,28 @@ from forficula.pattern.crease_pattern import face_area, face_sides
 from forficula.quantities import show_value
 from forficula.structure import structure_of
 
-_ROUNDING = 1e-6  # share of the sheet's size, and of its area
-_LETTERS = 0.02  # height of a label by the sheet's size
+_ROUNDING = 1e-6  # fraction of the sheet's size, and of its area
+_LETTERS = 0.02  # height of a label / size of the sheet
 
 
 def cut_sheet(design: AnyDesign) -> CutSheet:
-    """The sheet of a design, as a cutter takes it.
+    """Return the sheet of a design for a cutter.
 
-    The sheet is what its facets cover, laid flat, `make.margin` wider all around, less windows (see `sheet_windows`)
-    and relief holes. The cutter goes half a kerf outside of what stays, and half a kerf inside of holes, so that what
-    stays has its nominal size but for corners that turn inwards, which have the kerf's radius. Slits are lines, as wide
-    as the kerf, and begin and end half a kerf within their nominal ends. A crease runs on through the margin, for
-    otherwise that would hold it flat.
+    The sheet is the area of its facets, laid flat, extended by `make.margin` on all sides, minus windows (see
+    `sheet_windows`) and relief holes. The cutter moves half a kerf outside of the sheet, and half a kerf inside of
+    holes, so that the finished sheet has its nominal size, except concave corners, which have the kerf's radius. Slits
+    are lines of the kerf's width; they begin and end half a kerf within their nominal ends. A crease continues through
+    the margin, which would otherwise hold it flat.
 
     Args:
         design: in SI, or its name or path.
 
     Returns:
-        In the coordinates of the pattern laid flat, m, seen from +z, with its checks.
+        In the coordinates of the flat pattern, m, seen from +z, with its checks.
 
     Raises:
-        InputError: no such design; no pattern; one that cannot be laid flat (see `unfolded`) or comes to lie on itself;
-            a tendon of which no strap can be made; cuts no longer than the kerf.
+        InputError: unknown design; no pattern; a pattern that cannot be laid flat (see `unfolded`) or overlaps itself;
+            a tendon for which no strap can be made; cuts no longer than the kerf.
 
     Example:
         >>> sheet = cut_sheet("letter-fold")
@@ -96,7 +96,7 @@ def cut_sheet(design: AnyDesign) -> CutSheet:
 
 
 def _unchecked(name: str, title: str, drawn: Drawn, openings: Sequence[Region]) -> CutSheet:
-    """A sheet with all that is drawn on it, before it is checked; `openings` are its windows."""
+    """Return a sheet with all its lines, before it is checked; `openings` are its windows."""
     lines, creases, notes = crease_ways(drawn)
     edge, laid, kerf = membrane_edge(drawn), drawn.laid, drawn.make.kerf
     return CutSheet(
@@ -115,7 +115,7 @@ def _unchecked(name: str, title: str, drawn: Drawn, openings: Sequence[Region]) 
 
 
 def _check_cuts(make: MakeSection) -> None:
-    """Refuse cuts and holes of which the kerf leaves no line."""
+    """Reject cuts and holes that are not larger than the kerf."""
     for key, value in (
         ("crease_cut", make.crease_cut),
         ("relief_hole", make.relief_hole),
@@ -131,28 +131,28 @@ def _check_cuts(make: MakeSection) -> None:
 
 
 def _check_left(key: str, value: float, sheet: Region, solid: Region) -> None:
-    """Refuse what leaves nothing of a sheet."""
+    """Reject values with which nothing of the sheet remains."""
     if is_empty(solid):
-        size = " by ".join(show_value(each, "m") for each in np.ptp(np.concatenate(loops_of(sheet)), axis=0))
+        size = " by ".join(show_value(side, "m") for side in np.ptp(np.concatenate(loops_of(sheet)), axis=0))
         raise InputError(f"make.{key}: leaves nothing of the sheet of {size}; need less, got {show_value(value, 'm')}")
 
 
 def _outline(laid: Unfolding, make: MakeSection) -> Region:
-    """What the flat facets cover, with the margin."""
+    """Return the area of the flat facets, with the margin."""
     pattern = laid.pattern
     region = region_of([pattern.vertices_coords[list(face), :2] for face in pattern.faces_vertices])
     area = sum(face_area(pattern.vertices_coords, face) for face in pattern.faces_vertices)
     if area_of(region) < (1 - _ROUNDING) * area:
         raise InputError(
-            "pattern: laid flat it lies on itself, so that it cannot be cut from one sheet:"
-            f" {show_area(area - area_of(region))} of {show_area(area)} lie on other parts of it"
+            "pattern: laid flat, it overlaps itself, so it cannot be cut from one sheet:"
+            f" {show_area(area - area_of(region))} of {show_area(area)} overlap other parts"
         )
     if make.margin == 0:
         return region
     if laid.seams:
         raise InputError(
-            f"make.margin: need 0 mm for a sheet that is laid flat along seams ({len(laid.seams)} here), for a margin"
-            f" would fill them, got {show_value(make.margin, 'm')}"
+            f"make.margin: need 0 mm for a sheet that is laid flat along seams ({len(laid.seams)} here), because a"
+            f" margin would fill them, got {show_value(make.margin, 'm')}"
         )
     around = [grown(region_of([loop]), make.margin) for loop in loops_of(region) if loop_area(loop) > 0]
     holes = [loop[::-1] for loop in loops_of(region) if loop_area(loop) < 0]
@@ -160,7 +160,7 @@ def _outline(laid: Unfolding, make: MakeSection) -> Region:
 
 
 def _relief_holes(laid: Unfolding, make: MakeSection, solid: Region) -> list[Round]:
-    """Where creases meet within the sheet: of each its place, diameter and kind."""
+    """Return position, diameter and kind of the holes where creases meet within the sheet."""
     diameter = crease_width(make) if make.relief_hole is None else make.relief_hole
     pattern = laid.pattern
     if diameter <= make.kerf:
@@ -174,14 +174,19 @@ def _relief_holes(laid: Unfolding, make: MakeSection, solid: Region) -> list[Rou
     sides = Counter(frozenset(side) for face in pattern.faces_vertices for side in face_sides(face))
     outer = {vertex for side, count in sides.items() if count == 1 for vertex in side}
     meeting = sorted(vertex for vertex, count in folding.items() if count >= 2 and vertex not in outer)
-    places = [pattern.vertices_coords[vertex, :2] for vertex in meeting]
-    return [(place, diameter, "relief") for place in places if not is_empty(solid ^ region_of([disc(place, diameter)]))]
+    positions = [pattern.vertices_coords[vertex, :2] for vertex in meeting]
+    return [
+        (position, diameter, "relief")
+        for position in positions
+        if not is_empty(solid ^ region_of([disc(position, diameter)]))
+    ]
 
 
 def _round_holes(sheet: Region, solid: Region, holes: Sequence[Round]) -> tuple[list[Round], Region, int]:
-    """The holes that stay round, what stays of the sheet where others do not, and how many of these are too large.
+    """Return the holes that stay round, the sheet without the others, and the number of holes that are too large.
 
-    A hole that meets a window becomes a part of it. One that meets another hole or the border is too large.
+    A hole that overlaps a window becomes part of the window. A hole that overlaps another hole or the border is too
+    large.
     """
     kept: list[Round] = []
     merged, large = [], 0
@@ -190,7 +195,7 @@ def _round_holes(sheet: Region, solid: Region, holes: Sequence[Round]) -> tuple[
         region = region_of([disc(place, diameter)])
         gaps = np.linalg.norm(places - place, axis=1) - (diameters + diameter) / 2
         apart = bool((np.delete(gaps, number) > 0).all())
-        inside, whole = (area_of(region ^ each) >= (1 - _ROUNDING) * area_of(region) for each in (sheet, solid))
+        inside, whole = (area_of(region ^ area) >= (1 - _ROUNDING) * area_of(region) for area in (sheet, solid))
         if apart and whole:
             kept.append((place, diameter, kind))
         else:
@@ -204,7 +209,7 @@ def _hole(place: Array, diameter: float, kind: Kind, kerf: float) -> CutHole:
 
 
 def _seam_labels(laid: Unfolding) -> tuple[CutLabel, ...]:
-    """Numbers beside both edges of every seam, within the sheet."""
+    """Return labels with numbers beside both edges of every seam, within the sheet."""
     pattern, points = laid.pattern, laid.pattern.vertices_coords[:, :2]
     beside = {
         frozenset(side): points[list(face)].mean(axis=0) for face in pattern.faces_vertices for side in face_sides(face)
@@ -216,7 +221,7 @@ def _seam_labels(laid: Unfolding) -> tuple[CutLabel, ...]:
             pair = pattern.edges_vertices[edge]
             middle = points[pair].mean(axis=0)
             inwards = beside[frozenset(pair.tolist())] - middle
-            # within a slender facet no further than a third of the way to its middle
+            # in a slender facet at most a third of the distance to its centre
             reach = min(1.2 * _LETTERS * size / float(np.linalg.norm(inwards)), 1 / 3)
             text = str(laid.seams.index(built) + 1)
             labels.append(CutLabel(text=text, place=middle + reach * inwards, height=_LETTERS * size))
@@ -224,9 +229,9 @@ def _seam_labels(laid: Unfolding) -> tuple[CutLabel, ...]:
 
 
 def _seam_notes(laid: Unfolding) -> tuple[str, ...]:
-    """Say what is to be joined again."""
+    """Return a note with the seams to be joined."""
     count = len(laid.seams)
     if not count:
         return ()
     which = f"crease {laid.seams[0]}" if count == 1 else f"creases {listed(map(str, laid.seams))}"
-    return (f"laid flat the sheet is open along {which} of the pattern: join the edges that have one number",)
+    return (f"the flat sheet is open along {which} of the pattern: join the edges with the same number",)

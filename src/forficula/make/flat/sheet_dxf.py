@@ -1,4 +1,4 @@
-"""A cut sheet as a DXF file of release 12, in millimetres, which every cutter's program reads."""
+"""A cut sheet as a DXF file of release 12, in millimetres, which all programs of cutters read."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ if TYPE_CHECKING:
     from ezdxf._options import Options
     from ezdxf.layouts.layout import Modelspace
 
-# of AutoCAD's index: white or black, magenta, red, blue, grey; as origami programs read creases
+# AutoCAD colour index: white or black, magenta, red, blue, grey; origami programs use these colours for creases
 _COLOURS = {"CUT": 7, "SCORE": 6, "MOUNTAIN": 1, "VALLEY": 5, "MARK": 8, "NOTE": 9}
-_LETTERS, _BELOW = 3.0, 6.0  # mm: height of the legend's letters, and of its lines
-# ezdxf leaves units out of files of release 12
+_LETTERS, _BELOW = 3.0, 6.0  # mm: height of the legend's letters, and line spacing
+# ezdxf omits units in files of release 12
 _RELEASE, _UNIT = "  9\n$ACADVER\n  1\nAC1009\n", "  9\n$INSUNITS\n 70\n4\n  9\n$MEASUREMENT\n 70\n1\n"
 
-logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # otherwise its warnings go to the terminal
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # its warnings would otherwise be printed
 
 
 def write_sheet_dxf(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     """Write a cut sheet as DXF.
 
-    Millimetres ($INSUNITS 4), y axis up, seen from +z. Layers: CUT, SCORE, MOUNTAIN, VALLEY, MARK, of these those that
-    the sheet has, and NOTE with the legend beneath the sheet, which says what is done with each: leave it out. Outlines
-    are closed POLYLINEs, lines LINEs, round holes CIRCLEs. The same sheet gives the same bytes.
+    Millimetres ($INSUNITS 4), y axis up, seen from +z. Layers: those of CUT, SCORE, MOUNTAIN, VALLEY and MARK that the
+    sheet has, and NOTE, which is not to be made: a legend below the sheet that says what to do with each layer.
+    Outlines are closed POLYLINEs, lines are LINEs, round holes are CIRCLEs. The same sheet gives the same bytes.
 
     Args:
-        sheet: as `cut_sheet` gives it.
-        path: the file, replaced where it exists.
+        sheet: from `cut_sheet`.
+        path: of the file; an existing file is replaced.
 
     Raises:
         InputError: the file cannot be written.
@@ -99,5 +99,5 @@ def _millimetres(metres: ArrayLike) -> Any:
 
 
 def _ascii(text: str) -> str:
-    """Return a text in ASCII, as release 12 needs it: other letters by their numbers."""
-    return "".join(each if " " <= each <= "~" else f"\\U+{ord(each):04X}" for each in text)
+    """Return a text in ASCII, as release 12 requires; other letters are replaced by their numbers."""
+    return "".join(letter if " " <= letter <= "~" else f"\\U+{ord(letter):04X}" for letter in text)

@@ -1,4 +1,4 @@
-"""The lines of a cut sheet: around what stays, along cuts and creases, and where the model's membrane ends."""
+"""Lines of a cut sheet: outlines, cuts, creases, and the edge of the model's membrane."""
 
 from __future__ import annotations
 
@@ -34,22 +34,22 @@ from forficula.quantities import show_value
 from forficula.structure import Structure, built_frames
 
 CREASE_LAYERS: dict[str, Layer] = {"M": "mountain", "V": "valley", "U": "score"}
-_ROUNDING = 1e-6  # share of the sheet's size, and of its area
-_ASKEW = 4.0  # of a margin: how far a crease that meets the border askew may run in it
+_ROUNDING = 1e-6  # fraction of the sheet's size, and of its area
+_ASKEW = 4.0  # length, in margins, by which a crease oblique to the border may continue in the margin
 
 Round = tuple[Array, float, Kind]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Drawn:
-    """What lines are drawn on.
+    """Input for the lines of a sheet.
 
     Attributes:
         laid: the flat sheet.
         make: how it is made.
-        solid: what stays of it, round holes not cut out.
-        rounds: the round holes, each with its place, m, its nominal diameter, m, and what it is of.
-        membrane: what the model's membranes cover; None where there are none between bars.
+        solid: the finished sheet without round holes.
+        rounds: round holes with position, m, nominal diameter, m, and kind.
+        membrane: area of the model's membranes; None if there are none between bars.
     """
 
     laid: Unfolding
@@ -60,22 +60,22 @@ class Drawn:
 
     @property
     def points(self) -> Array:
-        """Places of the flat vertices, m, (vertex, 2)."""
+        """Positions of the flat vertices, m, (vertex, 2)."""
         return np.asarray(self.laid.pattern.vertices_coords[:, :2])
 
     @cached_property
     def facets(self) -> Region:
-        """What the facets cover, without a margin."""
+        """Area of the facets, without a margin."""
         return region_of([self.points[list(face)] for face in self.laid.pattern.faces_vertices])
 
     @cached_property
     def faces_at(self) -> Counter[frozenset[int]]:
-        """How many faces have a side, by its two vertices."""
+        """Number of faces at each side, by its two vertices."""
         return Counter(frozenset(side) for face in self.laid.pattern.faces_vertices for side in face_sides(face))
 
     @cached_property
     def all_cut(self) -> Region:
-        """What stays, with the round holes cut out, too."""
+        """Finished sheet, including round holes."""
         return self.solid - united([region_of([disc(place, diameter)]) for place, diameter, _ in self.rounds])
 
     @cached_property
@@ -83,21 +83,21 @@ class Drawn:
         return sides_of(self.facets)
 
     def on_border(self, place: Array) -> bool:
-        """Whether a place lies on the edge of what the facets cover."""
+        """Return whether a point is on the edge of the facets' area."""
         return distance_to_sides(self._sides, place) <= _ROUNDING * float(np.ptp(self.points, axis=0).max())
 
     def beyond(self, place: Array) -> float:
-        """How far a line that ends at a place may run on, m: through the margin, askew."""
+        """Return the distance, m, by which a line that ends at a point may continue obliquely through the margin."""
         return _ASKEW * self.make.margin if self.make.margin and self.on_border(place) else 0.0
 
 
 def show_area(area: float) -> str:
-    """An area in cm^2."""
+    """Return an area in cm^2 as text."""
     return f"{1e4 * area:.4g} cm^2"
 
 
 def outline_ways(drawn: Drawn, openings: Sequence[Region]) -> list[CutLine]:
-    """The cutter's way around what stays, and within its holes."""
+    """Return the cutter's paths around the sheet and within its holes."""
     windows, lines = united(openings), []
     for loop in loops_of(grown(drawn.solid, drawn.make.kerf / 2)):
         kind: Kind = "border"
@@ -115,7 +115,7 @@ def outline_ways(drawn: Drawn, openings: Sequence[Region]) -> list[CutLine]:
 
 
 def open_cuts(drawn: Drawn) -> list[CutLine]:
-    """Cuts of the pattern that do not gape: lines, which end half a kerf before what they do not cut."""
+    """Return closed cuts of the pattern as lines, which end half a kerf before uncut material."""
     sides, lines = sides_of(drawn.all_cut), []
     cuts = _closed_cuts(drawn)
     ends_at = Counter(_key(drawn.points[vertex]) for edge in cuts for vertex in drawn.laid.pattern.edges_vertices[edge])
@@ -134,26 +134,26 @@ def open_cuts(drawn: Drawn) -> list[CutLine]:
 
 
 def _closed_cuts(drawn: Drawn) -> list[int]:
-    """Numbers of the cuts that have sheet on both sides, one of the two edges that a cut comes apart into."""
+    """Return indices of the cuts that have sheet on both sides, one of the two edges of each cut."""
     pattern, counted = drawn.laid.pattern, drawn.faces_at
-    found: dict[tuple[float, ...], list[int]] = {}
+    cuts_at: dict[tuple[float, ...], list[int]] = {}
     for edge, letter in enumerate(pattern.edges_assignment):
         if letter == "C":
-            found.setdefault(_key(drawn.points[pattern.edges_vertices[edge]].mean(axis=0)), []).append(edge)
+            cuts_at.setdefault(_key(drawn.points[pattern.edges_vertices[edge]].mean(axis=0)), []).append(edge)
     return [
         edges[0]
-        for edges in found.values()
+        for edges in cuts_at.values()
         if sum(counted[frozenset(pattern.edges_vertices[edge].tolist())] for edge in edges) > 1
     ]
 
 
 def _key(place: Array) -> tuple[float, ...]:
-    """A place to the nanometre."""
+    """Return a position, rounded to the nanometre."""
     return tuple((np.round(place, 9) + 0.0).tolist())
 
 
 def _spans(sides: Array, tail: Array, head: Array, least: float, most: float) -> list[Array]:
-    """The parts of a line within a region that a crease or cut has, from its tail on, m, (2, 2) each."""
+    """Return the parts of a crease or cut within a region, from its tail, m, (2, 2) each."""
     length = float(np.linalg.norm(head - tail))
     along = (head - tail) / length
     return [
@@ -164,7 +164,7 @@ def _spans(sides: Array, tail: Array, head: Array, least: float, most: float) ->
 
 
 def crease_ways(drawn: Drawn) -> tuple[list[CutLine], tuple[CreaseLine, ...], list[str]]:
-    """The creases by their style, and what is to be said of those that it does not suit."""
+    """Return the creases in their style, and notes on those that are too short for it."""
     pattern, make = drawn.laid.pattern, drawn.make
     folds = [
         edge
@@ -192,7 +192,7 @@ def crease_ways(drawn: Drawn) -> tuple[list[CutLine], tuple[CreaseLine, ...], li
 
 
 def _short_notes(short: Sequence[int], make: MakeSection) -> list[str]:
-    """Say which creases are too short for their style."""
+    """Return a note on the creases that are too short for their style."""
     if not short:
         return []
     which = f"crease {short[0]} is" if len(short) == 1 else f"creases {listed(map(str, short))} are"
@@ -203,7 +203,7 @@ def _short_notes(short: Sequence[int], make: MakeSection) -> list[str]:
 
 
 def membrane_region(structure: Structure) -> Region | None:
-    """What the membranes of the model cover, glued strips and all; None where they are not between bars."""
+    """Return the area of the model's membranes, including glued strips; None if they are not between bars."""
     surfaces = [membrane.surface for membrane in structure.membranes if membrane.surface is not None]
     if not surfaces or not structure.bars:
         return None
@@ -211,13 +211,13 @@ def membrane_region(structure: Structure) -> Region | None:
     loops = []
     for surface in surfaces:
         turned = np.einsum("nij,nj->ni", frames[surface.bodies], surface.places)
-        places = (origins[surface.bodies] + turned)[:, :2]
-        loops += [loop if loop_area(loop) > 0 else loop[::-1] for loop in places[surface.triangles]]
+        positions = (origins[surface.bodies] + turned)[:, :2]
+        loops += [loop if loop_area(loop) > 0 else loop[::-1] for loop in positions[surface.triangles]]
     return region_of(loops)
 
 
 def membrane_edge(drawn: Drawn) -> list[CutLine]:
-    """Where the membrane of the model ends within the sheet: it leaves the base of a fan open, which facets do not."""
+    """Return the edge of the model's membrane within the sheet. Unlike the facets, it leaves the base of a fan open."""
     if drawn.membrane is None:
         return []
     size, solid = float(np.ptp(drawn.points, axis=0).max()), sides_of(drawn.all_cut)
@@ -232,11 +232,11 @@ def membrane_edge(drawn: Drawn) -> list[CutLine]:
 
 
 def edge_notes(drawn: Drawn, edge: Sequence[CutLine]) -> tuple[str, ...]:
-    """Say what the membrane of the model leaves open."""
+    """Return a note on the area that the model's membrane leaves open."""
     if drawn.membrane is None or not edge:
         return ()
     whole, left = area_of(drawn.facets), area_of(drawn.facets - drawn.membrane)
     return (
-        f"the membrane that is computed leaves {show_area(left)} of the {show_area(whole)} of all facets open: for the"
-        " same sheet cut along the lines in MARK, too",
+        f"the membrane in the model leaves {show_area(left)} of the {show_area(whole)} of all facets open: to make the"
+        " same sheet, cut along the lines in MARK, too",
     )

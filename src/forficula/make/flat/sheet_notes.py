@@ -1,4 +1,4 @@
-"""What the files of a cut sheet say of themselves."""
+"""Legend of the files of a cut sheet."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from forficula.make.flat.cut_lines import CutSheet, layer_texts
 
 
 def legend_lines(sheet: CutSheet) -> list[str]:
-    """The title, the size and the kerf of a sheet, what is done with each of its layers, and what else is to be known.
+    """Return title, size and kerf of a sheet, what to do with each of its layers, and further notes.
 
-    One sentence or name a line, in ASCII but for what the user named.
+    One sentence or name per line, in ASCII except for names by the user.
     """
     wide, high = (f"{1e3 * length:.2f}" for length in sheet.size)
     kerf = (
-        f"lines make up for a cutter {1e3 * sheet.kerf:g} mm wide (kerf): switch off that of your program"
+        f"lines compensate for a cutter {1e3 * sheet.kerf:g} mm wide (kerf): switch this off in your program"
         if sheet.kerf
-        else "lines make up for no kerf: let your program do so"
+        else "lines do not compensate for the kerf: switch this on in your program"
     )
     failed = [f"CHECK: {check.text}" for check in sheet.checks if check.ok is False]
     return [

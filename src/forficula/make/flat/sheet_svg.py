@@ -15,7 +15,7 @@ from forficula.make.flat.regions import MILLIMETRES
 from forficula.make.flat.sheet_notes import legend_lines
 from forficula.pattern.drawings.svg_file import COLOURS, DASHES, STROKE, printable
 
-# letters of assignments whose colours and dashes the layers have
+# assignments whose colours and dashes the layers use
 _LIKE: dict[Layer, str] = {"cut": "B", "score": "U", "mountain": "M", "valley": "V", "mark": "F"}
 _MARGIN = 3.0  # mm
 
@@ -23,14 +23,14 @@ _MARGIN = 3.0  # mm
 def write_sheet_svg(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
     """Write a cut sheet as SVG.
 
-    In true size, millimetres, y axis up, seen from +z. Layers are groups, "CUT", "SCORE", "MOUNTAIN", "VALLEY", "MARK",
-    of these those that the sheet has, in the colours and dashes of `forficula.pattern.write_svg`; lines that are cut
-    through are solid. The size, the kerf and what is done with each layer stand in the description of the file, where
-    no program takes them for lines. The same sheet gives the same bytes.
+    True size, millimetres, y axis up, seen from +z. Layers are groups: those of "CUT", "SCORE", "MOUNTAIN", "VALLEY"
+    and "MARK" that the sheet has, in the colours and dashes of `forficula.pattern.write_svg`. Lines that are cut
+    through are solid. The size, the kerf and the instructions for each layer are in the description of the file, where
+    no program reads them as lines. The same sheet gives the same bytes.
 
     Args:
-        sheet: as `cut_sheet` gives it.
-        path: the file, replaced where it exists.
+        sheet: from `cut_sheet`.
+        path: of the file; an existing file is replaced.
 
     Raises:
         InputError: the file cannot be written.
@@ -39,7 +39,7 @@ def write_sheet_svg(sheet: CutSheet, path: str | os.PathLike[str]) -> None:
 
 
 def sheet_svg(sheet: CutSheet) -> str:
-    """The element of the drawing that `write_sheet_svg` writes, without what a file begins with."""
+    """Return the element of the drawing that `write_sheet_svg` writes, without the beginning of a file."""
     low, high = MILLIMETRES * sheet.corners
     width, height = high - low + 2 * _MARGIN
     drawing = ElementTree.Element(
@@ -60,13 +60,13 @@ def sheet_svg(sheet: CutSheet) -> str:
         return np.column_stack([placed[:, 0] - low[0] + _MARGIN, high[1] + _MARGIN - placed[:, 1]]) + 0.0
 
     texts = layer_texts(sheet)
-    for layer in (each for each in LAYERS if each in texts):
+    for layer in (layer for layer in LAYERS if layer in texts):
         letter, name = _LIKE[layer], layer.upper()
         look = {"fill": "none", "stroke": COLOURS[letter], "stroke-width": f"{STROKE:g}"}
         names = {"id": name, "inkscape:label": name, "inkscape:groupmode": "layer"}
         group = ElementTree.SubElement(drawing, "g", names | look)
         ElementTree.SubElement(group, "title").text = texts[layer]
-        for line in (each for each in sheet.lines if each.layer == layer):
+        for line in (line for line in sheet.lines if line.layer == layer):
             dashes = {"stroke-dasharray": DASHES[letter]} if line.kind == "crease" and letter in DASHES else {}
             _draw(group, line, page(line.points), dashes)
         for hole in sheet.holes if layer == "cut" else ():
@@ -80,18 +80,18 @@ def sheet_svg(sheet: CutSheet) -> str:
 
 
 def _draw(group: ElementTree.Element, line: CutLine, points: Array, look: dict[str, str]) -> None:
-    """A line of the cutter, on the page."""
+    """Draw a line of the cutter on the page."""
     if line.closed:
-        ways = " ".join(f"{x:.6f},{y:.6f}" for x, y in points)
-        ElementTree.SubElement(group, "polygon", {"points": ways} | look)
+        path = " ".join(f"{x:.6f},{y:.6f}" for x, y in points)
+        ElementTree.SubElement(group, "polygon", {"points": path} | look)
         return
-    (x, y), (there, above) = points
-    ends = {"x1": f"{x:.6f}", "y1": f"{y:.6f}", "x2": f"{there:.6f}", "y2": f"{above:.6f}"}
+    (x, y), (x_end, y_end) = points
+    ends = {"x1": f"{x:.6f}", "y1": f"{y:.6f}", "x2": f"{x_end:.6f}", "y2": f"{y_end:.6f}"}
     ElementTree.SubElement(group, "line", ends | look)
 
 
 def _write(group: ElementTree.Element, text: str, place: Array, height: float, colour: str) -> None:
-    """A word on the page, filled: a program that takes only lines passes it over."""
+    """Write a text on the page, filled, so that programs that read only lines ignore it."""
     look = {"fill": colour, "stroke": "none", "font-size": f"{height:.6f}", "font-family": "sans-serif"}
     middle = {"text-anchor": "middle", "dominant-baseline": "central"}
     where = {"x": f"{place[0]:.6f}", "y": f"{place[1]:.6f}"}

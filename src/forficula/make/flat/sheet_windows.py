@@ -1,4 +1,4 @@
-"""Windows of a sheet: where straps pass through it, where hinges stand in it, and where tendons are knotted."""
+"""Windows of a sheet: for straps that pass through it, for hinges in it, and for the ends of tendons."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from forficula.pattern import CreasePattern
 from forficula.pattern.geometry import distance_to_sides
 from forficula.structure import Structure, Tendon, built_points
 
-LEAST_STRIP = 2e-3  # m, of sheet between what is cut out of it
+LEAST_STRIP = 2e-3  # m, minimum width of sheet between cut-outs
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SheetWindow:
-    """What is cut out of a sheet for a part that passes through it.
+    """A cut-out of a sheet for a part that passes through it.
 
     Attributes:
-        name: of the tendon that it is for.
-        outline: counterclockwise, of its nominal size, m, (corner, 2).
+        name: of the tendon.
+        outline: counterclockwise, nominal size, m, (corner, 2).
     """
 
     name: str
@@ -37,29 +37,30 @@ class SheetWindow:
 def sheet_windows(
     design: Design, structure: Structure, pattern: CreasePattern, sheet: Unfolding
 ) -> tuple[tuple[SheetWindow, ...], list[tuple[str, Array]]]:
-    """What is cut out of a sheet for its tendons.
+    """Return the cut-outs of a sheet for its tendons.
 
-    Between bars, which lie on the sheet along creases, a taut strap goes from peg to peg and through the sheet's plane
-    when the hinge between them folds: its window is as wide as it is, from eye to eye, where the joint has it. Another
-    is around the knuckles of each hinge, which stand in the sheet. All are grown by `make.window`, with round corners.
+    With bars on the sheet along creases, a taut strap runs from peg to peg and passes through the sheet's plane when
+    the hinge between them folds. Its window has the strap's width and extends from eye to eye. Another window surrounds
+    the knuckles of each hinge, which are in the plane of the sheet. All are offset by `make.window`, with round
+    corners.
 
-    A sheet without bars is hung on its tendons itself. Each end has a hole of the diameter `make.peg_diameter` for a
-    peg, a rivet or a knot; one at the sheet's edge is left to a clip. A tendon that lies in the flat sheet across
-    creases swings to either side of it: between its holes is a slot as wide as its straps beside one another, grown by
-    `make.window`, that leaves 2 mm, or a peg's diameter, of sheet around them. One that goes through the air, as
-    between facets of a sheet that is built folded, needs none.
+    A sheet without bars is attached to its tendons directly. Each end has a hole of the diameter `make.peg_diameter`
+    for a peg, a rivet or a knot; an end at the sheet's edge has none and needs a clip. A tendon in the flat sheet
+    across creases swings to either side of it: between its holes there is a slot with the total width of its straps,
+    offset by `make.window`, that leaves 2 mm or a peg's diameter of sheet around the holes. A tendon through the air,
+    such as between facets of a sheet that is built folded, needs no slot.
 
     Args:
         design: in SI.
-        structure: of it.
+        structure: of the design.
         pattern: of the structure, as built.
-        sheet: the same, flat.
+        sheet: flat pattern.
 
     Returns:
         The windows; and the holes by the name of the tendon, m, (2,).
 
     Raises:
-        InputError: a tendon of which no strap can be made.
+        InputError: a tendon for which no strap can be made.
     """
     make = design.make or MakeSection()
     if structure.bars:
@@ -68,18 +69,18 @@ def sheet_windows(
     points = built_points(structure)
     for tendon in structure.tendons:
         laid = [laid_place(pattern, sheet, points[end]) for end in tendon.points]
-        ends = [place for each in laid if each is not None for place in [each[1]]]
+        ends = [place for end in laid if end is not None for place in [end[1]]]
         holes += [(tendon.name, place) for place in ends if _room(sheet, place) > make.peg_diameter / 2 + LEAST_STRIP]
         apart = float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else 0.0
         as_built = float(np.linalg.norm(points[tendon.points[1]] - points[tendon.points[0]]))
-        if len({each[0] for each in laid if each is not None}) == 2 and abs(apart - as_built) <= 1e-6 * as_built:
+        if len({end[0] for end in laid if end is not None}) == 2 and abs(apart - as_built) <= 1e-6 * as_built:
             slot = _slot(design, make, tendon, ends[0], ends[1])
             windows += [slot] if slot is not None else []
     return tuple(windows), holes
 
 
 def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> Iterator[SheetWindow]:
-    """The windows of straps and hinges between bars."""
+    """Yield the windows of straps and hinges between bars."""
     joints = bows_beside(joint_layouts(design, structure))
     for place in strap_places(joints):
         tendon = structure.tendons[place.tendon]
@@ -94,7 +95,7 @@ def _joint_windows(design: Design, make: MakeSection, structure: Structure) -> I
 
 
 def _slot(design: Design, make: MakeSection, tendon: Tendon, start: Array, end: Array) -> SheetWindow | None:
-    """The window of a tendon in a sheet without bars; None where there is no room for one between its holes."""
+    """Return the window of a tendon in a sheet without bars; None if there is not enough space between its holes."""
     strap = strap_of(design, tendon)
     length = float(np.linalg.norm(end - start))
     kept = make.peg_diameter / 2 + max(LEAST_STRIP, make.peg_diameter) + make.window
@@ -110,7 +111,7 @@ def _window(tendon: Tendon, make: MakeSection, passing: Region) -> SheetWindow:
 
 
 def _band(start: Array, end: Array, width: float, beyond: float) -> Array:
-    """Corners of a strip around a line, that reaches beyond its ends, counterclockwise, m, (4, 2)."""
+    """Return corners of a strip around a line that extends beyond its ends, counterclockwise, m, (4, 2)."""
     along = (end - start) / np.linalg.norm(end - start)
     across = np.array([-along[1], along[0]]) * width / 2
     one, other = start - beyond * along, end + beyond * along
@@ -118,6 +119,6 @@ def _band(start: Array, end: Array, width: float, beyond: float) -> Array:
 
 
 def _room(sheet: Unfolding, place: Array) -> float:
-    """How far a place of a flat sheet lies from its edge, m; a hole of twice that would touch it."""
+    """Return the distance of a point in a flat sheet from its edge, m."""
     faces = region_of([sheet.pattern.vertices_coords[list(face), :2] for face in sheet.pattern.faces_vertices])
     return distance_to_sides(sides_of(faces), place)

@@ -1,4 +1,4 @@
-"""Who touches whom in the recorded motion: solids placed where a run has their bodies."""
+"""Collisions of parts in a recorded motion: solids are placed at the positions of their bodies in a run."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from forficula.make.solid.mesh import placed
 from forficula.make.solid.poses import PartPoses, poses_of, stage_at, telling_rows
 from forficula.structure import GROUND
 
-# of a record that are looked at
+# largest number of rows of a record that are checked
 _ROWS = 80
-# what counts as touching, mm^3, and in m^3
+# overlap that counts as a collision, mm^3, and in m^3
 _TOUCHES = 1e-2
 TOUCHES = _TOUCHES / 1e9
-# rows, after two touch, in which it is measured by how much
+# number of later rows in which the volume of a collision is measured
 _DEEPEST = 4
 
 
 @dataclass(frozen=True, kw_only=True)
 class Touch:
-    """Two pieces of bodies that are in one place for a while, which no two things can be.
+    """A collision: two pieces of bodies that overlap for a while.
 
     Attributes:
         bodies: names of the two.
-        features: what of either it is: "hinge", "peg", "sleeve", "bar", "hub".
-        time: when they first do, s.
-        stage: name of the stage then.
-        after: from the start of that stage, s.
-        angles: of the hinges that are between the two, by name, in their own senses, then, rad.
-        volume: what they have in common, m^3: the most of then and of four rows later on where their middles are
+        features: piece of either body: "hinge", "peg", "sleeve", "bar", "hub".
+        time: of the first overlap, s.
+        stage: name of the stage at this time.
+        after: time since the start of this stage, s.
+        angles: of the hinges between the two at this time, by name, in their own senses, rad.
+        volume: of the overlap, m^3: the largest one at this time and in the four later rows in which their middles are
             nearest to each other.
-        deepest: when that is, s.
+        deepest: time of this volume, s.
     """
 
     bodies: tuple[str, str]
@@ -59,38 +59,38 @@ def touches(
     deepest: int = _DEEPEST,
     pieces: Sequence[Piece] | None = None,
 ) -> tuple[Touch, ...]:
-    """Who touches whom in a recorded motion, the first ones first.
+    """Return the collisions in a recorded motion, sorted by time.
 
-    All pairs of bodies that no joint hinges to one another, piece by piece, in at most 80 rows that are as far from one
-    another as can be; when two first touch is then found among all rows between two of these, as if they went on to
-    touch. Straps and rods bend, and are left out; of bars it is where the run has them, with their feet in the design's
-    own joints.
+    All pairs of bodies without a common joint are checked, piece by piece, in at most 80 rows that are as different
+    from each other as possible. The time of the first overlap is then refined by bisection among all rows between two
+    of these. Straps and rods are excluded, because they bend. Bars have their positions in the run, with their ends in
+    the joints of the design.
 
     Args:
-        parts: of the design that ran, or others of it that differ in what does not move them.
+        parts: of the design that ran, or with changes that do not affect the motion.
         record: of a run that did not diverge.
-        rows: of it to be looked at, rising; or as above.
-        deepest: in how many rows after two touch it is measured by how much: those where their middles are nearest.
-        pieces: of the parts, where they are cut already.
+        rows: rows to check, rising; by default as above.
+        deepest: number of rows after the first overlap in which its volume is measured: those with the nearest middles.
+        pieces: of the parts, if they have been cut already.
     """
     poses = poses_of(record, telling_rows(record, _ROWS) if rows is None else rows)
-    found = []
+    collisions = []
     for one, other in combinations(pieces_of(parts) if pieces is None else pieces, 2):
         if _apart(parts, one.body, other.body):
             volumes = _volumes(one, other, poses, deepest)
             if volumes.max(initial=0.0) > _TOUCHES:
-                found.append(_touch(parts, record, (one, other), poses, volumes))
-    return tuple(sorted(found, key=lambda touch: (touch.time, touch.bodies, touch.features)))
+                collisions.append(_touch(parts, record, (one, other), poses, volumes))
+    return tuple(sorted(collisions, key=lambda touch: (touch.time, touch.bodies, touch.features)))
 
 
 def built_overlaps(parts: PartSet) -> dict[tuple[str, str], float]:
-    """What bodies that no joint hinges to one another have in common as they are built, m^3, by their names.
+    """Return the overlaps of bodies without a common joint as built, m^3, by their names.
 
-    Those alone that touch; the root of a bar and the hub among them.
+    Only bodies that overlap are returned, including the root of a bar and the hub.
     """
-    found: dict[tuple[str, str], float] = {}
+    volumes: dict[tuple[str, str], float] = {}
     count = len(parts.structure.bodies) + 1
-    still = PartPoses(
+    built_poses = PartPoses(
         rows=np.zeros(1, dtype=np.int64),
         frames=np.broadcast_to(np.eye(3), (1, count, 3, 3)),
         origins=np.zeros((1, count, 3)),
@@ -98,19 +98,19 @@ def built_overlaps(parts: PartSet) -> dict[tuple[str, str], float]:
     for one, other in combinations(pieces_of(parts), 2):
         if _apart(parts, one.body, other.body):
             pair = (_name(parts, one.body), _name(parts, other.body))
-            found[pair] = found.get(pair, 0.0) + float(_volumes(one, other, still, 0)[0]) / 1e9
-    return {pair: volume for pair, volume in found.items() if volume > TOUCHES}
+            volumes[pair] = volumes.get(pair, 0.0) + float(_volumes(one, other, built_poses, 0)[0]) / 1e9
+    return {pair: volume for pair, volume in volumes.items() if volume > TOUCHES}
 
 
 def state_rows(record: Record) -> dict[str, int]:
-    """The last row of every stage that ends in a named state, by its name; the last of several."""
+    """Return the last row of every stage that ends in a named state, by its name; of several, the last one."""
     names = record.structure.stage_states
     ends = {name: end.end for name, end in zip(names, record.stages, strict=False) if name}
     return {name: int(np.searchsorted(record.time, time, side="right")) - 1 for name, time in ends.items()}
 
 
 def overlap(one: Piece, other: Piece, poses: PartPoses, row: int) -> float:
-    """What two pieces have in common in a row of poses, by its place there, mm^3."""
+    """Return the overlap of two pieces in a row of poses, mm^3."""
     frames, origins = poses.frames[row], poses.origins[row]
     frame = frames[one.body].T @ frames[other.body]
     origin = frames[one.body].T @ (origins[other.body] - origins[one.body])
@@ -118,18 +118,18 @@ def overlap(one: Piece, other: Piece, poses: PartPoses, row: int) -> float:
 
 
 def _apart(parts: PartSet, one: int, other: int) -> bool:
-    """Whether two bodies are two, and not the halves of one joint."""
+    """Return whether two bodies are different and not the halves of one joint."""
     halves = [{joint.proximal.body, joint.distal.body} for joint in parts.joints]
     return one != other and {one, other} not in halves
 
 
 def _volumes(one: Piece, other: Piece, poses: PartPoses, deepest: int) -> Array:
-    """What two pieces have in common, mm^3, (row,): up to where they first touch, and where they are nearest then.
+    """Return the overlap of two pieces, mm^3, (row,): up to the first collision, and in the nearest rows after it.
 
-    Nothing in other rows.
+    It is 0 in other rows.
     """
     volumes = np.zeros(len(poses.rows))
-    apart = _distances(*(_placed_ends(each, poses) for each in (one, other)))
+    apart = _distances(*(_placed_ends(piece, poses) for piece in (one, other)))
     near = np.flatnonzero((apart < one.radius + other.radius) & _boxes_meet(one, other, poses))
     for row in near:
         volumes[row] = overlap(one, other, poses, int(row))
@@ -142,29 +142,29 @@ def _volumes(one: Piece, other: Piece, poses: PartPoses, deepest: int) -> Array:
 
 
 def _boxes_meet(one: Piece, other: Piece, poses: PartPoses) -> Flags:
-    """Whether the boxes of two pieces are not parted by a plane along a side of either, (row,)."""
-    here, there = (poses.frames[:, each.body] @ each.frame for each in (one, other))
+    """Return whether no plane along a side of either box separates the boxes of two pieces, (row,)."""
+    axes, other_axes = (poses.frames[:, piece.body] @ piece.frame for piece in (one, other))
     middles = [
-        np.einsum("rij,j->ri", poses.frames[:, each.body], each.middle) + poses.origins[:, each.body]
-        for each in (one, other)
+        np.einsum("rij,j->ri", poses.frames[:, piece.body], piece.middle) + poses.origins[:, piece.body]
+        for piece in (one, other)
     ]
-    away, turned = middles[1] - middles[0], np.abs(np.swapaxes(here, 1, 2) @ there)
-    apart = np.abs(np.einsum("rij,ri->rj", here, away)) > one.half + turned @ other.half
-    apart |= np.abs(np.einsum("rij,ri->rj", there, away)) > other.half + np.swapaxes(turned, 1, 2) @ one.half
+    away, turned = middles[1] - middles[0], np.abs(np.swapaxes(axes, 1, 2) @ other_axes)
+    apart = np.abs(np.einsum("rij,ri->rj", axes, away)) > one.half + turned @ other.half
+    apart |= np.abs(np.einsum("rij,ri->rj", other_axes, away)) > other.half + np.swapaxes(turned, 1, 2) @ one.half
     return np.asarray(~apart.any(axis=1))
 
 
 def _placed_ends(piece: Piece, poses: PartPoses) -> Array:
-    """The line in a piece, m, (row, 2, 3)."""
+    """Return the line of a piece in every row, m, (row, 2, 3)."""
     turned = np.einsum("rij,kj->rki", poses.frames[:, piece.body], piece.ends)
     return np.asarray(turned + poses.origins[:, None, piece.body])
 
 
 def _distances(one: Array, other: Array) -> Array:
-    """Least distances of two lines with ends, (row, 2, 3) each, m, (row,) (Ericson 2005, 5.1.9)."""
+    """Return the smallest distances of two line segments, (row, 2, 3) each, m, (row,) (Ericson 2005, 5.1.9)."""
     start, along = one[:, 0], one[:, 1] - one[:, 0]
-    there, across = other[:, 0], other[:, 1] - other[:, 0]
-    away = start - there
+    other_start, across = other[:, 0], other[:, 1] - other[:, 0]
+    away = start - other_start
     a, e, f = (np.sum(x * y, axis=1) for x, y in ((along, along), (across, across), (across, away)))
     b, c = np.sum(along * across, axis=1), np.sum(along * away, axis=1)
     square = a * e - b * b
@@ -176,7 +176,7 @@ def _distances(one: Array, other: Array) -> Array:
 
 
 def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: PartPoses, volumes: Array) -> Touch:
-    """When two pieces first touch, found among all rows, and where they are deepest in each other."""
+    """Return a collision: its first time, found among all rows, and its deepest overlap."""
     first = int(np.argmax(volumes > _TOUCHES))
     row = int(poses.rows[first])
     free = int(poses.rows[first - 1]) if first else row
@@ -202,9 +202,9 @@ def _touch(parts: PartSet, record: Record, pair: tuple[Piece, Piece], poses: Par
 
 
 def _angles(parts: PartSet, record: Record, bodies: Sequence[int], row: int) -> dict[str, float]:
-    """Angles of the joints that the bodies are part of."""
-    mine = [joint for joint in parts.joints if {joint.proximal.body, joint.distal.body} & set(bodies)]
-    return {joint.name: float(record.series["hinge_angle"][row, joint.hinge]) for joint in mine}
+    """Return the angles of the joints of two bodies."""
+    joints = [joint for joint in parts.joints if {joint.proximal.body, joint.distal.body} & set(bodies)]
+    return {joint.name: float(record.series["hinge_angle"][row, joint.hinge]) for joint in joints}
 
 
 def _name(parts: PartSet, body: int) -> str:

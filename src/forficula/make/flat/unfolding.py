@@ -1,4 +1,4 @@
-"""A folded sheet laid flat, as it is cut: facet by facet, opened along creases where it does not lie flat in one."""
+"""A folded sheet laid flat for cutting, facet by facet, and opened along creases if it cannot stay in one piece."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from forficula.pattern.geometry import is_inside, polygon_normal
 from forficula.pattern.rotation import rotation_about, rotation_to_z
 from forficula.pattern.shared_edges import shared_edges
 
-# share of the sheet's size: by which facets may be bent, and ends of a crease apart, as of what files round
+# fraction of the sheet's size: allowed bend of facets and gap at the ends of a crease, because files round coordinates
 _ROUNDING = 1e-6
 _UPWARDS = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Unfolding:
-    """A sheet in the plane z = 0, and how it came there.
+    """A sheet in the plane z = 0, with the motions of its facets.
 
     Attributes:
-        pattern: flat, all faces counterclockwise; opened along cuts and seams, so that what is on both sides of one has
-            vertices and edges of its own.
-        edges: number, in the pattern as built, that each edge was, (edge,).
-        seams: numbers, as built, of the creases at which it had to be opened; a maker joins them again.
-        turns: rotation of each face from as built to flat, (face, 3, 3).
-        shifts: what is added then, m, (face, 3).
+        pattern: flat, all faces counterclockwise; opened along cuts and seams, so that each side of these has vertices
+            and edges of its own.
+        edges: index of each edge in the pattern as built, (edge,).
+        seams: indices, as built, of the creases at which it had to be opened, and which the maker joins.
+        turns: rotation of each face from built to flat, (face, 3, 3).
+        shifts: translation after the rotation, m, (face, 3).
     """
 
     pattern: CreasePattern
@@ -46,15 +46,15 @@ class Unfolding:
 def unfolded(pattern: CreasePattern) -> Unfolding:
     """Lay a sheet flat without stretching it.
 
-    Facets are laid down one after another beside the one that they hang on in a tree over creases, from the middle one
-    on. A crease that closes a loop holds where both of its facets meet again; elsewhere it becomes a seam: that of a
+    Facets are laid one after another beside their parent in a tree over creases, beginning with the central one. A
+    crease that closes a loop is kept if both of its facets meet again. Otherwise it becomes a seam, such as that of a
     tower, or the gap of a cone.
 
     Args:
-        pattern: flat or folded; a flat one stays as it is but for its height.
+        pattern: flat or folded; a flat one is only moved to z = 0.
 
     Raises:
-        InputError: a facet is not flat as built, or the facets do not hang together.
+        InputError: a facet is not flat as built, or the facets are not connected.
     """
     turns, shifts = _identity(pattern) if is_unfolded(pattern) else _laid(pattern)
     seams = tuple(_seams(pattern, turns, shifts))
@@ -77,7 +77,7 @@ def unfolded(pattern: CreasePattern) -> Unfolding:
 
 
 def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[int, Array] | None:
-    """Where a place of the sheet as built lies once it is flat.
+    """Return the flat position of a point of the sheet as built.
 
     Args:
         pattern: as built.
@@ -85,7 +85,7 @@ def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[
         place: m, (3,).
 
     Returns:
-        The lowest face that it is on, and the place, m, (2,); None where it is on none.
+        The lowest face on which it lies, and its position, m, (2,); None if it lies on none.
     """
     size = float(np.ptp(pattern.vertices_coords, axis=0).max())
     for face, corners in enumerate(pattern.faces_vertices):
@@ -97,14 +97,14 @@ def laid_place(pattern: CreasePattern, sheet: Unfolding, place: Array) -> tuple[
 
 
 def _identity(pattern: CreasePattern) -> tuple[Array, Array]:
-    """Turns and shifts of a sheet that lies flat already."""
+    """Return rotations and translations of a sheet that is flat already."""
     count = len(pattern.faces_vertices)
     lowered = -_UPWARDS * pattern.vertices_coords[0, 2]
     return np.tile(np.eye(3), (count, 1, 1)), np.tile(lowered, (count, 1))
 
 
 def _laid(pattern: CreasePattern) -> tuple[Array, Array]:
-    """Turns and shifts that lay facets beside one another, each beside the one that it hangs on."""
+    """Return rotations and translations that lay facets beside their parents."""
     normals = _normals(pattern)
     turns, shifts = np.zeros((len(normals), 3, 3)), np.zeros((len(normals), 3))
     for link in facet_tree(pattern, central_facet(pattern)):
@@ -117,15 +117,15 @@ def _laid(pattern: CreasePattern) -> tuple[Array, Array]:
             continue
         tail, head = pattern.vertices_coords[[link.tail, link.head]]
         along = (head - tail) / np.linalg.norm(head - tail)
-        there = turns[link.parent] @ along
-        own, laid = _axes(along, normals[face]), _axes(there, _UPWARDS)
-        turns[face] = laid @ own.T
+        laid_along = turns[link.parent] @ along
+        built_axes, laid_axes = _axes(along, normals[face]), _axes(laid_along, _UPWARDS)
+        turns[face] = laid_axes @ built_axes.T
         shifts[face] = turns[link.parent] @ tail + shifts[link.parent] - turns[face] @ tail
     return _straightened(pattern, turns, shifts)
 
 
 def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[Array, Array]:
-    """Turn a laid sheet so that it takes the least rectangle, of the four ways most nearly as it was built."""
+    """Rotate a laid sheet into its smallest rectangle; of the four orientations, the one nearest to the built one."""
     faces = [list(face) for face in pattern.faces_vertices]
     laid = [
         pattern.vertices_coords[face] @ turn.T + shift for face, turn, shift in zip(faces, turns, shifts, strict=True)
@@ -140,23 +140,23 @@ def _straightened(pattern: CreasePattern, turns: Array, shifts: Array) -> tuple[
     angles = -np.arctan2(sides[:, 1], sides[:, 0])
     turned = [corners @ rotation_about(_UPWARDS, angle)[:2, :2].T for angle in angles.tolist()]
     areas = np.array([np.prod(np.ptp(points, axis=0)) for points in turned])
-    ways = [
+    rotations = [
         angle + quarter * math.pi / 2
         for angle in angles[areas <= (1 + _ROUNDING) * areas.min()]
         for quarter in range(4)
     ]
-    best = min(ways, key=lambda angle: (round(abs(math.remainder(angle - nearest, 2 * math.pi)), 6), angle))
+    best = min(rotations, key=lambda angle: (round(abs(math.remainder(angle - nearest, 2 * math.pi)), 6), angle))
     turn = rotation_about(_UPWARDS, best)
     return np.asarray(turn @ turns), np.asarray(shifts @ turn.T)
 
 
 def _axes(along: Array, normal: Array) -> Array:
-    """Axes along a crease, beside it and out of the facet, in columns, (3, 3)."""
+    """Return axes along a crease, beside it and out of the facet, as columns, (3, 3)."""
     return np.column_stack([along, np.cross(normal, along), normal])
 
 
 def _normals(pattern: CreasePattern) -> Array:
-    """Unit vectors out of the facets, on the side from which they run counterclockwise, (face, 3)."""
+    """Return unit normals of the facets, on the side from which they are counterclockwise, (face, 3)."""
     size, normals = float(np.ptp(pattern.vertices_coords, axis=0).max()), []
     for face, corners in enumerate(pattern.faces_vertices):
         points = pattern.vertices_coords[list(corners)]
@@ -173,7 +173,7 @@ def _normals(pattern: CreasePattern) -> Array:
 
 
 def _seams(pattern: CreasePattern, turns: Array, shifts: Array) -> list[int]:
-    """Numbers of the edges whose two facets come to lie apart at an end."""
+    """Return indices of the edges at which the two facets do not meet when flat."""
     size = float(np.ptp(pattern.vertices_coords, axis=0).max())
     seams = []
     for edge, tail, head, left, right in shared_edges(pattern):

@@ -1,4 +1,4 @@
-"""Where the stops of a joint are: the angles at which its two halves begin to overlap, measured on the solids."""
+"""Stops of a joint: the angles at which its two halves begin to overlap, measured on the solids."""
 
 from __future__ import annotations
 
@@ -12,37 +12,37 @@ from forficula.make.hinge.joint_layout import JointLayout
 from forficula.make.part import PartSet
 from forficula.make.solid.mesh import placed
 
-# more than what rounding leaves where faces meet, mm^3; of a stop 5 mm high and 10 mm wide, 5e-5 deg
+# mm^3, above the rounding error where faces meet; for a stop 5 mm high and 10 mm wide this is 5e-5 deg
 _TOUCHES = 1e-4
-# from angle to angle where it is looked for, and how finely it is then found, rad
+# step of the search and accuracy of the result, rad
 _STEP = math.radians(10.0)
 _FINE = math.radians(1e-5)
-# beyond what a joint turns through it is not looked for, rad
+# the search ends at this angle beyond the designed range, rad
 _BEYOND = math.radians(12.0)
 
 
 def free_range(parts: PartSet, joint: JointLayout) -> tuple[float, float]:
-    """The angles between which nothing of one half of a joint is in the other, rad, as `range_between` finds them.
+    """Return the angles between which the halves of a joint do not overlap, rad; see `range_between`.
 
-    Pegs are part of the halves; straps and what bends are not.
+    Pegs are part of the halves; straps and other parts that bend are not.
     """
     return range_between(joint, *(half(parts, arm.body) for arm in (joint.proximal, joint.distal)))
 
 
 def range_between(joint: JointLayout, proximal: Manifold, distal: Manifold) -> tuple[float, float]:
-    """The angles between which two solids that a joint hinges do not overlap, rad: of the fold and of the overbend.
+    """Return the angles between which two solids on a hinge do not overlap, rad: of the fold and of the overbend.
 
-    From the middle of the designed range outwards, to 1e-5 deg; what touches and parts again within 10 deg may be
-    missed.
+    The search goes from the middle of the designed range outwards, to 1e-5 deg. An overlap that ends again within 10
+    deg may be missed.
 
     Args:
         joint: with the hinge.
-        proximal: what does not turn, as built, mm.
-        distal: what turns, as built, mm.
+        proximal: fixed solid, as built, mm.
+        distal: turning solid, as built, mm.
 
     Returns:
-        In the hinge's own sense. -inf or inf where nothing stops it up to 12 deg beyond the designed stop; twice the
-        middle of the designed range where the two overlap even there.
+        In the hinge's own sense. -inf or inf if nothing stops it up to 12 deg beyond the designed stop; twice the
+        middle of the designed range if the two overlap even there.
     """
 
     def overlaps(angle: float) -> bool:
@@ -58,7 +58,7 @@ def range_between(joint: JointLayout, proximal: Manifold, distal: Manifold) -> t
 
 
 def _first(overlaps: Callable[[float], bool], free: float, end: float) -> float:
-    """The first angle from a free one towards an end at which halves overlap, by steps and then by halves."""
+    """Return the first angle at which halves overlap, from a free one towards an end, by steps and then bisection."""
     steps = math.ceil(abs(end - free) / _STEP)
     for step in range(1, steps + 1):
         angle = free + step * (end - free) / steps
@@ -72,8 +72,8 @@ def _first(overlaps: Callable[[float], bool], free: float, end: float) -> float:
 
 
 def half(parts: PartSet, body: int) -> Manifold:
-    """All solids that move with a body as one, mm."""
+    """Return the union of all solids that move with a body, mm."""
     solid = Manifold.batch_boolean([part.shape for part in parts.of_body(body)], OpType.Add)
-    # the kernel puts off what it is not asked for, and would do it again for everything that is made of it
+    # the kernel evaluates lazily, and would repeat the evaluation for every solid that is derived from this one
     solid.num_tri()
     return solid

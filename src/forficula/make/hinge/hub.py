@@ -1,4 +1,4 @@
-"""What bars turn on at the ground: flexible rods between a hub and sleeves at the ends of the bars."""
+"""Roots of bars at the ground: flexible rods between a hub and sleeves at the ends of the bars."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from forficula.make.hinge.joint_layout import Arm, JointLayout
 from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Solid
 from forficula.structure import GROUND, Structure
 
-# how deep a rod sits at either end, by its diameter
+# length of a rod in the hub and in the sleeve, in diameters
 _DEEP = 2.0
-# along a bar it is asked in such steps where it is clear of others, m, and up to where
+# step, m, of the search for the position along a bar at which its sleeve clears the others
 _STEP = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Root:
-    """The flexible rod that a bar turns on.
+    """The flexible rod on which a bar turns.
 
     Attributes:
-        body: number of the body that the bar is.
-        place: of the joint that it stands for, at the height of the bar's axis, m, (3,).
+        body: index of the bar's body.
+        place: of the joint that it replaces, at the height of the bar's axis, m, (3,).
         along: unit vector from there along the bar, (3,).
-        begins: where the bar begins, from that place, m.
+        begins: distance from there to the beginning of the bar, m.
         make: how it is made.
     """
 
@@ -41,22 +41,22 @@ class Root:
 
     @property
     def bends(self) -> float:
-        """Where the middle of what bends is, from the place of the joint that it stands for, m."""
+        """Distance of the middle of the bending length from the joint that it replaces, m."""
         return self.begins - self.make.root_length / 2
 
     @property
     def sleeve(self) -> float:
-        """Diameter of what holds the rod at either end, m."""
+        """Diameter of the sleeve of the rod at either end, m."""
         return self.make.root_diameter + 2 * self.make.hinge_wall
 
     def at(self, distance: float) -> Array:
-        """A place on its line, m, (3,)."""
+        """Return a point on its line, m, (3,)."""
         place: Array = self.place + distance * self.along
         return place
 
 
 def roots_of(structure: Structure, joints: Sequence[JointLayout]) -> tuple[Root, ...]:
-    """The roots of all bars that turn against the ground; each bar begins where its sleeve is clear of the others."""
+    """Return the roots of all bars that turn against the ground; each bar begins where its sleeve clears the others."""
     lines: dict[int, tuple[JointLayout, Arm]] = {}
     for joint in joints:
         if structure.bodies[joint.proximal.body].parent == GROUND and _turns(structure, joint.proximal.body):
@@ -76,7 +76,7 @@ def roots_of(structure: Structure, joints: Sequence[JointLayout]) -> tuple[Root,
 
 
 def hub_solid(roots: Sequence[Root]) -> Solid:
-    """The hub: a sleeve for every rod and a plate through all of them, less the rods."""
+    """Return the hub: a plate with sleeves for all rods, without the rods."""
     thickness = max(root.sleeve for root in roots)
     ends = np.array([root.at(at) for root in roots for at in _held(root)])
     heights = ends[:, 2]
@@ -93,18 +93,18 @@ def hub_solid(roots: Sequence[Root]) -> Solid:
 
 
 def rod_solid(root: Root) -> Rod:
-    """The flexible rod, held in the hub and in the bar's sleeve."""
+    """Return the flexible rod, including its ends in the hub and in the bar's sleeve."""
     deep = _DEEP * root.make.root_diameter
     start, end = root.begins - root.make.root_length - deep, root.begins + deep
     return Rod(start=root.at(start), end=root.at(end), diameter=root.make.root_diameter)
 
 
 def with_sleeve(bar: Solid, root: Root, joint: JointLayout) -> Solid:
-    """A bar that begins at its root, with a sleeve around the rod that it is held by.
+    """Return a bar that begins at its root, with a sleeve around the rod.
 
     Args:
-        bar: from the joint that the root stands for.
-        root: of it.
+        bar: from the joint that the root replaces.
+        root: of the bar.
         joint: whose proximal side the bar is.
     """
     deep = _DEEP * root.make.root_diameter
@@ -117,12 +117,12 @@ def with_sleeve(bar: Solid, root: Root, joint: JointLayout) -> Solid:
 
 
 def _turns(structure: Structure, body: int) -> bool:
-    """Whether any hinge turns a body against the ground."""
+    """Return whether any hinge turns a body against the ground."""
     return any(hinge.body == body for hinge in structure.hinges)
 
 
 def _held(root: Root) -> tuple[float, float]:
-    """Along a rod, where the hub holds it, m from the place of the joint."""
+    """Return the interval of a rod that the hub holds, m from the joint."""
     end = root.begins - root.make.root_length
     return end - _DEEP * root.make.root_diameter, end - root.sleeve / 2
 
@@ -133,22 +133,22 @@ def _circle() -> Array:
 
 
 def _clear(root: Root, others: Sequence[Root], lines: Mapping[int, tuple[JointLayout, Arm]]) -> float:
-    """From where on a bar's sleeve is clear of the other bars and their sleeves, m from the place of its joint."""
+    """Return the distance along a bar at which its sleeve clears the other bars and their sleeves, m from its joint."""
     length, least = lines[root.body][1].length, root.make.root_length
     reach = np.arange(least, length, _STEP)
     for at in reach:
-        own = (
+        points = (
             root.at(float(at))
             + _STEP * np.arange(0, 2 + int(_DEEP * root.make.root_diameter / _STEP))[:, None] * root.along
         )
-        far = [_distance(own, other, lines[other.body][1].length) for other in others]
-        if min(far, default=np.inf) >= root.sleeve + root.make.clearance:
+        distances = [_distance(points, other, lines[other.body][1].length) for other in others]
+        if min(distances, default=np.inf) >= root.sleeve + root.make.clearance:
             return float(at)
     return float(least)
 
 
-def _distance(places: Array, other: Root, length: float) -> float:
-    """The least distance of places to the line of another bar, from its joint to its end, m."""
-    off = places - other.place
-    along = np.clip(off @ other.along, 0.0, length)
-    return float(np.linalg.norm(off - along[:, None] * other.along, axis=1).min())
+def _distance(points: Array, other: Root, length: float) -> float:
+    """Return the smallest distance of points to the line of another bar, from its joint to its end, m."""
+    offsets = points - other.place
+    along = np.clip(offsets @ other.along, 0.0, length)
+    return float(np.linalg.norm(offsets - along[:, None] * other.along, axis=1).min())

@@ -1,8 +1,8 @@
-"""The two halves of a joint as solids, its pin, and how the one half turns against the other.
+"""The two halves of a joint as solids, its pin, and the rotation of one half against the other.
 
-All of a half but its knuckles and its peg is kept within a wedge about the hinge's axis: the distal one from the plane
-of the sheet up to half the overbend short of upright, the proximal one likewise on its side. So the two meet with flat
-faces through the axis where a stop is, and nowhere else, whatever stands on them.
+Each half, except its knuckles and its peg, is confined to a wedge about the hinge's axis: the distal one from the plane
+of the sheet up to half the overbend short of upright, the proximal one likewise on its side. Therefore the two meet
+only at a stop, with flat faces through the axis.
 """
 
 from __future__ import annotations
@@ -16,43 +16,51 @@ from forficula.make.hinge.joint_layout import Arm, JointLayout
 from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid, box, joined
 from forficula.pattern.rotation import RigidMotion, turn_about
 
-# of a peg's diameter: the head that keeps straps on it
+# diameter of the head of a peg, which retains the straps / diameter of the peg
 PEG_HEAD = 1.3
-# a peg that is so near to the height of its bar is on it, m
+# m, difference in height below which a peg counts as at the height of its bar
 _LEVEL = 1e-6
-# what is taken away goes on so far beyond what it is taken from, m
+# m, length by which subtracted solids extend beyond the surface
 _BEYOND = 1e-3
 
 
 def bar_solid(arms: list[tuple[JointLayout, Arm]]) -> Solid:
-    """The bar of a body with its half of each joint that it is part of, from what the layouts have of it."""
+    """Return the bar of a body with its half of each of its joints, according to their layouts."""
     layout, arm = arms[0]
-    at = [each.origin for each, _ in arms]
+    at = [joint.origin for joint, _ in arms]
     far = at[0] + arm.along * arm.length if len(arms) == 1 else at[1]
     rise = layout.standoff * layout.frame[:, 2]
-    # into the lugs at its ends, which the wedges then cut
+    # extended into the lugs at its ends, which the wedges then cut
     ends = [at[0] - layout.lug * arm.along, far + (layout.lug * arm.along if len(arms) > 1 else 0.0)]
     solid: Solid = Rod(start=ends[0] + rise, end=ends[1] + rise, diameter=layout.bar_diameter)
-    solid = Joined(solids=(solid, *(_lug(each) for each, _ in arms)))
-    solid = Shared(solids=(solid, *(_wedge(each, own) for each, own in arms)))
-    solid = Cut(solid=solid, taken=(above_bed(layout), *(each for joint, own in arms for each in _room(joint, own))))
-    solid = Joined(solids=(solid, *(each for joint, own in arms for each in _knuckles(joint, own))))
-    # an axle grows out of the proximal knuckles: in a hole as wide as itself it would only touch them
-    holes = [_hole(joint, own) for joint, own in arms if own is joint.distal or joint.make.hinge == "pin"]
+    solid = Joined(solids=(solid, *(_lug(joint) for joint, _ in arms)))
+    solid = Shared(solids=(solid, *(_wedge(joint, bar_arm) for joint, bar_arm in arms)))
+    solid = Cut(
+        solid=solid,
+        taken=(above_bed(layout), *(solid_part for joint, bar_arm in arms for solid_part in _room(joint, bar_arm))),
+    )
+    solid = Joined(solids=(solid, *(solid_part for joint, bar_arm in arms for solid_part in _knuckles(joint, bar_arm))))
+    # an axle is part of the proximal knuckles: with a hole of its own diameter it would only touch them
+    holes = [_hole(joint, bar_arm) for joint, bar_arm in arms if bar_arm is joint.distal or joint.make.hinge == "pin"]
     solid = Cut(solid=solid, taken=tuple(holes)) if holes else solid
-    axles = [pin_solid(joint) for joint, own in arms if own is joint.proximal and joint.make.hinge != "pin"]
-    pegs = [each for joint, own in arms if own.peg and joint.strap for each in peg_solids(joint, own)]
+    axles = [pin_solid(joint) for joint, bar_arm in arms if bar_arm is joint.proximal and joint.make.hinge != "pin"]
+    pegs = [
+        solid_part
+        for joint, bar_arm in arms
+        if bar_arm.peg and joint.strap
+        for solid_part in peg_solids(joint, bar_arm)
+    ]
     return joined(solid, *axles, *pegs)
 
 
 def pin_solid(layout: JointLayout) -> Rod:
-    """The pin, or the axle, as long as the hinge is wide."""
+    """Return the pin, or the axle, with the width of the hinge."""
     half = layout.width / 2 * layout.frame[:, 1]
     return Rod(start=layout.origin - half, end=layout.origin + half, diameter=layout.make.pin_diameter)
 
 
 def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
-    """The peg across a bar, with heads that straps are pulled over, and what it stands on where it is off the bar."""
+    """Return the peg across a bar, with heads that retain the straps, and its foot if it is off the bar."""
     strap, make = layout.strap, layout.make
     if strap is None:
         return []
@@ -66,7 +74,7 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
     ]
     off = arm.height - layout.standoff
     if is_level(layout, arm):
-        # it lies on the bed with its bar, and folded, the other half's pegs are as near on the other side of the sheet
+        # the peg lies on the bed with its bar; in the folded state, the other half's pegs are as near on the other side
         level = (above_bed(layout), _below(layout, make.clearance / 2))
         return [Cut(solid=Joined(solids=tuple(solids)), taken=level)]
     low, high = (arm.height - radius, layout.standoff) if off < 0 else (layout.standoff, arm.height + radius)
@@ -77,22 +85,22 @@ def peg_solids(layout: JointLayout, arm: Arm) -> list[Solid]:
 
 
 def is_level(layout: JointLayout, arm: Arm) -> bool:
-    """Whether a peg is at the height of its bar, and so cut flat with it."""
+    """Return whether a peg is at the height of its bar, so that it has the same flat."""
     return abs(arm.height - layout.standoff) < _LEVEL
 
 
 def peg_flats(layout: JointLayout) -> tuple[float, float]:
-    """Where a peg at the height of its bar is cut flat, below and above its middle, m."""
+    """Return the heights of the flats of a peg at the height of its bar, below and above its middle, m."""
     return layout.make.clearance / 2 - layout.standoff, layout.top - layout.standoff
 
 
 def turned(layout: JointLayout, angle: float) -> RigidMotion:
-    """Return how the distal half is placed at an angle of the hinge in its own sense, rad, from where it is built."""
+    """Return the motion of the distal half from its built position to an angle of the hinge in its own sense, rad."""
     return turn_about(layout.origin, -layout.frame[:, 1], angle)
 
 
 def _wedge(layout: JointLayout, arm: Arm) -> Solid:
-    """All that a half may take up, but for knuckles and pegs: the angles about the hinge between its two stop faces."""
+    """Return the space of a half without knuckles and pegs: the angles about the hinge between its two stop faces."""
     low, high = -(math.pi + layout.lower) / 2, (math.pi - layout.upper) / 2
     far = 4 * (layout.proximal.length + layout.distal.length)
     angles = np.linspace(low, high, 4)
@@ -103,31 +111,31 @@ def _wedge(layout: JointLayout, arm: Arm) -> Solid:
 
 
 def _upright(layout: JointLayout) -> Array:
-    """Axes square to the hinge: x and z of the joint, and the normal of the two, (3, 3)."""
+    """Return axes perpendicular to the hinge: x and z of the joint, and their normal, (3, 3)."""
     return np.column_stack([layout.frame[:, 0], layout.frame[:, 2], -layout.frame[:, 1]])
 
 
 def _lug(layout: JointLayout) -> Solid:
-    """The block over the whole hinge that carries knuckles and stop faces; each half has its wedge of it."""
+    """Return the block over the whole hinge with knuckles and stop faces, of which each half has its wedge."""
     low = 0.0 if layout.lower <= -math.pi else -layout.knuckle_diameter / 2
     corner = (layout.lug, layout.width / 2, layout.top)
     return box((-corner[0], -corner[1], low), corner, layout.origin, layout.frame)
 
 
 def above_bed(layout: JointLayout) -> Solid:
-    """What is above the flat that lies on the printer's bed."""
+    """Return the space above the flat that lies on the printer's bed."""
     far = 4 * (layout.proximal.length + layout.distal.length)
     return box((-far, -far, layout.top), (far, far, layout.top + far), layout.origin, layout.frame)
 
 
 def _below(layout: JointLayout, height: float) -> Solid:
-    """What is below a height over the hinge, m."""
+    """Return the space below a height over the hinge, m."""
     far = 4 * (layout.proximal.length + layout.distal.length)
     return box((-far, -far, height - far), (far, far, height), layout.origin, layout.frame)
 
 
 def _room(layout: JointLayout, arm: Arm) -> list[Solid]:
-    """The room that the other half's knuckles need, with the clearance around them."""
+    """Return the space for the other half's knuckles, with the clearance around them."""
     inner, outer = layout.side_widths
     diameter = layout.knuckle_diameter + 2 * layout.make.clearance
     beyond = layout.width / 2 + layout.make.clearance + _BEYOND
@@ -136,7 +144,7 @@ def _room(layout: JointLayout, arm: Arm) -> list[Solid]:
 
 
 def _knuckles(layout: JointLayout, arm: Arm) -> list[Solid]:
-    """The knuckles of a half: two outer ones of the proximal, the middle one of the distal, without their hole."""
+    """Return the knuckles of a half, without their hole: two outer ones (proximal), or the middle one (distal)."""
     inner, outer = layout.side_widths
     end = layout.width / 2
     spans = [(-end, -outer), (outer, end)] if arm is layout.proximal else [(-inner, inner)]
@@ -144,13 +152,13 @@ def _knuckles(layout: JointLayout, arm: Arm) -> list[Solid]:
 
 
 def _hole(layout: JointLayout, arm: Arm) -> Solid:
-    """The hole for the pin: it turns in the distal half and is held in the proximal one."""
+    """Return the hole for the pin, which turns in the distal half and is held in the proximal one."""
     play = 0.0 if arm is layout.proximal else 2 * layout.play
     end = layout.width / 2 + _BEYOND
     return _along_hinge(layout, (-end, end), layout.make.pin_diameter + play)
 
 
 def _along_hinge(layout: JointLayout, span: tuple[float, float], diameter: float) -> Rod:
-    """A rod about the hinge's axis."""
+    """Return a rod about the hinge's axis."""
     start, end = (layout.origin + at * layout.frame[:, 1] for at in span)
     return Rod(start=start, end=end, diameter=diameter)

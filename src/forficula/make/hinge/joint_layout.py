@@ -1,8 +1,8 @@
-"""Where everything of a joint is: two bars, the hinge between them, its stops, and the pegs that straps hang on.
+"""Layout of a joint: two bars, the hinge between them, its stops, and the pegs for straps.
 
-In the axes of a joint x points to the distal side, square to the hinge, y lies along the hinge and z points to the side
-that its overbend raises the distal bar to. Bars stand off the hinge to that side, so that the hinge itself, and with it
-what folds there, stays in the plane of the sheet.
+In the axes of a joint, x points to the distal side, perpendicular to the hinge, y points along the hinge, and z points
+to the side to which its overbend raises the distal bar. Bars are offset from the hinge to this side, so that the hinge
+itself stays in the plane of the sheet.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from forficula.make.hinge.straps import Strap, strap_of
 from forficula.quantities import show_quantity
 from forficula.structure import Bar, Structure, built_frames, built_points, hinges_between
 
-# of a bar's radius: above it a flat is cut, which lies on the printer's bed, so that nothing hangs further than 45 deg
+# the flat of a bar on the printer's bed is at this fraction of its radius, so that no overhang exceeds 45 deg
 FLAT = math.sqrt(0.5)
-# cos of the largest angle at which a bar may stand against the plane square to its hinge
+# cos of the largest angle between a bar and the plane perpendicular to its hinge
 _OBLIQUE = math.cos(math.radians(60.0))
 
 
@@ -32,10 +32,10 @@ class Arm:
     """One side of a joint.
 
     Attributes:
-        body: number of the body that its bar is.
+        body: index of the bar's body.
         along: unit vector from the hinge along the bar, in the axes of the ground as built, (3,).
         length: of the bar, m.
-        peg: along the bar from the hinge to the peg that straps hang on, m; 0 without one.
+        peg: distance along the bar from the hinge to the peg for straps, m; 0 without one.
         height: of the peg over the hinge, to the overbend side, m.
     """
 
@@ -48,25 +48,25 @@ class Arm:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JointLayout:
-    """A joint to make, in the axes of the ground as the structure is built.
+    """A joint to make, in the axes of the ground as built.
 
     Attributes:
         name: of its hinge.
-        hinge: number of the hinge.
-        tendon: number of the tendon across it; None without one.
-        origin: where the hinge's axis is between the two bars, m, (3,).
+        hinge: index of the hinge.
+        tendon: index of the tendon across it; None without one.
+        origin: of the hinge's axis between the two bars, m, (3,).
         frame: x, y and z of the joint as columns, (3, 3).
-        proximal: the side that the other one turns against.
+        proximal: the side that is fixed in the joint's axes.
         distal: the side that turns.
-        lower: where the stop of the fold is, rad, < 0.
-        upper: where the stop of the overbend is, rad, >= 0.
+        lower: angle of the fold stop, rad, < 0.
+        upper: angle of the overbend stop, rad, >= 0.
         bar_diameter: m.
-        standoff: of the bars' axes from the hinge's, m.
+        standoff: distance of the bars' axes from the hinge's axis, m.
         knuckle_diameter: of the hinge, m.
         width: of all knuckles of the hinge, along it, m.
-        lug: how far the two lugs with the stops reach along the bars, m.
-        strap: that the tendon is made as; None without one.
-        aside: of each strap's middle from the bar's axis, in the plane of the sheet, m; 0 of a single one.
+        lug: length of the two lugs with the stops along the bars, m.
+        strap: as which the tendon is made; None without one.
+        aside: distance of each strap's middle from the bar's axis, in the plane of the sheet, m; 0 for a single strap.
         make: how it is made.
     """
 
@@ -90,51 +90,53 @@ class JointLayout:
 
     @property
     def top(self) -> float:
-        """Height of the flat that a joint lies on when it is printed, m."""
+        """Height of the flat on which a joint is printed, m."""
         return self.standoff + FLAT * self.bar_diameter / 2
 
     @property
     def play(self) -> float:
-        """Gap between pin and knuckles that turn on it, m: half the clearance for a pin, all of it for an axle."""
+        """Gap between pin and turning knuckles, m: half the clearance for a pin, the whole clearance for an axle."""
         return self.make.clearance / (2 if self.make.hinge == "pin" else 1)
 
     @property
     def side_widths(self) -> tuple[float, float]:
-        """Along the hinge: half the middle knuckle, and where the two outer ones begin, m, from the middle."""
+        """Along the hinge, from the middle: end of the middle knuckle, and beginning of the two outer ones, m."""
         middle = (self.width - 2 * self.make.clearance) / 4
         return middle, middle + self.make.clearance
 
     def peg_of(self, arm: Arm) -> Array:
-        """Where the middle of a peg is as built, m, (3,)."""
+        """Return the middle of a peg as built, m, (3,)."""
         place: Array = self.origin + arm.peg * arm.along + arm.height * self.frame[:, 2]
         return place
 
     def across(self, arm: Arm) -> Array:
-        """Unit vector across a bar in the plane of the sheet, to the side that the hinge's y is on, (3,)."""
+        """Return the unit vector across a bar in the plane of the sheet, on the side of the hinge's y, (3,)."""
         across: Array = np.cross(self.frame[:, 2], arm.along)
         return across * math.copysign(1.0, float(across @ self.frame[:, 1]))
 
 
 def joint_layouts(design: Design, structure: Structure) -> tuple[JointLayout, ...]:
-    """The joints of a structure of bars: one at each hinge by which a bar turns against another.
+    """Return the joints of a structure with bars: one at each hinge between two bars.
 
     Raises:
-        InputError: it has no such hinge, or one that cannot be made: without stops, with bars that run along it, or
-            too narrow for its knuckles.
+        InputError: there is no such hinge, or one that cannot be made: without stops, with bars along it, or too narrow
+            for its knuckles.
     """
     bars = {bar.body: bar for bar in structure.bars}
-    found = [_layout(design, structure, number, bars) for number in bar_hinges(structure)]
-    if not found:
+    layouts = [_layout(design, structure, number, bars) for number in bar_hinges(structure)]
+    if not layouts:
         raise InputError(
             f"{design.name}: no bar is hinged to another, so there is no joint to make; --part sheet makes its sheet"
         )
-    # a tendon across several hinges has one width over all of them
-    widest = {each.tendon: max(other.aside for other in found if other.tendon == each.tendon) for each in found}
-    return tuple(replace(each, aside=widest[each.tendon]) for each in found)
+    # a tendon across several hinges has the same distance from the bars at all of them
+    widest = {
+        layout.tendon: max(other.aside for other in layouts if other.tendon == layout.tendon) for layout in layouts
+    }
+    return tuple(replace(layout, aside=widest[layout.tendon]) for layout in layouts)
 
 
 def bar_hinges(structure: Structure) -> tuple[int, ...]:
-    """Numbers of the hinges by which a bar turns against another."""
+    """Return indices of the hinges between two bars."""
     bars = {bar.body for bar in structure.bars}
     return tuple(
         number
@@ -144,7 +146,7 @@ def bar_hinges(structure: Structure) -> tuple[int, ...]:
 
 
 def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int, Bar]) -> JointLayout:
-    """Lay out the joint at a hinge, with straps as far aside as it needs alone."""
+    """Return the layout of the joint at a hinge, with straps as far aside as this joint needs."""
     make, hinge = design.make or MakeSection(), structure.hinges[number]
     if not (-math.pi <= hinge.lower < 0 <= hinge.upper < math.pi / 2):
         raise InputError(
@@ -154,12 +156,12 @@ def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int
     parent, (origins, frames) = structure.bodies[hinge.body].parent, built_frames(structure)
     turn = hinge.sense * frames[hinge.body] @ hinge.axis
     ends = (-frames[parent] @ bars[parent].end, frames[hinge.body] @ bars[hinge.body].end)
-    ways = [end / np.linalg.norm(end) for end in ends]
-    if min(np.linalg.norm(np.cross(turn, way)) for way in ways) < _OBLIQUE:
+    directions = [end / np.linalg.norm(end) for end in ends]
+    if min(np.linalg.norm(np.cross(turn, direction)) for direction in directions) < _OBLIQUE:
         raise InputError(
             f"{design.name}: a bar runs along {hinge.name}, so no joint can be made: need 30 deg or more between them"
         )
-    up = np.cross(turn, ways[1]) / np.linalg.norm(np.cross(turn, ways[1]))
+    up = np.cross(turn, directions[1]) / np.linalg.norm(np.cross(turn, directions[1]))
     diameter, knuckle = bars[hinge.body].diameter, _knuckle(make)
     standoff = (max(diameter, knuckle) + make.clearance) / 2
     tendon, pegs = _tendon_across(structure, number)
@@ -169,8 +171,8 @@ def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int
         tendon=tendon,
         origin=origins[hinge.body],
         frame=np.column_stack([np.cross(-turn, up), -turn, up]),
-        proximal=Arm(body=parent, along=ways[0], length=float(np.linalg.norm(ends[0]))),
-        distal=Arm(body=hinge.body, along=ways[1], length=float(np.linalg.norm(ends[1]))),
+        proximal=Arm(body=parent, along=directions[0], length=float(np.linalg.norm(ends[0]))),
+        distal=Arm(body=hinge.body, along=directions[1], length=float(np.linalg.norm(ends[1]))),
         lower=hinge.lower,
         upper=hinge.upper,
         bar_diameter=diameter,
@@ -192,23 +194,23 @@ def _layout(design: Design, structure: Structure, number: int, bars: Mapping[int
 
 
 def _check_width(layout: JointLayout) -> None:
-    """Refuse a hinge without room for its three knuckles."""
+    """Reject a hinge without space for its three knuckles."""
     make = layout.make
     if layout.side_widths[0] < make.nozzle:
         least = 2 * (2 * make.nozzle + make.clearance)
         raise InputError(
-            f"make.hinge_width: no room for three knuckles: need >= {show_quantity(least, SMALL_LENGTH)}, by"
+            f"make.hinge_width: no space for three knuckles: need >= {show_quantity(least, SMALL_LENGTH)}, by"
             f" make.nozzle and make.clearance, got {show_quantity(make.hinge_width, SMALL_LENGTH)}"
         )
 
 
 def _knuckle(make: MakeSection) -> float:
-    """Diameter of a knuckle with a wall of its own around what turns in it, m."""
+    """Return the diameter of a knuckle with its wall around the pin or axle, m."""
     return make.pin_diameter + make.clearance * (1 if make.hinge == "pin" else 2) + 2 * make.hinge_wall
 
 
 def _tendon_across(structure: Structure, hinge: int) -> tuple[int | None, list[tuple[int, Array]]]:
-    """The first tendon across a hinge, and the bodies and places as built of its ends, proximal first."""
+    """Return the first tendon across a hinge, and bodies and built positions of its ends, proximal first."""
     places = built_points(structure)
     for number, tendon in enumerate(structure.tendons):
         bodies = [structure.points[point].body for point in tendon.points]
@@ -218,7 +220,7 @@ def _tendon_across(structure: Structure, hinge: int) -> tuple[int | None, list[t
 
 
 def _with_peg(layout: JointLayout, arm: Arm, pegs: Sequence[tuple[int, Array]]) -> Arm:
-    """An arm with the peg that the tendon ends on, if that is on it."""
+    """Return an arm with the peg of the tendon's end, if it is on this arm."""
     for body, place in pegs:
         if body == arm.body:
             off = place - layout.origin
@@ -228,15 +230,15 @@ def _with_peg(layout: JointLayout, arm: Arm, pegs: Sequence[tuple[int, Array]]) 
 
 
 def _aside(layout: JointLayout, strap: Strap, ends: Sequence[Array]) -> float:
-    """How far aside of the bars two straps must be to pass the hinge and its lugs on either side, flat, m.
+    """Return the distance from the bars at which two straps pass the hinge and its lugs on either side, flat, m.
 
-    A strap goes straight from one peg to the other; what it is aside at an end counts by how near that is.
+    A strap is straight from one peg to the other, so its distance at the hinge is interpolated between its ends.
     """
     need = strap.width / 2 + layout.make.clearance
     (start, end), x, y = (np.asarray(ends) - layout.origin), layout.frame[:, 0], layout.frame[:, 1]
-    ways = [layout.across(arm) for arm in (layout.proximal, layout.distal)]
-    # square to bars that lean a share of it is along the hinge
-    leaning = min(abs(float(way @ y)) for way in ways)
+    across_bars = [layout.across(arm) for arm in (layout.proximal, layout.distal)]
+    # the direction across an oblique bar has only a component along the hinge
+    leaning = min(abs(float(across @ y)) for across in across_bars)
     aside = layout.bar_diameter / 2 + need
     for at in (-layout.lug, 0.0, layout.lug):
         middle = start + (at - float(start @ x)) / float((end - start) @ x) * (end - start)

@@ -1,4 +1,4 @@
-"""What a joint bears where it rests against one of its stops: the tendon's moment about the pin, and that of drives."""
+"""Loads of a joint at one of its stops: moments of the tendon and of drives about the pin."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ Stop = Literal["overbend", "fold"]
 
 @dataclass(frozen=True, kw_only=True)
 class StopLoad:
-    """At a stop.
+    """Loads at a stop.
 
     Attributes:
-        stop: which one.
-        pull: of the tendon there, N.
-        by_tendon: moment by which it presses the stop, N m; < 0 where it pulls away from it.
-        by_drive: alike of the drive that presses it most, N m, >= 0.
+        stop: "overbend" or "fold".
+        pull: of the tendon, N.
+        by_tendon: moment of the tendon that presses on the stop, N m; < 0 if it pulls away from it.
+        by_drive: the same for the drive with the largest moment, N m, >= 0.
         drive: its name; "" without one.
-        couple: moment of the tendon across the hinge's axis, which the pin has to hold, N m.
+        couple: moment of the tendon across the hinge's axis, which loads the pin, N m.
         force: on the faces of the stop, N, >= 0.
-        area: of the faces, m^2; 0 where nothing is left of them.
+        area: of the faces, m^2; 0 if nothing is left of them.
     """
 
     stop: Stop
@@ -42,21 +42,21 @@ class StopLoad:
 
     @property
     def on_pin(self) -> float:
-        """Force on the pin there, N: at the overbend stop, where faces push against the pull, what one leaves of it."""
+        """Force on the pin, N. At the overbend stop it is the difference of pull and stop force, which are opposed."""
         return abs(self.pull - self.force) if self.stop == "overbend" else self.pull + self.force
 
 
 def stop_load(structure: Structure, joint: JointLayout, place: StrapPlace, stop: Stop) -> StopLoad:
-    """What a joint bears at a stop while nothing moves, by the moments about its pin.
+    """Return the static loads of a joint at a stop, from the moments about its pin.
 
-    The force is taken to be in the middle of the faces, over all of which it presses evenly.
+    The force is assumed to be distributed evenly over the faces.
     """
     angle, sense = (joint.upper, 1.0) if stop == "overbend" else (joint.lower, -1.0)
     ends = turned(joint, angle).of(place.ends[:, 1])
-    ways = place.ends[:, 0] - ends
-    lengths = np.linalg.norm(ways, axis=1)
+    strap_vectors = place.ends[:, 0] - ends
+    lengths = np.linalg.norm(strap_vectors, axis=1)
     pulls = structure.tendons[place.tendon].law.elastic.force(lengths) / place.strap.count
-    moment = np.cross(ends - joint.origin, (pulls / lengths)[:, None] * ways).sum(axis=0)
+    moment = np.cross(ends - joint.origin, (pulls / lengths)[:, None] * strap_vectors).sum(axis=0)
     along = float(moment @ joint.frame[:, 1])
     by_drive, drive = _driven(structure, joint, sense)
     # hinges turn about -y
@@ -76,7 +76,7 @@ def stop_load(structure: Structure, joint: JointLayout, place: StrapPlace, stop:
 
 
 def _driven(structure: Structure, joint: JointLayout, sense: float) -> tuple[float, str]:
-    """The largest torque of a drive on a hinge in a sense, N m, and the drive's name."""
+    """Return the largest torque of a drive on a hinge in a sense, N m, and the drive's name."""
     most, name = 0.0, ""
     for drive in structure.drives:
         torque = 0.0
@@ -90,11 +90,11 @@ def _driven(structure: Structure, joint: JointLayout, sense: float) -> tuple[flo
 
 
 def _faces(joint: JointLayout, stop: Stop) -> tuple[float, float]:
-    """From where to where the faces of a stop go, away from the hinge's axis, m."""
+    """Return the inner and outer distance of the faces of a stop from the hinge's axis, m."""
     low = joint.knuckle_diameter / 2 + joint.make.clearance
     if stop == "overbend":
         return low, joint.top / math.cos(joint.upper / 2)
-    # a face goes as far as the lug, or down to where that ends
+    # a face extends to the end of the lug, or down to its lower edge
     slope = max(0.0, (math.pi + joint.lower) / 2)
     reach = joint.lug / math.cos(slope)
     return low, reach if slope == 0 else min(reach, joint.knuckle_diameter / 2 / math.sin(slope))

@@ -1,4 +1,4 @@
-"""Straps as solids: as they are made, taut between their pegs, and bowed where they are slack."""
+"""Straps as solids: as made, taut between their pegs, and bowed if they are slack."""
 
 from __future__ import annotations
 
@@ -16,23 +16,24 @@ from forficula.make.hinge.joint_layout import Arm, JointLayout
 from forficula.make.hinge.straps import Strap
 from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Solid, band, box
 
-# shorter than this, seen along the hinge, a strap's ends have no direction to bow square to, m
+# m, distance of a strap's ends perpendicular to the hinge below which they define no direction
 _NOWHERE = 1e-9
-# corners of a bow
+# number of corners of a bow
 _CORNERS = 49
-# straps are moved aside at most so often, by as much as is missing and a little, m, at so many angles
+# straps are moved aside at most this number of times, each time by the missing distance and this step, m; checked
+# angles
 _TRIES, _STEP, _ANGLES = 40, 1e-4, 31
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class StrapPlace:
-    """Where a tendon's straps end as the structure is built, in the axes of the ground.
+    """Ends of a tendon's straps in the built structure, in the axes of the ground.
 
     Attributes:
-        tendon: its number.
-        strap: what it is made as.
+        tendon: index of the tendon.
+        strap: as which it is made.
         bodies: of the two pegs, proximal first.
-        ends: middles of a strap's eyes on them, m, (strap, 2, 3).
+        ends: centres of a strap's eyes on the pegs, m, (strap, 2, 3).
         across: unit vectors along the two pegs, (2, 3).
         up: unit vector to the side of the overbend, (3,).
         peg_diameter: m.
@@ -48,12 +49,12 @@ class StrapPlace:
 
     @property
     def eye_diameter(self) -> float:
-        """Outer one of a strap's eyes, with walls as thick as the strap, m."""
+        """Outer diameter of a strap's eyes, whose walls are as thick as the strap, m."""
         return self.peg_diameter + 2 * self.strap.thickness
 
 
 def strap_places(joints: Sequence[JointLayout]) -> tuple[StrapPlace, ...]:
-    """Where the straps of all tendons end, by what the joints have of their pegs; a tendon may cross several joints."""
+    """Return the ends of the straps of all tendons from the pegs of joints; a tendon may cross several joints."""
     pegs: dict[int, list[tuple[JointLayout, Arm]]] = {}
     for joint in joints:
         if joint.tendon is not None:
@@ -80,20 +81,22 @@ def strap_places(joints: Sequence[JointLayout]) -> tuple[StrapPlace, ...]:
 
 
 def bows_beside(joints: tuple[JointLayout, ...]) -> tuple[JointLayout, ...]:
-    """Move pairs of straps aside until their bows pass both bars of a joint by the clearance, at all angles.
+    """Move pairs of straps aside until their bows clear both bars of a joint at all angles.
 
-    Bars of an oblique hinge lie across one another when they are folded, so that straps which are beside the one as it
-    is flat are over the other then. Of tendons across several joints the bows are left as they are.
+    The bars of an oblique hinge cross each other when folded, so straps that are beside one bar in the flat state may
+    then be over the other. Tendons across several joints are not moved.
     """
-    of = [joint.tendon for joint in joints]
+    tendons = [joint.tendon for joint in joints]
     return tuple(
-        _beside(joint) if joint.strap is not None and joint.strap.count == 2 and of.count(joint.tendon) == 1 else joint
+        _beside(joint)
+        if joint.strap is not None and joint.strap.count == 2 and tendons.count(joint.tendon) == 1
+        else joint
         for joint in joints
     )
 
 
 def _beside(joint: JointLayout) -> JointLayout:
-    """A joint whose straps are moved aside until their bows pass its bars."""
+    """Return a joint whose straps are moved aside until their bows clear its bars."""
     for _ in range(_TRIES):
         (place,) = strap_places([joint])
         missing = joint.bar_diameter / 2 + place.strap.width / 2 + joint.make.clearance - _nearest(joint, place)
@@ -104,42 +107,42 @@ def _beside(joint: JointLayout) -> JointLayout:
 
 
 def _nearest(joint: JointLayout, place: StrapPlace) -> float:
-    """How near the middles of slack straps come to the axes of the bars, from the hinge to their ends, m."""
+    """Return the smallest distance of slack straps' middles to the axes of the bars, m."""
     rise, nearest = joint.standoff * joint.frame[:, 2], math.inf
     for angle in np.linspace(joint.lower, joint.upper, _ANGLES):
         pose = turned(joint, float(angle))
         bars = [(joint.origin + rise, joint.proximal), (pose.of(joint.origin + rise), joint.distal)]
         for start, end in place.ends:
-            there = pose.of(end)
-            if np.linalg.norm(there - start) >= place.strap.rest_length:
+            far_end = pose.of(end)
+            if np.linalg.norm(far_end - start) >= place.strap.rest_length:
                 continue
             for side in (1, -1):
-                line = strap_line(place, start, there, joint.frame[:, 1], side)
+                line = strap_line(place, start, far_end, joint.frame[:, 1], side)
                 for (origin, arm), turn in zip(bars, (np.eye(3), pose.rotation), strict=True):
-                    off, way = line - origin, turn @ arm.along
-                    along = np.clip(off @ way, 0.0, arm.length)
-                    nearest = min(nearest, float(np.linalg.norm(off - along[:, None] * way, axis=1).min()))
+                    offsets, direction = line - origin, turn @ arm.along
+                    along = np.clip(offsets @ direction, 0.0, arm.length)
+                    nearest = min(nearest, float(np.linalg.norm(offsets - along[:, None] * direction, axis=1).min()))
     return nearest
 
 
 def made_strap(place: StrapPlace) -> Solid:
-    """A strap at its resting length, straight from its proximal peg towards the other, with an eye at either end."""
+    """Return a straight strap at its resting length, from its proximal peg towards the other, with its eyes."""
     start, end = place.ends[0]
     along = (end - start) / np.linalg.norm(end - start)
     return _with_eyes(place, np.array([start, start + place.strap.rest_length * along]), place.up)
 
 
 def strap_line(place: StrapPlace, start: Array, end: Array, axis: Array, side: int) -> Array:
-    """The middle of a strap between two places, m, (corner, 3): straight where it is taut, else bowed to a side.
+    """Return the middle of a strap between two points, m, (corner, 3): straight if taut, else bowed to a side.
 
-    It bends about its width, which stays along the hinge, and goes evenly along that from one end to the other.
+    It bends about its width, which stays parallel to the hinge. Its displacement along the hinge is linear.
 
     Args:
         place: of the tendon's straps.
         start: of its proximal eye, m, (3,).
-        end: of the other, m, (3,).
+        end: of the other eye, m, (3,).
         axis: unit vector along the hinge, (3,).
-        side: +1 or -1, of the two that it can bow to.
+        side: +1 or -1, the side to which it bows.
     """
     along = float((end - start) @ axis)
     chord = end - start - along * axis
@@ -153,9 +156,9 @@ def strap_line(place: StrapPlace, start: Array, end: Array, axis: Array, side: i
 
 
 def strap_along(place: StrapPlace, line: Array, axis: Array) -> Solid:
-    """A strap without its eyes along its middle, (corner, 3), as a chain of blocks as wide as it is along the hinge.
+    """Return a strap without its eyes along its middle, (corner, 3), as a chain of blocks of its width.
 
-    Taut, it keeps its width and thickness: it is drawn too thick.
+    A taut strap keeps its width and thickness, so it is slightly too thick.
     """
     blocks = []
     for start, end in itertools.pairwise(line):
@@ -166,14 +169,14 @@ def strap_along(place: StrapPlace, line: Array, axis: Array) -> Solid:
         half = place.strap.thickness / 2
         wide = (place.strap.width + abs(float((end - start) @ axis))) / 2
         middle = (start + end) / 2
-        # over the corners of a bend
+        # slightly longer, to fill the corners of a bend
         reach = length / 2 + half / 4
         blocks.append(box((-reach, -half, -wide), (reach, half, wide), middle, frame))
     return Joined(solids=tuple(blocks))
 
 
 def _with_eyes(place: StrapPlace, ends: Array, up: Array) -> Solid:
-    """A straight strap between the middles of two eyes."""
+    """Return a straight strap between the centres of two eyes."""
     along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
     across = np.cross(up, along) / np.linalg.norm(np.cross(up, along))
     half = place.strap.width / 2 * across

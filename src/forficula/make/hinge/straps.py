@@ -1,4 +1,4 @@
-"""The straps that tendons are made of: how wide they are for the stiffness that the design asks for."""
+"""Straps as which tendons are made: their width for the stiffness of the design."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from forficula.material.law.material_law import MaterialLaw, area_for, scaled
 from forficula.quantities import show_value
 from forficula.structure import Tendon
 
-# what straps are printed or cut from where a design names nothing
+# material of straps if a design names none
 USUAL_MATERIAL = "tpu-95a"
-_WIDEST = 100.0  # of a strap, in lengths of it: beyond, the thickness is in a wrong unit [chosen]
+_WIDEST = 100.0  # [chosen] largest width of a strap in lengths; a larger one suggests a wrong unit of the thickness
 
 
 @dataclass(frozen=True, kw_only=True)
 class Strap:
-    """What a tendon is made as: one strap, or two alike that share its pull.
+    """A tendon as made: one strap, or two equal ones that share its pull.
 
     Attributes:
-        width: of one of them, m.
-        thickness: of one of them, m.
-        count: how many there are.
-        rest_length: between its pegs where it does not pull, m.
-        material: its name.
-        area: of all of them together, m^2.
-        density: of the material, kg/m^3; None where its sources give none.
+        width: of one strap, m.
+        thickness: of one strap, m.
+        count: number of straps.
+        rest_length: between its pegs without pull, m.
+        material: name.
+        area: total cross-section, m^2.
+        density: of the material, kg/m^3; None if its sources give none.
     """
 
     width: float
@@ -41,23 +41,23 @@ class Strap:
 
     @property
     def mass(self) -> float | None:
-        """Of all of them between their pegs, kg; None where the density is not known."""
+        """Mass of all straps between their pegs, kg; None if the density is unknown."""
         return None if self.density is None else self.density * self.area * self.rest_length
 
 
 def strap_of(design: Design, tendon: Tendon) -> Strap:
-    """The strap of a tendon: as wide as gives its stiffness at small extension.
+    """Return the strap of a tendon, with the width that gives its stiffness at small extension.
 
-    The area is A = k L / E1, with the tendon's stiffness k and resting length L (before any set) and the linear modulus
-    E1 of the strap's material: `make.strap_material`, or else that of the tendon's law, or else tpu-95a. With the
-    tendon's own law that is the design's own area. What is curved in one law and not in the other is not looked at.
+    The area is A = k L / E1, with the tendon's stiffness k and resting length L (without residual strain) and the
+    linear modulus E1 of the strap's material: `make.strap_material`, or else the material of the tendon's law, or else
+    tpu-95a. With the tendon's own law this is the design's own area. Nonlinear terms of the laws are not compared.
 
     Args:
-        design: in SI, with how its parts are made, or none of that for the defaults.
+        design: in SI, with or without a section on how its parts are made.
         tendon: of its structure.
 
     Raises:
-        InputError: a resting length of 0, a stiffness of 0, a material of which no tendon can be made, or a strap more
+        InputError: a resting length of 0, a stiffness of 0, a material that no tendon can be made of, or a strap more
             than a hundred times as wide as long.
 
     Example:
@@ -92,7 +92,7 @@ def strap_of(design: Design, tendon: Tendon) -> Strap:
 
 
 def _material(make: MakeSection, tendon: Tendon) -> MaterialLaw:
-    """What a tendon's straps are made of."""
+    """Return the material law of a tendon's straps."""
     if make.strap_material is not None:
         law = load_law(make.strap_material)
         try:
@@ -106,5 +106,5 @@ def _material(make: MakeSection, tendon: Tendon) -> MaterialLaw:
 
 
 def _density(law: MaterialLaw) -> float | None:
-    """Of the material, kg/m^3; a design keeps a material's law by its name, without what else its sources say."""
+    """Return the density of the material, kg/m^3. Laws in designs lack the facts of their sources."""
     return stock_of(law.name if law.name in named_laws() and not law.facts else law).density

@@ -1,4 +1,4 @@
-"""Mass, centre and inertia of solids, from the triangles around them."""
+"""Mass, centre and inertia of solids, from their surface triangles."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from forficula.make.solid.mesh import MILLIMETRES, Mesh, mesh_of
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MassProperties:
-    """Of a solid, or of several that move as one.
+    """Mass properties of a solid, or of several that move together.
 
     Attributes:
         mass: kg.
@@ -28,16 +28,16 @@ class MassProperties:
     inertia: Array
 
     def about(self, axis: Array, origin: Array) -> float:
-        """Inertia about an axis, a unit vector, (3,), through a place, m, (3,), kg m^2 (Huygens and Steiner)."""
+        """Return the inertia, kg m^2, about an axis, a unit vector, through a point, m, (3,) (Huygens and Steiner)."""
         away = np.cross(axis, self.centre - origin)
         return float(axis @ self.inertia @ axis + self.mass * away @ away)
 
 
 def mesh_properties(mesh: Mesh, density: float) -> MassProperties:
-    """Mass, centre and inertia of what triangles enclose, exact but for rounding.
+    """Return mass, centre and inertia of the volume that triangles enclose, exact up to rounding.
 
-    By the divergence theorem they are sums over the tetrahedra that triangles form with any place, here the middle of
-    the points: of corners a, b, c the volume is V = a . (b x c) / 6, the first moment V (a + b + c) / 4, and the second
+    By the divergence theorem they are sums over the tetrahedra that triangles form with any point, here the mean of the
+    points: for corners a, b, c the volume is V = a . (b x c) / 6, the first moment V (a + b + c) / 4, and the second
     V / 20 ((a + b + c) (a + b + c)' + a a' + b b' + c c').
 
     Args:
@@ -61,25 +61,25 @@ def mesh_properties(mesh: Mesh, density: float) -> MassProperties:
 
 
 def parts_properties(parts: Sequence[Part]) -> MassProperties:
-    """Mass, centre and inertia of parts as one, where they are as built.
+    """Return mass, centre and inertia of parts together, in their built positions.
 
     Raises:
-        InputError: no parts, or one of a material whose sources give no density.
+        InputError: no parts, or a material whose sources give no density.
     """
-    found = []
+    solids = []
     for part in parts:
         if part.stock.density is None:
             raise InputError(
-                f"{part.name}: no mass without a density, and the sources of {part.stock.name} give none; give its"
+                f"{part.name}: needs a density for its mass, but the sources of {part.stock.name} give none; give its"
                 ' material a fact "density"'
             )
-        found.append(mesh_properties(mesh_of(part.shape), part.stock.density))
-    if not found:
+        solids.append(mesh_properties(mesh_of(part.shape), part.stock.density))
+    if not solids:
         raise InputError("need one part or more, got none")
-    mass = sum(each.mass for each in found)
-    centre = np.sum([each.mass * each.centre for each in found], axis=0) / mass
+    mass = sum(solid.mass for solid in solids)
+    centre = np.sum([solid.mass * solid.centre for solid in solids], axis=0) / mass
     inertia = np.zeros((3, 3))
-    for each in found:
-        away = each.centre - centre
-        inertia += each.inertia + each.mass * (away @ away * np.eye(3) - np.outer(away, away))
+    for solid in solids:
+        away = solid.centre - centre
+        inertia += solid.inertia + solid.mass * (away @ away * np.eye(3) - np.outer(away, away))
     return MassProperties(mass=mass, centre=centre, inertia=inertia)

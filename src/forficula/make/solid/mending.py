@@ -1,4 +1,4 @@
-"""What would keep parts from touching in a recorded motion: the same with thinner bars and the like, each tried."""
+"""Changes that may avoid collisions in a recorded motion, such as thinner bars, each of them tried."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from forficula.make.make_parts import make_parts
 from forficula.make.part import PartSet
 from forficula.quantities import show_quantity
 
-# from the hinge, of pegs that are moved nearer to it, m
+# m, largest distance of pegs from the hinge when they are moved nearer to it
 _NEAR = 30e-3
 
 
@@ -27,11 +27,11 @@ class Mending:
     """Parts with other sizes in the same motion.
 
     Attributes:
-        name: of what is tried.
+        name: of the change.
         values: of the design, by key, as text.
-        touches: who touches whom then; None of what cannot be made.
-        states: named states in which anything touches.
-        why: it cannot be made; mostly empty.
+        touches: remaining collisions; None if the parts cannot be made.
+        states: named states in which parts touch.
+        why: reason why the parts cannot be made, else empty.
     """
 
     name: str
@@ -42,15 +42,16 @@ class Mending:
 
     @property
     def first(self) -> Touch | None:
-        """The first one; None where nothing touches, or where it cannot be made."""
+        """First collision; None if there is none, or if the parts cannot be made."""
         return self.touches[0] if self.touches else None
 
 
 def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
-    """Try what may keep parts from touching in a recorded motion, one after another, and then all of it together.
+    """Try changes that may avoid collisions in a recorded motion, one after another, and then all together.
 
-    Bars half as thick, hinges half as wide and as thick, pegs nearer to the hinges and half as thick, rods at the hub
-    half as thick. The motion stays: what other masses, pegs and stiffnesses would do to it is not in it.
+    The changes are bars half as thick, hinges half as wide and as thick, pegs nearer to the hinges and half as thick,
+    and rods at the hub half as thick. The motion is not repeated: effects of other masses, pegs and stiffnesses are
+    ignored.
 
     Args:
         parts: of bars, with joints.
@@ -63,51 +64,51 @@ def mendings(parts: PartSet, record: Record) -> tuple[Mending, ...]:
     ]
     if parts.roots:
         tried.append(("slim roots", {"make.root_diameter": _share(parts, "make.root_diameter")}))
-    tried.append(("all of that", {key: value for _, values in tried for key, value in values.items()}))
-    found = []
+    tried.append(("all changes together", {key: value for _, values in tried for key, value in values.items()}))
+    results = []
     for name, values in tried:
         try:
             other = make_parts(parts.design.with_values(values), "section")
         except InputError as error:
-            found.append(Mending(name=name, values=values, touches=None, why=str(error)))
+            results.append(Mending(name=name, values=values, touches=None, why=str(error)))
         else:
-            found.append(_tried(other, record, name, values))
-    return tuple(found)
+            results.append(_tried(other, record, name, values))
+    return tuple(results)
 
 
 def _tried(parts: PartSet, record: Record, name: str, values: Mapping[str, str]) -> Mending:
-    """Parts in a recorded motion, and in the states that it comes to."""
+    """Return the collisions of changed parts in a recorded motion, and in its named states."""
     pieces = pieces_of(parts)
 
-    def met(rows: Indices | None) -> tuple[Touch, ...]:
+    def collisions_in(rows: Indices | None) -> tuple[Touch, ...]:
         return touches(parts, record, rows, deepest=0, pieces=pieces)
 
-    states = tuple(state for state, row in state_rows(record).items() if met(np.array([row])))
-    return Mending(name=name, values=values, touches=met(None), states=states)
+    states = tuple(state for state, row in state_rows(record).items() if collisions_in(np.array([row])))
+    return Mending(name=name, values=values, touches=collisions_in(None), states=states)
 
 
 def _share(parts: PartSet, key: str, least: float = 0.0, share: float = 0.5) -> str:
-    """A length of a design made smaller, down to a least one that it is not already below."""
+    """Return a reduced length of a design, but not below a minimum unless it is already smaller."""
     value = float(key_value(parts.design, key))
     return show_quantity(max(min(value, least), share * value), SMALL_LENGTH)
 
 
 def _slim_hinges(parts: PartSet) -> dict[str, str]:
     make = parts.joints[0].make
-    # three knuckles of two printed lines and the gaps between them
-    least = 2 * (2 * make.nozzle + make.clearance)
+    # three knuckles of two printed lines each, and the gaps between them
+    least_width = 2 * (2 * make.nozzle + make.clearance)
     return {
-        "make.hinge_width": _share(parts, "make.hinge_width", least),
+        "make.hinge_width": _share(parts, "make.hinge_width", least_width),
         "make.pin_diameter": _share(parts, "make.pin_diameter"),
         "make.hinge_wall": _share(parts, "make.hinge_wall", 2 * make.nozzle),
     }
 
 
 def _near_pegs(parts: PartSet) -> dict[str, str]:
-    """Pegs no further from the hinges than is near."""
-    found = {"make.peg_diameter": _share(parts, "make.peg_diameter")}
+    """Return values with pegs near the hinges."""
+    values = {"make.peg_diameter": _share(parts, "make.peg_diameter")}
     for tendon in dict.fromkeys(parts.structure.tendons[place.tendon].key for place in parts.straps):
         for side in ("proximal", "distal"):
-            now = key_value(parts.design, f"{tendon}.{side}_attachment")
-            found[f"{tendon}.{side}_attachment"] = show_quantity(min(float(now), _NEAR), SMALL_LENGTH)
-    return found
+            attachment = key_value(parts.design, f"{tendon}.{side}_attachment")
+            values[f"{tendon}.{side}_attachment"] = show_quantity(min(float(attachment), _NEAR), SMALL_LENGTH)
+    return values

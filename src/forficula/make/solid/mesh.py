@@ -1,4 +1,4 @@
-"""Solids as meshes, by manifold3d: exact booleans of triangles, in mm."""
+"""Solids as meshes, by manifold3d: exact boolean operations of triangles, in mm."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from forficula.make.solid.solids import Cut, Joined, Prism, Rod, Shared, Solid
 from forficula.pattern.rotation import frame_along
 
 MILLIMETRES = 1e3
-# around a circle: 0.0016 of its radius is what corners stand out, for a polygon of its area
+# corners of a circle; the polygon has the area of the circle, and its corners exceed the radius by 0.0016 of it
 _CORNERS = 72
 _WIDER = math.sqrt((2 * math.pi / _CORNERS) / math.sin(2 * math.pi / _CORNERS))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Mesh:
-    """Triangles around a solid.
+    """Surface triangles of a solid.
 
     Attributes:
         points: mm, (point, 3).
@@ -32,7 +32,7 @@ class Mesh:
 
 
 def solid_of(solid: Solid) -> Manifold:
-    """Evaluate a tree of solids; circles are polygons of their areas."""
+    """Evaluate a tree of solids; circles are polygons of the same area."""
     match solid:
         case Rod():
             return _rod(solid)
@@ -41,28 +41,28 @@ def solid_of(solid: Solid) -> Manifold:
             upright = Manifold.extrude(flat, solid.height * MILLIMETRES)
             return placed(upright, solid.frame, solid.origin - solid.frame[:, 2] * solid.height / 2)
         case Joined():
-            return Manifold.batch_boolean([solid_of(each) for each in solid.solids], OpType.Add)
+            return Manifold.batch_boolean([solid_of(child) for child in solid.solids], OpType.Add)
         case Shared():
-            return Manifold.batch_boolean([solid_of(each) for each in solid.solids], OpType.Intersect)
+            return Manifold.batch_boolean([solid_of(child) for child in solid.solids], OpType.Intersect)
         case Cut():
-            taken = [solid_of(each) for each in solid.taken]
+            taken = [solid_of(child) for child in solid.taken]
             return Manifold.batch_boolean([solid_of(solid.solid), *taken], OpType.Subtract)
 
 
 def placed(solid: Manifold, frame: Array, origin: Array) -> Manifold:
-    """A solid, in mm, turned about the origin, (3, 3), and moved by m, (3,)."""
+    """Return a solid, in mm, rotated about the origin, (3, 3), and moved by m, (3,)."""
     return solid.transform(np.column_stack([frame, origin * MILLIMETRES]))
 
 
 def mesh_of(solid: Manifold) -> Mesh:
-    """The triangles of a solid, in an order that is the same every time."""
-    found = solid.to_mesh64()
-    points, triangles = np.asarray(found.vert_properties)[:, :3], np.asarray(found.tri_verts).astype(np.int64)
-    # as they come out of a file that keeps a millionth of a millimetre, without -0
+    """Return the triangles of a solid in a reproducible order."""
+    raw = solid.to_mesh64()
+    points, triangles = np.asarray(raw.vert_properties)[:, :3], np.asarray(raw.tri_verts).astype(np.int64)
+    # rounded as in files, to a millionth of a millimetre, without -0
     points = np.round(points, 6) + 0.0
     order = np.lexsort(points.T[::-1])
     points, triangles = points[order], np.argsort(order)[triangles]
-    # each begins with its first point
+    # each triangle begins with its first point
     rolled = np.argmin(triangles, axis=1)
     triangles = np.take_along_axis(triangles, (rolled[:, None] + np.arange(3)) % 3, axis=1)
     return Mesh(points=points, triangles=triangles[np.lexsort(triangles.T[::-1])])

@@ -1,4 +1,4 @@
-"""Where bodies are in rows of a record, and which rows tell the whole motion."""
+"""Positions of bodies in rows of a record, and selection of rows that represent the whole motion."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from forficula.structure import built_frames
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PartPoses:
-    """How bodies are placed from where they are built, in some rows of a record.
+    """Motions of bodies from their built positions, in some rows of a record.
 
     Attributes:
         rows: of the record, rising, (row,).
         frames: rotations, (row, body + 1, 3, 3); the last body is the ground, which stays.
-        origins: what is added after them, m, (row, body + 1, 3).
+        origins: translations after the rotations, m, (row, body + 1, 3).
     """
 
     rows: Indices
@@ -29,7 +29,7 @@ class PartPoses:
 
 
 def poses_of(record: Record, rows: Sequence[int] | Indices) -> PartPoses:
-    """How the bodies of a tree are placed in rows of a record, from the angles of its hinges."""
+    """Return the positions of the bodies of a tree in rows of a record, from the angles of its hinges."""
     structure = record.structure
     at = pose(tree_of(structure), record.series["hinge_angle"][np.asarray(rows)])
     origins, frames = built_frames(structure)
@@ -40,28 +40,28 @@ def poses_of(record: Record, rows: Sequence[int] | Indices) -> PartPoses:
 
 
 def telling_rows(record: Record, most: int) -> Indices:
-    """Rows whose poses are furthest from one another: what moves to and fro is looked at once.
+    """Return rows whose poses are as different from each other as possible. Repeated poses are included only once.
 
-    From the first row on, always the row whose hinges are furthest from all that are taken (Gonzalez 1985).
+    From the first row on, the row whose hinge angles are furthest from all selected rows is added (Gonzalez 1985).
 
     Args:
-        record: of which.
-        most: how many.
+        record: of a run.
+        most: largest number of rows.
 
     Returns:
         Rising.
     """
     angles = record.series["hinge_angle"]
-    taken, apart = [0], np.full(len(angles), np.inf)
-    while len(taken) < min(most, len(angles)):
-        apart = np.minimum(apart, np.abs(angles - angles[taken[-1]]).max(axis=1))
+    selected, apart = [0], np.full(len(angles), np.inf)
+    while len(selected) < min(most, len(angles)):
+        apart = np.minimum(apart, np.abs(angles - angles[selected[-1]]).max(axis=1))
         furthest = int(np.argmax(apart))
         if not apart[furthest] > 0:
             break
-        taken.append(furthest)
-    return np.array(sorted(taken), dtype=np.int64)
+        selected.append(furthest)
+    return np.array(sorted(selected), dtype=np.int64)
 
 
 def stage_at(record: Record, time: float) -> StageEnd:
-    """The stage of a record that a time is in; at its end, that which ends."""
+    """Return the stage of a record at a time; at its end, the stage that ends."""
     return next((end for end in record.stages if time <= end.end), record.stages[-1])

@@ -1,4 +1,4 @@
-"""The sections of bars and pegs, which are round with flats: areas, second moments, section moduli."""
+"""Sections of bars and pegs, which are round with flats: areas, second moments, section moduli."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from forficula.arrays import Array
 from forficula.make.hinge.joint import is_level, peg_flats
 from forficula.make.hinge.joint_layout import FLAT, Arm, JointLayout
 
-# corners of an outline at which stress is looked at
+# number of corners of an outline at which stress is evaluated
 _CORNERS = 181
 
 
 @dataclass(frozen=True, kw_only=True)
 class CrossSection:
-    """Of a bar with its flat.
+    """Section of a bar with its flat.
 
     Attributes:
         diameter: m.
         area: m^2.
-        centre: of area above the middle of the circle, towards the flat, m, < 0.
+        centre: height of the centroid above the middle of the circle, towards the flat, m, < 0.
         in_sheet: second moment of area about the normal of the flat, which resists bending in the sheet's plane, m^4.
-        out_of_sheet: alike about the line along the flat through the centre, m^4.
+        out_of_sheet: second moment of area about the line along the flat through the centroid, m^4.
     """
 
     diameter: float
@@ -36,7 +36,7 @@ class CrossSection:
 
     @property
     def least(self) -> float:
-        """The least second moment of area, m^4."""
+        """Smallest second moment of area, m^4."""
         return min(self.in_sheet, self.out_of_sheet)
 
     @property
@@ -46,30 +46,30 @@ class CrossSection:
 
     @cached_property
     def outline(self) -> Array:
-        """Points around it, from one edge of the flat to the other, from its centre, m, (point, 2): along it, up."""
+        """Outline from one edge of the flat to the other, from the centroid, m, (point, 2): along it, up."""
         half = math.acos(FLAT)
         turns = math.pi / 2 + np.linspace(half, 2 * math.pi - half, _CORNERS)
         around: Array = self.diameter / 2 * np.column_stack([np.cos(turns), np.sin(turns)]) - [0.0, self.centre]
         return around
 
     def stress(self, push: float, moments: Array) -> float:
-        """The largest compression or tension in it, Pa.
+        """Return the largest compression or tension in the section, Pa.
 
         Args:
             push: along the bar, N.
-            moments: that bend it in the sheet's plane and out of it, N m, (..., 2).
+            moments: bending moments in the sheet's plane and out of it, N m, (..., 2).
         """
         shares = np.asarray(moments) / [self.in_sheet, self.out_of_sheet]
         return push / self.area + float(np.abs(shares @ self.outline.T).max())
 
 
 def bar_section(diameter: float) -> CrossSection:
-    """The section of a round bar with a flat at `FLAT` of its radius, by the integrals of a circular segment."""
+    """Return the section of a round bar with a flat at `FLAT` of its radius, by the integrals of a circular segment."""
     radius, half = diameter / 2, math.acos(FLAT)
     sine, cosine = math.sin(half), math.cos(half)
-    gone = radius**2 * (half - sine * cosine)
-    area = math.pi * radius**2 - gone
-    # of the segment about the circle's middle, square to the flat and along it
+    segment = radius**2 * (half - sine * cosine)
+    area = math.pi * radius**2 - segment
+    # moments of the segment about the circle's middle, perpendicular to the flat and along it
     first = 2 / 3 * radius**3 * sine**3
     square = radius**4 / 4 * (half - sine * cosine + 2 * sine**3 * cosine)
     along = radius**4 / 4 * (half - sine * cosine - 2 / 3 * sine**3 * cosine)
@@ -84,9 +84,9 @@ def bar_section(diameter: float) -> CrossSection:
 
 
 def peg_modulus(joint: JointLayout, arm: Arm) -> float:
-    """Section modulus of a peg against a pull along its bar, m^3: of a circle with the flats that it is cut with.
+    """Return the section modulus of a peg against a pull along its bar, m^3: of a circle with the flats of the peg.
 
-    The second moment of what is left between heights z about the upright through the middle is the integral of
+    The second moment of the part between heights z about the upright through the middle is the integral of
     2/3 (r^2 - z^2)^(3/2), whose closed form is (z (5 r^2 - 2 z^2) sqrt(r^2 - z^2) + 3 r^4 asin(z / r)) / 12.
     """
     radius = joint.make.peg_diameter / 2

@@ -1,6 +1,6 @@
-"""What parts are shaped of: rods and prisms, and what is joined, cut and shared of them; a tree that kernels evaluate.
+"""Shapes of parts: rods and prisms, and their unions, differences and intersections, as a tree that kernels evaluate.
 
-Lengths in m. It is told once, so that two kernels can make the same of it and be held to one another.
+Lengths in m. Each shape is defined only once, so that two kernels can evaluate the same tree and be compared.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ class Rod:
     """A round bar with flat ends.
 
     Attributes:
-        start: middle of one end, m, (3,).
-        end: middle of the other, m, (3,).
+        start: centre of one end, m, (3,).
+        end: centre of the other, m, (3,).
         diameter: m.
     """
 
@@ -30,7 +30,7 @@ class Rod:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Prism:
-    """A polygon pushed along its normal.
+    """A polygon extruded along its normal.
 
     Attributes:
         outline: corners counterclockwise, seen against the normal, in the axes of the polygon, m, (corner, 2).
@@ -47,14 +47,14 @@ class Prism:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Joined:
-    """All that is in any of them."""
+    """Union of solids."""
 
     solids: tuple[Solid, ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cut:
-    """What is in a solid and in none of those that are taken away."""
+    """A solid minus others."""
 
     solid: Solid
     taken: tuple[Solid, ...]
@@ -62,7 +62,7 @@ class Cut:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Shared:
-    """What is in all of them."""
+    """Intersection of solids."""
 
     solids: tuple[Solid, ...]
 
@@ -71,12 +71,12 @@ Solid = Rod | Prism | Joined | Cut | Shared
 
 
 def joined(*solids: Solid) -> Solid:
-    """All that is in any of them; of one, itself."""
+    """Return the union of solids; of one, the solid itself."""
     return solids[0] if len(solids) == 1 else Joined(solids=solids)
 
 
 def box(low: Sequence[float], high: Sequence[float], origin: Array, frame: Array) -> Prism:
-    """A box with sides along the columns of a frame, between two corners from an origin, m."""
+    """Return a box with sides along the columns of a frame, between two corners relative to an origin, m."""
     (left, front, bottom), (right, back, top) = low, high
     return Prism(
         outline=np.array([[left, front], [right, front], [right, back], [left, back]]),
@@ -87,7 +87,7 @@ def box(low: Sequence[float], high: Sequence[float], origin: Array, frame: Array
 
 
 def band(line: Array, thickness: float) -> Array:
-    """The outline of a strip of even thickness along an open line in a plane, m, (2 corners of the line, 2).
+    """Return the outline of a strip of constant thickness along an open line in a plane, m, (2 corners of the line, 2).
 
     Args:
         line: corners, m, (corner, 2).
@@ -96,7 +96,7 @@ def band(line: Array, thickness: float) -> Array:
     steps = np.diff(line, axis=0)
     steps /= np.linalg.norm(steps, axis=1)[:, None]
     normals = np.column_stack([-steps[:, 1], steps[:, 0]])
-    # at a corner half way between the two, longer by what keeps the thickness of both
+    # at a corner along the bisector of the two normals, longer so that both sides keep their thickness
     mitres = np.vstack([normals[:1], normals[:-1] + normals[1:], normals[-1:]])
     mitres /= np.linalg.norm(mitres, axis=1)[:, None]
     along = np.vstack([normals[:1], normals])
@@ -105,10 +105,10 @@ def band(line: Array, thickness: float) -> Array:
 
 
 def moved(solid: Solid, frame: Array, origin: Array) -> Solid:
-    """A solid turned by a rotation about the origin, (3, 3), and then moved, m, (3,)."""
+    """Return a solid rotated about the origin, (3, 3), and then moved, m, (3,)."""
     match solid:
         case Rod():
-            start, end = (frame @ place + origin for place in (solid.start, solid.end))
+            start, end = (frame @ point + origin for point in (solid.start, solid.end))
             return Rod(start=start, end=end, diameter=solid.diameter)
         case Prism():
             return Prism(
@@ -118,9 +118,9 @@ def moved(solid: Solid, frame: Array, origin: Array) -> Solid:
                 height=solid.height,
             )
         case Joined():
-            return Joined(solids=tuple(moved(each, frame, origin) for each in solid.solids))
+            return Joined(solids=tuple(moved(child, frame, origin) for child in solid.solids))
         case Shared():
-            return Shared(solids=tuple(moved(each, frame, origin) for each in solid.solids))
+            return Shared(solids=tuple(moved(child, frame, origin) for child in solid.solids))
         case Cut():
-            taken = tuple(moved(each, frame, origin) for each in solid.taken)
+            taken = tuple(moved(child, frame, origin) for child in solid.taken)
             return Cut(solid=moved(solid.solid, frame, origin), taken=taken)

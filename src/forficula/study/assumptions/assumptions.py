@@ -1,4 +1,4 @@
-"""A design with one modelling assumption changed at a time: what each does to the verdict, times and works."""
+"""Sensitivity of a result to modelling assumptions, changed one at a time: effect on verdict, times and works."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ from forficula.study.running.runs import half_step, run_each, with_checks
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# a run that says nothing of the structure is repeated at a timestep shorter by this factor, twice at most
+# a run without a conclusive verdict is repeated at a timestep shorter by this factor, at most twice
 _SHORTER, _REPEATS = 4, 2
-# the assumptions of the computation itself, whose runs confirm that of the design
+# assumptions of the computation itself; the runs that change them also confirm the run of the design
 _CHECKS = {"timestep": HALF_STEP, "start": OTHER_START}
 
 
 class Effect(StrEnum):
-    """What a changed assumption changes in a result."""
+    """Effect of a changed assumption on a result."""
 
     VERDICT = "verdict"  # another verdict
     NUMBERS = "numbers"  # a time or a work differs by more than 2 % and by more than its numerical uncertainty
@@ -43,12 +43,12 @@ class Effect(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class TransitionName:
-    """What a transition of a structure is called.
+    """Names of a transition of a structure.
 
     Attributes:
-        name: of its own, such as "fold".
-        time: what its time is called, such as "fold time".
-        noun: what it is called itself, such as "folding" in "work of folding".
+        name: of the transition, such as "fold".
+        time: of its time, such as "fold time".
+        noun: of the process, such as "folding" in "work of folding".
     """
 
     name: str
@@ -62,15 +62,15 @@ class AssumptionRun:
 
     Attributes:
         name: of the assumption; "as designed" for the design itself.
-        label: what is assumed, such as "drives rise over 0.2 s".
-        meaning: what the design assumes, and what is assumed instead, in a sentence.
+        label: the changed assumption, such as "drives rise over 0.2 s".
+        meaning: the assumption of the design and the changed assumption, in a sentence.
         timestep: of the run, s.
-        verdict: what the run came to; undecided where a run at half the timestep has another verdict.
+        verdict: of the run; undecided if a run at half the timestep has another verdict.
         goal: name of the transition that the verdict is about, or "none".
-        word: what the run came to, without its numbers.
-        status: what the run came to, in a few words.
-        times: by transition, from the start of its stage until its goal was reached, s; None where it failed.
-        works: by transition, of the motors over the stage, J; None where the protocol did not get there.
+        word: outcome without its numbers.
+        status: outcome in a few words.
+        times: by transition, from the start of its stage until its goal was reached, s; None if it failed.
+        works: by transition, work of the motors over the stage, J; None if the protocol did not reach the stage.
         effect: of the change.
     """
 
@@ -89,16 +89,16 @@ class AssumptionRun:
 
 @dataclass(frozen=True, kw_only=True)
 class Assumptions(Displayed):
-    """What each modelling assumption of a design does to its result.
+    """Effect of each modelling assumption on the result of a design.
 
     Attributes:
-        design: whose assumptions are changed.
+        design: the design whose assumptions are changed.
         transitions: of its structure, in the order of the protocol.
-        own: the run of the design itself.
-        runs: with one assumption changed each, in the order of `ASSUMPTIONS`.
+        own: run of the unchanged design.
+        runs: runs with one changed assumption each, in the order of `ASSUMPTIONS`.
         left_out: why an assumption does not apply, by its name.
-        uncertainty: numerical uncertainty of times, s, and works, J, of the design itself, by name as in "fold.time";
-            from half the timestep and another start.
+        uncertainty: numerical uncertainty of times (s) and works (J) of the unchanged design, by name as in
+            "fold.time"; from runs at half the timestep and from another start.
         versions: of forficula and of the packages that computed the runs, by name.
     """
 
@@ -133,7 +133,7 @@ class Assumptions(Displayed):
 
     @property
     def verdict(self) -> Annotated[str, Written.FIRST]:
-        """Which assumptions decide the result, in a sentence without its full stop."""
+        """Sentence, without its full stop, that states which assumptions decide the result."""
         unknown = sum(run.effect is Effect.UNKNOWN for run in self.runs)
         tried = counted(len(self.runs), "changed assumption")
         rest = f"; {unknown} of {len(self.runs)} changes have no reliable result" if unknown else ""
@@ -148,19 +148,19 @@ class Assumptions(Displayed):
     def to_xarray(self) -> Dataset:
         """Return the table as a dataset.
 
-        Dimensions are `run`, the design itself first, and `transition`. Variables are `label`, `effect`, `verdict`,
-        `status` and `timestep` (run,), and `time` and `work` (run, transition), SI, nan where there is none.
+        Dimensions are `run` (the unchanged design first) and `transition`. Variables are `label`, `effect`, `verdict`,
+        `status` and `timestep` (run,), and `time` and `work` (run, transition), SI, nan if missing.
         """
         import xarray
 
-        runs, names = (self.own, *self.runs), [each.name for each in self.transitions]
+        runs, names = (self.own, *self.runs), [transition.name for transition in self.transitions]
         words = {
             name: ("run", [str(getattr(run, name)) for run in runs])
             for name in ("label", "effect", "verdict", "status")
         }
         times, works = (
-            [[_or_nan(values[each]) for each in names] for values in every]
-            for every in ([run.times for run in runs], [run.works for run in runs])
+            [[_or_nan(values[name]) for name in names] for values in by_run]
+            for by_run in ([run.times for run in runs], [run.works for run in runs])
         )
         numbers = {
             "time": (("run", "transition"), times, {"unit": "s"}),
@@ -189,17 +189,17 @@ def run_assumptions(
     assumptions: Sequence[Assumption] = ASSUMPTIONS,
     progress: Progress | None = None,
 ) -> Assumptions:
-    """Run a design with one modelling assumption changed at a time, all of them side by side.
+    """Run a design with one modelling assumption changed at a time. All runs are done side by side.
 
-    A run takes the timestep of the design, or a shorter one where the change makes the structure stiffer. A run that
-    says nothing of the structure is repeated at a quarter of its timestep, twice at most. A change of the verdict is
-    confirmed at half the timestep.
+    A run has the timestep of the design, or a shorter one if the change makes the structure stiffer. A run without a
+    conclusive verdict is repeated at a quarter of its timestep, at most twice. A change of the verdict is confirmed at
+    half the timestep.
 
     Args:
-        design: whose assumptions are changed; a timestep "auto" is found first.
+        design: the design whose assumptions are changed. A timestep "auto" is determined first.
         assumptions: to change.
-        progress: called now and then with the runs done and the stage, the time of the stage and the longest it can
-            take, s.
+        progress: called now and then with the number of completed runs and the stage, the time of the stage and its
+            time limit, s.
 
     Raises:
         InputError: the design cannot be built.
@@ -209,28 +209,28 @@ def run_assumptions(
     variants: dict[str, tuple[Assumption, Variant]] = {}
     left_out: dict[str, str] = {}
     for assumption in assumptions:
-        found = variant_of(assumption, stepped)
+        variant = variant_of(assumption, stepped)
         try:
-            if isinstance(found, Variant) and assumption.name not in _CHECKS:
-                found = replace(found, design=_resolving(found.design, stepped))
+            if isinstance(variant, Variant) and assumption.name not in _CHECKS:
+                variant = replace(variant, design=_resolving(variant.design, stepped))
         except InputError as error:
-            found = str(error)
-        if isinstance(found, Variant):
-            variants[assumption.name] = (assumption, found)
+            variant = str(error)
+        if isinstance(variant, Variant):
+            variants[assumption.name] = (assumption, variant)
         else:
-            left_out[assumption.name] = found
+            left_out[assumption.name] = variant
     records = counting.run({"": stepped} | {name: variant.design for name, (_, variant) in variants.items()})
-    own = records.pop("")
-    if isinstance(own, InputError):
-        raise own
+    record = records.pop("")
+    if isinstance(record, InputError):
+        raise record
     checks = {check: records[name] for name, check in _CHECKS.items() if name in records}
-    outcome = measure(with_checks(own, checks))
-    left_out |= {name: str(each) for name, each in records.items() if isinstance(each, InputError)}
-    outcomes = _reliable({name: each for name, each in records.items() if isinstance(each, Record)}, counting)
+    outcome = measure(with_checks(record, checks))
+    left_out |= {name: str(changed) for name, changed in records.items() if isinstance(changed, InputError)}
+    outcomes = _reliable({name: changed for name, changed in records.items() if isinstance(changed, Record)}, counting)
     confirmed = _confirmed(outcomes, outcome, counting)
-    first = _run("as designed", "as designed", "The design itself.", outcome, own)
-    sure = {} if outcome.confirmation is None else outcome.confirmation.uncertainty
-    uncertainty = {name: each[0] for name, each in sure.items() if name.endswith((".time", ".work"))}
+    first = _run("as designed", "as designed", "The design itself.", outcome, record)
+    uncertainties = {} if outcome.confirmation is None else outcome.confirmation.uncertainty
+    uncertainty = {name: half[0] for name, half in uncertainties.items() if name.endswith((".time", ".work"))}
     runs = []
     for name, (assumption, variant) in variants.items():
         if name in confirmed:
@@ -238,21 +238,23 @@ def run_assumptions(
             runs.append(replace(run, effect=effect_of(run, first, uncertainty)))
     return Assumptions(
         design=design,
-        transitions=_names(own.structure),
+        transitions=_names(record.structure),
         own=first,
         runs=tuple(runs),
-        left_out={each.name: left_out[each.name] for each in assumptions if each.name in left_out},
+        left_out={
+            assumption.name: left_out[assumption.name] for assumption in assumptions if assumption.name in left_out
+        },
         uncertainty=uncertainty,
         versions=versions(),
     )
 
 
 def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, float]) -> Effect:
-    """Return what a changed assumption does, beside the numerical uncertainty of the design's own run.
+    """Return the effect of a changed assumption, given the numerical uncertainty of the unchanged design's run.
 
     Args:
         run: with the change.
-        own: of the design itself.
+        own: run of the unchanged design.
         uncertainty: see `Assumptions`.
     """
     if not (run.verdict.tells and own.verdict.tells):
@@ -272,13 +274,13 @@ def effect_of(run: AssumptionRun, own: AssumptionRun, uncertainty: Mapping[str, 
 
 
 class _Counting:
-    """Run batches of designs and count the runs for a progress."""
+    """Run batches of designs and count the runs for the progress callback."""
 
     def __init__(self, progress: Progress | None) -> None:
         self._progress, self._done, self._needed = progress, 0, 0
 
     def stepped(self, design: Design) -> Design:
-        """Return the design with the timestep that a run of it takes."""
+        """Return the design with the timestep that its run uses."""
         if design.protocol.timestep != "auto":
             return design
         record = self.run({"": design})[""]
@@ -287,50 +289,54 @@ class _Counting:
         return design.model_copy(update={"protocol": record.design.protocol})
 
     def run(self, designs: Mapping[str, Design]) -> dict[str, Record | InputError]:
-        """Run designs side by side, by name, and keep of each record only what an outcome needs."""
+        """Run designs side by side, by name, and keep only the part of each record that an outcome needs."""
         self._needed += len(designs)
         names, records = list(designs), {}
-        telling = None if self._progress is None else self._told
-        for number, record in run_each(list(designs.values()), sparse=True, progress=telling):
+        callback = None if self._progress is None else self._report
+        for number, record in run_each(list(designs.values()), sparse=True, progress=callback):
             records[names[number]] = record
             self._done += 1
         return records
 
-    def _told(self, stage: str, time: float, longest: float) -> None:
+    def _report(self, stage: str, time: float, longest: float) -> None:
         if self._progress is not None:
             self._progress(f"{self._done} of {self._needed} runs, {stage}", time, longest)
 
 
 def _resolving(changed: Design, design: Design) -> Design:
-    """The changed design with a timestep that is shorter by as much as its estimate is, where that is too long."""
-    own = float(design.protocol.timestep)
+    """Return the changed design with a shorter timestep if its estimated timestep is shorter than the design's.
+
+    The timestep is reduced by the ratio of the two estimates.
+    """
+    timestep = float(design.protocol.timestep)
     estimates = [
-        float(with_timestep(put(each, "protocol.timestep", "auto")).protocol.timestep) for each in (changed, design)
+        float(with_timestep(put(estimated, "protocol.timestep", "auto")).protocol.timestep)
+        for estimated in (changed, design)
     ]
-    if estimates[0] >= own:
+    if estimates[0] >= timestep:
         return changed
-    return put(changed, "protocol.timestep", own * min(1.0, estimates[0] / estimates[1]))
+    return put(changed, "protocol.timestep", timestep * min(1.0, estimates[0] / estimates[1]))
 
 
 def _reliable(records: dict[str, Record], counting: _Counting) -> dict[str, tuple[Outcome, Record]]:
-    """Outcomes and records by name; those that say nothing are repeated at shorter timesteps."""
+    """Return outcomes and records by name. Runs without a conclusive verdict are repeated at shorter timesteps."""
     outcomes = {name: (measure(record), record) for name, record in records.items()}
     for _ in range(_REPEATS):
-        silent = {name: record for name, (outcome, record) in outcomes.items() if not outcome.verdict.tells}
+        inconclusive = {name: record for name, (outcome, record) in outcomes.items() if not outcome.verdict.tells}
         shorter = {
             name: put(record.design, "protocol.timestep", float(record.design.protocol.timestep) / _SHORTER)
-            for name, record in silent.items()
+            for name, record in inconclusive.items()
             if name not in _CHECKS
         }
-        again = counting.run(shorter) if shorter else {}
-        outcomes |= {name: (measure(each), each) for name, each in again.items() if isinstance(each, Record)}
+        repeated = counting.run(shorter) if shorter else {}
+        outcomes |= {name: (measure(record), record) for name, record in repeated.items() if isinstance(record, Record)}
     return outcomes
 
 
 def _confirmed(
     outcomes: Mapping[str, tuple[Outcome, Record]], own: Outcome, counting: _Counting
 ) -> dict[str, tuple[Outcome, Record]]:
-    """The same, where the verdict is another one held against a run at half the timestep."""
+    """Return the same outcomes, with changed verdicts checked by a run at half the timestep."""
     if not own.verdict.tells:
         return dict(outcomes)
     ending = (own.verdict, own.ending.goal)
@@ -347,7 +353,7 @@ def _confirmed(
 
 
 def _run(name: str, label: str, meaning: str, outcome: Outcome, record: Record) -> AssumptionRun:
-    made = {each.name: outcome.transitions[each.name] for each in record.structure.transitions}
+    transitions = {transition.name: outcome.transitions[transition.name] for transition in record.structure.transitions}
     return AssumptionRun(
         name=name,
         label=label,
@@ -357,12 +363,15 @@ def _run(name: str, label: str, meaning: str, outcome: Outcome, record: Record) 
         goal=outcome.ending.goal,
         word=ending_word(outcome.ending),
         status=outcome.status,
-        times={each: None if found is None else found.time for each, found in made.items()},
-        works={each: _finite(None if found is None else found.work) for each, found in made.items()},
+        times={name: None if transition is None else transition.time for name, transition in transitions.items()},
+        works={
+            name: _finite(None if transition is None else transition.work) for name, transition in transitions.items()
+        },
     )
 
 
 def _names(structure: Structure) -> tuple[TransitionName, ...]:
     return tuple(
-        TransitionName(name=each.name, time=each.wording.time, noun=each.wording.noun) for each in structure.transitions
+        TransitionName(name=transition.name, time=transition.wording.time, noun=transition.wording.noun)
+        for transition in structure.transitions
     )

@@ -1,4 +1,4 @@
-"""Assumptions of a design as JSON, and those that are known of a design without a run."""
+"""Assumptions of a design as JSON, and results that are known without a run."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from forficula.serial import json_text
 from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect, TransitionName
 
 ASSUMPTIONS_FILE = "assumptions.json"
-# of the folder beside that of a run in which the command leaves its results
+# ending of the folder beside that of a run, into which the command writes its results
 FOLDER_ENDING = "-assumptions"
 
 
-def save_assumptions(found: Assumptions, path: Path) -> None:
+def save_assumptions(assumptions: Assumptions, path: Path) -> None:
     """Write assumptions as JSON.
 
     Raises:
         InputError: the file cannot be written.
     """
-    write_text(path, json_text(found))
+    write_text(path, json_text(assumptions))
 
 
 def load_assumptions(path: Path) -> Assumptions:
-    """Read what `save_assumptions` wrote.
+    """Read a file that `save_assumptions` wrote.
 
     Raises:
-        InputError: it cannot be read, or is none.
+        InputError: the file cannot be read, or contains no assumptions.
     """
     try:
         return _assumptions(path.read_text("utf-8"))
@@ -44,24 +44,24 @@ def load_assumptions(path: Path) -> Assumptions:
 
 
 def known_assumptions(design: Design, folder: Path) -> tuple[Assumptions, str] | None:
-    """Return what is known of the assumptions of a design, and where from; None where nothing is.
+    """Return the known assumptions of a design and their source; None if nothing is known.
 
-    Known is what `forficula assumptions` left in the folder of a run or beside it, and what comes with the package. It
-    counts for a design with the same values only.
+    Sources are the results of `forficula assumptions` in the folder of a run or beside it, and files of the package.
+    Only results of a design with the same values are used.
 
     Args:
-        design: that was run.
-        folder: of the run.
+        design: the design of the run.
+        folder: folder of the run.
     """
-    places = (folder, folder.with_name(f"{folder.name}{FOLDER_ENDING}"))
-    for place in places:
-        if (place / ASSUMPTIONS_FILE).is_file():
+    folders = (folder, folder.with_name(f"{folder.name}{FOLDER_ENDING}"))
+    for candidate in folders:
+        if (candidate / ASSUMPTIONS_FILE).is_file():
             try:
-                found = load_assumptions(place / ASSUMPTIONS_FILE)
-            except InputError:  # another file of that name
+                assumptions = load_assumptions(candidate / ASSUMPTIONS_FILE)
+            except InputError:  # another file with this name
                 continue
-            if found.design.hash == design.hash:
-                return found, str(place)
+            if assumptions.design.hash == design.hash:
+                return assumptions, str(candidate)
     for measured in measured_assumptions():
         if measured.design.hash == design.hash:
             return measured, f"measured with forficula {measured.versions['forficula']}"
@@ -70,27 +70,27 @@ def known_assumptions(design: Design, folder: Path) -> tuple[Assumptions, str] |
 
 def measured_assumptions() -> Iterator[Assumptions]:
     """Yield the assumptions of named designs that come with the package."""
-    for entry in sorted(resources.files("forficula.study").joinpath("measured").iterdir(), key=lambda each: each.name):
+    for entry in sorted(resources.files("forficula.study").joinpath("measured").iterdir(), key=lambda file: file.name):
         if entry.name.endswith(".json"):
             yield _assumptions(entry.read_text("utf-8"))
 
 
-def known_text(found: Assumptions, source: str) -> str:
-    """Return which assumptions decide a result, in a sentence, as a run prints it."""
-    tried = counted(len(found.runs), "changed assumption")
-    if not found.deciding:
+def known_text(assumptions: Assumptions, source: str) -> str:
+    """Return a sentence that states which assumptions decide a result, as a run prints it."""
+    tried = counted(len(assumptions.runs), "changed assumption")
+    if not assumptions.deciding:
         return f"Assumptions: none of {tried} changes the verdict ({source})."
-    changes = ", ".join(f"{run.label} ({run.word})" for run in found.deciding)
-    return f"Assumptions that decide the verdict, {len(found.deciding)} of {tried}: {changes} ({source})."
+    changes = ", ".join(f"{run.label} ({run.word})" for run in assumptions.deciding)
+    return f"Assumptions that decide the verdict, {len(assumptions.deciding)} of {tried}: {changes} ({source})."
 
 
 def _assumptions(text: str) -> Assumptions:
     content = json.loads(text)
     return Assumptions(
         design=design_from_text(content["design_file"]),
-        transitions=tuple(TransitionName(**each) for each in content["transitions"]),
+        transitions=tuple(TransitionName(**entry) for entry in content["transitions"]),
         own=_run(content["own"]),
-        runs=tuple(_run(each) for each in content["runs"]),
+        runs=tuple(_run(entry) for entry in content["runs"]),
         left_out=dict(content["left_out"]),
         uncertainty={name.rpartition("_")[0]: float(half) for name, half in content["uncertainty"].items()},
         versions=dict(content["versions"]),

@@ -1,4 +1,4 @@
-"""The choices of a study's table factor by factor, and how many of the grid make their transitions at each."""
+"""Choices in a study's table, grouped by factor, and the number of grid points that succeed at each choice."""
 
 from __future__ import annotations
 
@@ -18,12 +18,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class ChoiceGroup:
-    """The choices of one factor.
+    """Choices of one factor.
 
     Attributes:
-        factor: its name in the table.
-        places: numbers of its choices along "choice", the base's, 0, among them; by rising value where these are
-            numbers.
+        factor: name of the factor in the table.
+        places: indices of its choices along "choice", including 0, the base. Sorted by value if the values are numbers.
     """
 
     factor: str
@@ -31,41 +30,41 @@ class ChoiceGroup:
 
 
 def choice_groups(table: Dataset) -> list[ChoiceGroup]:
-    """The choices factor by factor, in the study's order."""
+    """Return the choices grouped by factor, in the study's order."""
     groups = []
     for name, values in table.coords.items():
         if values.dims != (CHOICE,) or name == CHOICE:
             continue
-        own = values.values[0]
-        places = [0, *(place for place in range(1, values.size) if not _same(values.values[place], own))]
+        base_value = values.values[0]
+        places = [0, *(index for index in range(1, values.size) if not _same(values.values[index], base_value))]
         if values.dtype.kind in "iuf":
-            places.sort(key=lambda place: np.nan_to_num(values.values[place], nan=-np.inf))
+            places.sort(key=lambda index: np.nan_to_num(values.values[index], nan=-np.inf))
         groups.append(ChoiceGroup(factor=str(name), places=tuple(places)))
     return groups
 
 
 def did_first(table: Dataset) -> DataArray:
-    """Whether the first transition is done, with some value where these were searched, over the points' dimensions.
+    """Return whether the first transition succeeds at each point, with any value if values were searched.
 
-    Where there is no transition, whether a run came to its end.
+    Without a transition: whether the run reached its end.
     """
-    if not (asked := asked_transitions(table)):
+    if not (transitions := asked_transitions(table)):
         return table["verdict"] == str(Verdict.REACHED)
-    first = asked[0]
-    # there is no least value where a lesser one was tried and is not to be trusted, and it is done all the same
-    for by in ("torque", "value"):
-        if (name := f"{first.state}_by_{by}") in table:
+    first = transitions[0]
+    # without a least value because a smaller value gave an unreliable run, the transition may still have succeeded
+    for kind in ("torque", "value"):
+        if (name := f"{first.state}_by_{kind}") in table:
             return table[name].any(str(table[name].dims[-1]))
     return table[first.state].astype(bool)
 
 
 def count_first(table: Dataset) -> NDArray[np.int_]:
-    """How many of the grid do the first transition at each choice, shape (choices,)."""
+    """Return the number of grid points at which the first transition succeeds, for each choice, shape (choices,)."""
     return _count(did_first(table))
 
 
 def count_all(table: Dataset) -> NDArray[np.int_] | None:
-    """How many of the grid do all transitions at each choice, shape (choices,); None where that is not asked."""
+    """Return the number of grid points at which all transitions succeed, shape (choices,); None if not studied."""
     transitions = asked_transitions(table)
     if len(transitions) < 2:
         return None
@@ -76,17 +75,17 @@ def count_all(table: Dataset) -> NDArray[np.int_] | None:
 
 
 def _count(done: DataArray) -> NDArray[np.int_]:
-    """How many of the grid did something at each choice."""
+    """Return the number of true grid points for each choice."""
     return np.asarray(done.sum([name for name in done.dims if name != CHOICE]).values)
 
 
 def _same(value: object, other: object) -> bool:
-    """Whether two values are one, or neither is a number."""
+    """Return whether two values are equal, or both not a number."""
     return bool(value == other) or (value != value and other != other)
 
 
 def count_unknown(table: Dataset) -> dict[str, NDArray[np.int_]]:
-    """Of how many it is not known whether they do the first transition, (choice,), by what became of them."""
+    """Return the number of grid points with an unknown outcome of the first transition, (choice,), by outcome."""
     shape = (table.sizes[CHOICE], -1)
     verdicts, words = (table[name].values.astype(str).reshape(shape) for name in ("verdict", "outcome"))
     known = [verdict for verdict in Verdict if verdict.tells]

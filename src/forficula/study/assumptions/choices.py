@@ -1,4 +1,4 @@
-"""Choices of a study that varies its factors one at a time: a value of one factor each, and how they are told."""
+"""Choices of a study that varies its factors one at a time: one changed value each, and their labels."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ CHOICE = "choice"
 
 
 def one_at_a_time(base: Design, factors: Sequence[Factor]) -> tuple[Mapping[str, object], ...]:
-    """The base, then every value of every factor by itself, those left out that the base has.
+    """Return the base, then every value of every factor alone. Values that the base already has are omitted.
 
     Args:
-        base: that is varied.
+        base: the design that is varied.
         factors: with values.
 
     Returns:
-        The value of one factor each, by its key; nothing for the base, which comes first.
+        For each choice, the value of one factor by its key. The first is empty: the base.
     """
     choices: list[Mapping[str, object]] = [{}]
-    there = {base.hash}
+    identities = {base.hash}
     for factor in factors:
         for value in factor.values:
-            name = _design_name(base, factor.key, value)
-            if name not in there:
-                there.add(name)
+            identity = _identity(base, factor.key, value)
+            if identity not in identities:
+                identities.add(identity)
                 choices.append({factor.key: value})
     return tuple(choices)
 
 
-def _design_name(base: Design, key: str, value: object) -> str:
-    """What names the design with a value, or the value where there is no such design: its rows say why."""
+def _identity(base: Design, key: str, value: object) -> str:
+    """Return the hash of the design with a value, or the label of the choice if the design is not allowed."""
     try:
         return with_values(base, {key: value}).hash
     except InputError:
@@ -45,13 +45,13 @@ def _design_name(base: Design, key: str, value: object) -> str:
 
 
 def choice_label(base: Design, choice: Mapping[str, object]) -> str:
-    """A choice in words, such as "hinge.damping = 1e-3 N m s/rad"; the base's is its name."""
+    """Return a choice in words, such as "hinge.damping = 1e-3 N m s/rad"; for the base its name."""
     words = [f"{key} = {value if isinstance(value, str) else as_written(value)}" for key, value in choice.items()]
     return ", ".join(words) or base.name
 
 
 def own_value(base: Design, factor: Factor) -> object:
-    """What the base has for a factor, as a design file has it; where it has nothing, "none", or not a number."""
+    """Return the base's value of a factor, as in a design file; if it has none, "none" or nan."""
     value, quantity = key_value(base, factor.key), key_quantity(factor.key, type(base))
     if value is None:
         return "none" if factor.unit is None else math.nan
@@ -63,7 +63,7 @@ def own_value(base: Design, factor: Factor) -> object:
 
 
 def with_own_word(base: Design, factor: Factor) -> Factor:
-    """The factor with the base's value among its own where that is a word: such values have no unit in common."""
-    quantity, own = key_quantity(factor.key, type(base)), own_value(base, factor)
-    is_word = quantity is not None and own in quantity.words and own not in factor.values
-    return replace(factor, values=(*factor.values, own)) if is_word else factor
+    """Add the base's value to a factor if it is a word. Such values have no common unit."""
+    quantity, base_value = key_quantity(factor.key, type(base)), own_value(base, factor)
+    is_word = quantity is not None and base_value in quantity.words and base_value not in factor.values
+    return replace(factor, values=(*factor.values, base_value)) if is_word else factor

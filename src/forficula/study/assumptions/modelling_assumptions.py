@@ -1,7 +1,7 @@
-"""Modelling assumptions of a design, and what the design is with one of them changed.
+"""Modelling assumptions of a design, and variants of a design in which one of them is changed.
 
-The list `ASSUMPTIONS` is the only place that knows which keys of a design state an assumption. An assumption applies to
-a design that has its key, whatever its structure is.
+Only the list `ASSUMPTIONS` determines which keys of a design state an assumption. An assumption applies to every design
+that has its key, whatever its structure is.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ from forficula.quantities import as_written, show_quantity, show_value
 from forficula.structure import structure_of
 from forficula.study.running.runs import half_step
 
-# [chosen] number of the structure's own times t* over which a slow torque rises; 0.2 s for binder2025. Where no
-# tendon and no spring gives a time t*, a share of the shortest time limit of a driven stage counts, 0.2 s there, too.
+# [chosen] rise time of a slow torque in units of the structure's time scale t*; 0.2 s for binder2025. Without a tendon
+# or spring that defines t*, it is this fraction of the shortest time limit of a driven stage, here again 0.2 s.
 _SLOW, _SHARE = 120, 0.2
 # [chosen] as in binder2025-built: TPU and PETG by their data sheets, air at 20 deg C
 _TPU, _AIR = 1200.0, {"medium.density": 1.2, "medium.viscosity": 1.8e-5}
 _TENDON_LAW = "tpu-82a"
-# [chosen] share of the mass of a plain distal bar that its hinge adds: 1.4 g of 2.5 g in binder2025-built
+# [chosen] mass of a hinge as a fraction of the mass of a plain distal bar: 1.4 g of 2.5 g in binder2025-built
 _HINGE_SHARE = 0.56
 # [chosen] m, from a bar's surface to the middle of the strap on it: 3.1 mm above the axis of a bar of 5 mm
 _STRAP = 0.6e-3
-# [chosen] dry friction as a share of the smallest torque of the protocol: a pin of 2 mm with a coefficient of 0.3 has
-# it under forces of a few newtons
+# [chosen] dry friction as a fraction of the smallest torque of the protocol: that of a pin of 2 mm with a coefficient
+# of 0.3 under forces of a few newtons
 _FRICTION_SHARE = 0.05
 _GRAVITY = 9.81  # m/s^2
 
@@ -49,7 +49,7 @@ class Variant:
     """A design with one modelling assumption changed.
 
     Attributes:
-        label: what is assumed instead, such as "torques rise over 0.2 s".
+        label: the changed assumption, such as "torques rise over 0.2 s".
         design: with the change.
     """
 
@@ -62,9 +62,9 @@ class Assumption:
     """A modelling assumption that can be changed.
 
     Attributes:
-        name: of its own, such as "slow rise".
-        meaning: what the design assumes, and what is assumed instead, in a sentence.
-        change: returns the design with the change, or why the assumption does not apply, as a clause.
+        name: such as "slow rise".
+        meaning: the assumption of the design and the changed assumption, in a sentence.
+        change: returns the design with the change, or a clause that says why the assumption does not apply.
     """
 
     name: str
@@ -73,26 +73,26 @@ class Assumption:
 
 
 def variant_of(assumption: Assumption, design: Design) -> Variant | str:
-    """Return a design with an assumption changed, or why the assumption does not apply to the design, as a clause."""
+    """Return a design with a changed assumption, or a clause that says why the assumption does not apply."""
     try:
-        found = assumption.change(design.settled())
+        variant = assumption.change(design.settled())
     except InputError as error:
         return str(error).removeprefix(f"{design.name}: ")
-    if isinstance(found, Variant):
-        new = [text for text in found.design.idle if text not in design.idle]
-        if new:
-            return new[0]
-        if found.design.hash == design.hash:
+    if isinstance(variant, Variant):
+        idle = [text for text in variant.design.idle if text not in design.idle]
+        if idle:
+            return idle[0]
+        if variant.design.hash == design.hash:
             return "the change has no effect on the design"
-    return found
+    return variant
 
 
 def _values(tables: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """Every value of a design by dotted key; entries of a list by number."""
+    """Yield every value of a design with its dotted key; entries of a list have a number in the key."""
     for name, value in tables.items():
         if isinstance(value, Mapping):
             yield from _values(value, f"{prefix}{name}.")
-        elif isinstance(value, list) and all(isinstance(each, Mapping) for each in value):
+        elif isinstance(value, list) and all(isinstance(item, Mapping) for item in value):
             for number, entry in enumerate(value):
                 yield from _values(entry, f"{prefix}{name}.{number}.")
         else:
@@ -104,20 +104,20 @@ def _has(design: Design, key: str) -> bool:
 
 
 def _value(design: Design, key: str) -> Any:
-    """The value of a key; None where the design does not have it."""
+    """Return the value of a key; None if the design does not have the key."""
     try:
         return key_value(design, key) if _has(design, key) else None
-    except InputError:  # a section that is left out and has no defaults
+    except InputError:  # an optional section without defaults
         return None
 
 
 def _scaled(design: Design, keys: re.Pattern[str], factor: float, what: str) -> Variant | str:
-    """Scale every value that is not 0 of the keys that match."""
-    found = {key: value for key, value in _values(design.si_tables()) if value and keys.fullmatch(key)}
-    if not found:
+    """Scale every value other than 0 whose key matches."""
+    values = {key: value for key, value in _values(design.si_tables()) if value and keys.fullmatch(key)}
+    if not values:
         return f"the design has no {what}"
     label = f"{'half' if factor < 1 else 'twice'} the {what}"
-    return Variant(label=label, design=design.with_values({key: factor * value for key, value in found.items()}))
+    return Variant(label=label, design=design.with_values({key: factor * value for key, value in values.items()}))
 
 
 def _slow_rise(design: Design) -> Variant | str:
@@ -127,33 +127,33 @@ def _slow_rise(design: Design) -> Variant | str:
     scale = scale_of(structure_of(design))
     known = scale is not None and scale.time > 0
     rise = float(f"{min(_SLOW * scale.time if scale and known else _SHARE * min(limits), *limits):.0e}")
-    own = _rises(design)
-    slower = {key: rise for key, value in own.items() if value < rise}
+    rises = _rises(design)
+    slower = {key: rise for key, value in rises.items() if value < rise}
     if not slower:
         return f"the drives rise over {show_value(rise, 's')} or longer already"
-    return Variant(label=f"drives rise over {show_value(rise, 's')}", design=_with_rises(design, slower, own))
+    return Variant(label=f"drives rise over {show_value(rise, 's')}", design=_with_rises(design, slower, rises))
 
 
 def _at_once(design: Design) -> Variant | str:
     rising = {key: 0.0 for key, value in _rises(design).items() if value}
     if not rising:
-        return "the drives come at once already"
-    return Variant(label="drives come at once", design=design.with_values(rising))
+        return "the drives act at full strength at once already"
+    return Variant(label="drives act at full strength at once", design=design.with_values(rising))
 
 
 def _rises(design: Design) -> dict[str, float]:
-    """Times over which drives rise, s, by key: those of the drives of a sheet, or that of all."""
-    own = dict(_values(design.si_tables()))
-    every = float(own["protocol.rise"])
-    drives = {key.rpartition(".")[0] for key in own if re.fullmatch(r"drive\.\d+\.kind", key)}
+    """Return the rise times of drives, s, by key: those of the drives of a sheet, or that of all drives."""
+    values = dict(_values(design.si_tables()))
+    common = float(values["protocol.rise"])
+    drives = {key.rpartition(".")[0] for key in values if re.fullmatch(r"drive\.\d+\.kind", key)}
     if not drives:
-        return {"protocol.rise": every}
-    return {f"{drive}.rise": float(own.get(f"{drive}.rise", every)) for drive in sorted(drives)}
+        return {"protocol.rise": common}
+    return {f"{drive}.rise": float(values.get(f"{drive}.rise", common)) for drive in sorted(drives)}
 
 
-def _with_rises(design: Design, slower: Mapping[str, float], own: Mapping[str, float]) -> Design:
-    """The design with slower drives; driven stages last longer by as much, so that no time limit cuts them off."""
-    longer = max(rise - own[key] for key, rise in slower.items())
+def _with_rises(design: Design, slower: Mapping[str, float], rises: Mapping[str, float]) -> Design:
+    """Return the design with slower drives. Time limits of driven stages are extended by the same time."""
+    longer = max(rise - rises[key] for key, rise in slower.items())
     limits = {
         f"protocol.stages.{number}.time_limit": stage.time_limit + longer
         for number, stage in enumerate(design.protocol.stages)
@@ -171,8 +171,8 @@ def _no_armature(design: Design) -> Variant | str:
 def _tendon_height(design: Design) -> Variant | str:
     if not all(_has(design, key) for key in _OFFSETS):
         return "the tendons end at positions on facets" if _has(design, "tendon") else "the design has no tendons"
-    own = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"tendon(\.\d+)?\.\w+_offset", key)]
-    if any(own):
+    offsets = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"tendon(\.\d+)?\.\w+_offset", key)]
+    if any(offsets):
         return Variant(label="tendons on the bars' axes", design=design.with_values(dict.fromkeys(_OFFSETS, 0.0)))
     height = float(_value(design, "vein.diameter")) / 2 + _STRAP
     label = f"tendons {show_value(height, 'm')} above the bars' axes"
@@ -189,7 +189,7 @@ def _membrane_mass(design: Design) -> Variant | str:
 
 def _tendon_mass(design: Design) -> Variant | str:
     tables = dict(_values(design.si_tables()))
-    tendons = sorted({found[1] for key in tables if (found := re.fullmatch(r"(tendon(\.\d+)?)\.density", key))})
+    tendons = sorted({match[1] for key in tables if (match := re.fullmatch(r"(tendon(\.\d+)?)\.density", key))})
     if not tendons:
         return "the tendons of this design have no key for a mass"
     if any(tables[f"{tendon}.density"] for tendon in tendons):
@@ -241,7 +241,7 @@ def _dry_friction(design: Design) -> Variant | str:
     torques = [value for key, value in _values(design.si_tables()) if re.fullmatch(r"protocol\.\w+_torque", key)]
     smallest = min((value for value in torques if value), default=0.0)
     if not smallest:
-        return "the protocol has no torque, and the dry friction is a share of the smallest torque"
+        return "the protocol has no torque, and the dry friction is a fraction of the smallest torque"
     friction = float(f"{_FRICTION_SHARE * smallest:.2g}")
     label = f"dry friction of {show_quantity(friction, TORQUE)} in every hinge"
     return Variant(label=label, design=design.with_values({"hinge.friction": friction}))
@@ -250,13 +250,13 @@ def _dry_friction(design: Design) -> Variant | str:
 def _contact(design: Design) -> Variant | str:
     if design.protocol.contact:
         return Variant(label="no contact", design=design.with_values({"protocol.contact": False}))
-    return Variant(label="bodies touch", design=design.with_values({"protocol.contact": True}))
+    return Variant(label="contact between bodies", design=design.with_values({"protocol.contact": True}))
 
 
 def _stop_time(design: Design, factor: float) -> Variant | str:
     free = design.model_copy(update={"protocol": design.protocol.model_copy(update={"contact": False})})
     if not math.isfinite(resolving_timestep(structure_of(free))):
-        return "the structure has no stops that take stops.time_constant"
+        return "the structure has no stops that use stops.time_constant"
     label = f"stops of {'half' if factor < 1 else 'twice'} the time constant"
     changed = {"stops.time_constant": factor * design.stops.time_constant}
     return Variant(label=label, design=design.with_values(changed))
@@ -276,7 +276,7 @@ def _other_start(design: Design) -> Variant | str:
 
 
 def _dampings(name: str, parts: str, keys: re.Pattern[str], label: str) -> tuple[Assumption, Assumption]:
-    """Return the assumptions that a chosen viscous damping is half or twice as large."""
+    """Return two assumptions: a chosen viscous damping is half or twice as large."""
 
     def assumption(word: str, amount: str, factor: float) -> Assumption:
         return Assumption(
@@ -296,7 +296,7 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
     ),
     Assumption(
         name="no rise",
-        meaning="The drives rise over a time; instead they come at once.",
+        meaning="The drives rise over a time; instead they act at full strength at once.",
         change=_at_once,
     ),
     Assumption(
@@ -333,7 +333,7 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
     ),
     Assumption(
         name="gravity",
-        meaning="Nothing weighs; instead gravity acts across the sheet, or the inverse.",
+        meaning="There is no gravity; instead gravity acts across the sheet, or the inverse.",
         change=_weight,
     ),
     Assumption(
@@ -348,17 +348,17 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
     ),
     Assumption(
         name="stiffer stops",
-        meaning="Stops give way with a time constant; instead they have half of it.",
+        meaning="Stops yield with a time constant; instead they have half of this time constant.",
         change=lambda design: _stop_time(design, 0.5),
     ),
     Assumption(
         name="softer stops",
-        meaning="Stops give way with a time constant; instead they have twice as much.",
+        meaning="Stops yield with a time constant; instead they have twice this time constant.",
         change=lambda design: _stop_time(design, 2.0),
     ),
     Assumption(
         name="timestep",
-        meaning="The integrator takes the timestep of the design; instead it takes half of it.",
+        meaning="The integrator uses the timestep of the design; instead it uses half of it.",
         change=_half_step,
     ),
     Assumption(
@@ -370,19 +370,19 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
 
 
 def selected(names: Iterable[str] | None) -> tuple[Assumption, ...]:
-    """Return the assumptions of some names, in the order of `ASSUMPTIONS`; all of them for None.
+    """Return the assumptions with these names, in the order of `ASSUMPTIONS`; for None all of them.
 
     Raises:
-        InputError: an unknown name, or none.
+        InputError: an unknown name, or no name.
     """
     if names is None:
         return ASSUMPTIONS
     if isinstance(names, str) or not isinstance(names, Iterable):
         raise InputError(f"need a list of names of assumptions, got {as_written(names)}")
-    wanted, known = list(names), [each.name for each in ASSUMPTIONS]
-    for name in wanted:
+    requested, known = list(names), [assumption.name for assumption in ASSUMPTIONS]
+    for name in requested:
         if name not in known:
             raise InputError(f"need {one_of(known, name)}")
-    if not wanted:
+    if not requested:
         raise InputError("need at least one name of an assumption, got none")
-    return tuple(each for each in ASSUMPTIONS if each.name in wanted)
+    return tuple(assumption for assumption in ASSUMPTIONS if assumption.name in requested)

@@ -1,4 +1,4 @@
-"""Whether a design's timestep, membrane and mesh are fine enough: the same run at several values of one of them."""
+"""Convergence study: the same run at several timesteps, membrane moduli or meshes."""
 
 from __future__ import annotations
 
@@ -35,33 +35,33 @@ from forficula.study.tables.verdict import judge_moves, judge_timestep
 
 Progress = Callable[[int, int, dict[str, Any]], None]
 
-# Rows that a run keeps at most while its stages last: with more, a very short timestep would fill the memory.
+# Largest number of rows of a record. A very short timestep would otherwise fill the memory.
 _MOST_ROWS = 100_000
 
 
 @dataclass(frozen=True, kw_only=True)
 class Convergence(Displayed):
-    """One design at several values of one setting, from coarse to fine, soft to stiff.
+    """Runs of one design at several values of one setting, from coarse to fine or from soft to stiff.
 
     Attributes:
-        design: what ran.
+        design: the design.
         key: `TIMESTEP`, `YOUNGS_MODULUS` or `MESH`.
-        values: timesteps in s, moduli in Pa, or how many times finer the mesh is, (run,).
-        own: the design's own among them.
-        rows: of the membrane's mesh, by run.
-        statuses: what each run came to, in a few words.
-        verdicts: likewise, in a word.
-        transition_times: by transition, from the start of its stage until the last of what its goal bounds has crossed
-            its bound for good, s, nan where it did not, (run,).
-        starts: by transition, when its stage began, s, nan where it did not, (run,).
-        orders: by transition, how its time goes with the timestep; None for another key, or without two times to
+        values: timesteps in s, moduli in Pa, or refinement factors of the mesh, (run,).
+        own: the design's own value, one of `values`.
+        rows: rows of the membrane's mesh, by run.
+        statuses: outcome of each run, in a few words.
+        verdicts: verdict of each run.
+        transition_times: by transition, time from the start of its stage until all that its goal bounds has crossed the
+            bound for the last time, s, nan if the transition failed, (run,).
+        starts: by transition, start time of its stage, s, nan if it did not start, (run,).
+        orders: by transition, how its time depends on the timestep; None for another key, or without two times to
             compare.
         times: of the rows of each run, s, (row,).
-        hinge: number of the hinge that is shown, among those of the first measure, from 0.
-        angles: what that measure reads of it in each run, rad, (row,).
-        tolerance: largest allowed difference from the limit, as a share of it.
-        fine: whether the design's own timestep is; None where that cannot be told, or for another key.
-        verdict: in a sentence.
+        hinge: index of the displayed hinge among those of the first measure, from 0.
+        angles: reading of the first measure at this hinge in each run, rad, (row,).
+        tolerance: largest allowed difference from the limit, as a fraction of the limit.
+        fine: whether the design's own timestep is fine enough; None if this cannot be decided, or for another key.
+        verdict: conclusion, in a sentence.
     """
 
     design: Design
@@ -83,7 +83,7 @@ class Convergence(Displayed):
 
     @property
     def own_verdict(self) -> Verdict:
-        """What the run at the design's own value came to."""
+        """Verdict of the run at the design's own value."""
         return self.verdicts[int(np.flatnonzero(self.values == self.own)[0])]
 
 
@@ -96,28 +96,29 @@ def converge(
     hinge: int | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
-    """Run a design at several timesteps, membrane moduli or meshes and say what that changes.
+    """Run a design at several timesteps, membrane moduli or meshes, and compare the results.
 
-    The design's own value is run, too, whether it is among the values or not.
+    The design's own value is always run, even if it is not in `values`.
 
     Args:
-        design: what to run.
+        design: the design.
         key: `TIMESTEP`, `YOUNGS_MODULUS`, or `MESH`.
-        values: two at least, in any order: s, Pa, or whole numbers by which the spacing of the mesh's rows is divided.
-        tolerance: by how much of its limit a time may be off at a timestep that is fine.
-        hinge: number of the hinge to show, among those of the first measure, from 0; the last if not given, or where
-            there are fewer.
-        progress: called with the runs done, all runs, and the verdict and the word of the last, as a row.
+        values: at least two, in any order: s, Pa, or whole numbers by which the spacing of the mesh's rows is divided.
+        tolerance: a timestep is fine enough if every time deviates from its limit by at most this fraction.
+        hinge: index of the hinge to display, among those of the first measure, from 0. By default, or if there are
+            fewer hinges, the last one.
+        progress: called after each run with the number of completed runs, the number of all runs, and the verdict and
+            the word for the outcome of the last run, as a row.
 
     Raises:
-        InputError: another key, fewer than two values, one of them twice, or one that the design cannot have.
+        InputError: another key, fewer than two values, equal values, or a value that the design does not allow.
     """
     if key not in (TIMESTEP, YOUNGS_MODULUS, MESH):
         raise InputError(f"key: need {TIMESTEP}, {YOUNGS_MODULUS} or {MESH}, got {as_written(key)}")
     check_values(key, values)
     design = resolved(design) if key == TIMESTEP else design
     own = own_value(design, key)
-    # a timestep goes from coarse to fine, the others from soft or coarse on
+    # timesteps are ordered from coarse to fine, the other settings from soft or coarse to stiff or fine
     ordered = sorted([own, *(value for value in values if not same(value, own))], reverse=key == TIMESTEP)
     models = [compile_model(_with_dense_record(resolved(with_value(design, key, value)))) for value in ordered]
     compared = compare_models(models, key, ordered, own, tolerance=tolerance, hinge=hinge, progress=progress)
@@ -134,24 +135,28 @@ def compare_models(
     hinge: int | None = None,
     progress: Progress | None = None,
 ) -> Convergence:
-    """Do as `converge` does with compiled models, one for each value, in the order of the values."""
+    """Do the same as `converge` with compiled models, one for each value, in the order of the values."""
     runs, rows = _run_all(models, hinge, progress), tuple(_row_count(model) for model in models)
-    here = list(values).index(own)
-    transitions = models[here].structure.transitions
-    times = {each.name: np.array([run.transition_times[each.name] for run in runs]) for each in transitions}
-    labels = [each.wording.time for each in transitions]
-    steps, alike = np.array(values, dtype=float), np.array([run.outcome == runs[here].outcome for run in runs])
+    own_index = list(values).index(own)
+    transitions = models[own_index].structure.transitions
+    times = {
+        transition.name: np.array([run.transition_times[transition.name] for run in runs]) for transition in transitions
+    }
+    labels = [transition.wording.time for transition in transitions]
+    steps, alike = np.array(values, dtype=float), np.array([run.outcome == runs[own_index].outcome for run in runs])
     orders: dict[str, OrderFit | None] = dict.fromkeys(times)
     fine: bool | None = None
     if key == TIMESTEP:
-        orders = {name: _fit_where_known(steps, each, alike) for name, each in times.items()}
-        each_time = list(times.values())
-        fine, verdict = judge_timestep(steps, here, runs, alike, labels, each_time, list(orders.values()), tolerance)
+        orders = {name: _fit_where_known(steps, values_at, alike) for name, values_at in times.items()}
+        transition_times = list(times.values())
+        fine, verdict = judge_timestep(
+            steps, own_index, runs, alike, labels, transition_times, list(orders.values()), tolerance
+        )
     else:
         names = [f"{rows[i]} rows" if key == MESH else value_text(key, value) for i, value in enumerate(values)]
-        verdict = judge_moves(names, here, runs, alike, labels, list(times.values()))
+        verdict = judge_moves(names, own_index, runs, alike, labels, list(times.values()))
     return Convergence(
-        design=models[here].design,
+        design=models[own_index].design,
         key=key,
         values=steps,
         own=own,
@@ -159,10 +164,10 @@ def compare_models(
         statuses=tuple(run.status for run in runs),
         verdicts=tuple(run.verdict for run in runs),
         transition_times=times,
-        starts={each.name: np.array([run.starts[each.name] for run in runs]) for each in transitions},
+        starts={transition.name: np.array([run.starts[transition.name] for run in runs]) for transition in transitions},
         orders=orders,
         times=tuple(run.times for run in runs),
-        hinge=runs[here].hinge,
+        hinge=runs[own_index].hinge,
         angles=tuple(run.angle for run in runs),
         tolerance=tolerance,
         fine=fine,
@@ -171,19 +176,19 @@ def compare_models(
 
 
 def _row_count(model: Model) -> int:
-    """Rows of the mesh; 0 where there is none."""
+    """Return the number of rows of the mesh; 0 without a mesh."""
     return row_count(model.design) if model.structure.membranes else 0
 
 
 def _with_dense_record(design: Design) -> Design:
-    """Keep every step, or as many as fit, so that a crossing can be found between two of them."""
+    """Record every step, or as many as allowed, so that crossings can be interpolated between steps."""
     timestep = float(design.protocol.timestep)
     steps = sum(stage.time_limit for stage in design.protocol.stages) / timestep
     return with_values(design, {"protocol.sample_interval": timestep * max(1, math.ceil(steps / _MOST_ROWS))})
 
 
 def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | None) -> list[TimedRun]:
-    """Run all models, those of one topology side by side, and keep of each record only what is needed."""
+    """Run all models, those of the same topology together, and keep only the required part of each record."""
     topologies: dict[int, list[int]] = {}
     for index, model in enumerate(models):
         topologies.setdefault(len(model.mesh.built), []).append(index)
@@ -197,6 +202,6 @@ def _run_all(models: Sequence[Model], hinge: int | None, progress: Progress | No
 
 
 def _fit_where_known(steps: Array, times: Array, alike: Flags) -> OrderFit | None:
-    """A fit over the runs that ended as the design's own does and have a time; None without two of them."""
+    """Fit runs that end like the design's own and have a time; None with fewer than two of them."""
     known = alike & np.isfinite(times)
     return fit_order(steps[known], times[known]) if known.sum() >= 2 else None

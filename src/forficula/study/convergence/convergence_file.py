@@ -1,4 +1,4 @@
-"""Convergence studies in a file, with the curves that their figures show."""
+"""Convergence studies as files, including the curves of their figures."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from forficula.names import ordinal
 from forficula.study.convergence.convergence import Convergence
 from forficula.study.convergence.observed_order import OrderFit
 
-# the hinge of files from before they said which
+# displayed hinge of files of older versions, which do not contain it
 _HINGE = 2
-_CURVES = {"time": ("times", "s"), "angle": ("angles", "of the {hinge} hinge, rad")}
+_CURVES = {"time": ("times", "s"), "angle": ("angles", "angle of the {hinge} hinge, rad")}
 
 
 def save_convergence(convergence: Convergence, path: Path) -> None:
     """Write a convergence study as netCDF.
 
     Raises:
-        InputError: it cannot be written.
+        InputError: the file cannot be written.
     """
     import xarray
 
-    variables = {"value": ("run", convergence.values, {"long_name": "of the setting that is varied, SI"})}
+    variables = {"value": ("run", convergence.values, {"long_name": "value of the varied setting, SI"})}
     for name, times in convergence.transition_times.items():
         variables[f"{name}_time"] = ("run", times, {"long_name": "s"})
         variables[f"{name}_start"] = ("run", convergence.starts[name], {"long_name": "s"})
     hinge = ordinal(convergence.hinge)
     curves = {
-        name: (("run", "row"), _even(getattr(convergence, field)), {"long_name": say.format(hinge=hinge)})
-        for name, (field, say) in _CURVES.items()
+        name: (("run", "row"), _even(getattr(convergence, field)), {"long_name": description.format(hinge=hinge)})
+        for name, (field, description) in _CURVES.items()
     }
     words = {
         "rows": ("run", np.array(convergence.rows)),
@@ -68,7 +68,7 @@ def load_convergence(path: Path) -> Convergence:
     """Read a convergence study that `save_convergence` wrote.
 
     Raises:
-        InputError: it cannot be read, or is none.
+        InputError: the file cannot be read, or contains no convergence study.
     """
     import xarray
 
@@ -106,7 +106,7 @@ def _fit(text: str) -> OrderFit | None:
 
 
 def _even(curves: Sequence[Array]) -> NDArray[np.float32]:
-    """Curves of different lengths in one array, nan after their ends, (run, row); single precision draws them."""
+    """Return curves of different lengths as one array, padded with nan, (run, row), in single precision for figures."""
     table = np.full((len(curves), max(len(curve) for curve in curves)), np.nan, dtype=np.float32)
     for row, curve in zip(table, curves, strict=True):
         row[: len(curve)] = curve

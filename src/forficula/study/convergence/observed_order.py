@@ -1,4 +1,4 @@
-"""How a time goes with the timestep: its limit, and the order at which it gets there."""
+"""Convergence of a time with the timestep: its limit and its observed order."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ import scipy
 from forficula.arrays import Array
 from forficula.serial import Key, Seconds, Written
 
-# Of the integrator, semi-implicit Euler: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, I.1.2.
+# Order of the integrator, semi-implicit Euler: Hairer, Lubich and Wanner, Geometric Numerical Integration, 2006, I.1.2.
 FORMAL_ORDER = 1.0
 _LOWEST_ORDER, _HIGHEST_ORDER = 0.5, 5.0
-# A fit whose residuals are a larger share than this of what the times change by tells no order.
+# No order is reported if the residuals exceed this fraction of the change of the times.
 _SCATTER = 0.05
 _NO_CHANGE = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
 class OrderFit:
-    """The law T(h) = limit + coefficient h^order through times at several timesteps.
+    """Law T(h) = limit + coefficient h^order fitted to times at several timesteps.
 
     Attributes:
         limit: T for h -> 0, s.
         coefficient: s / s^order.
-        order: observed, or the integrator's where none can be told.
-        observed: whether the order is the times' own.
-        reason: why it is not; empty where it is.
+        order: the observed order, or that of the integrator if no order can be observed.
+        observed: whether the order was observed.
+        reason: why no order was observed; empty if it was.
         scatter: standard deviation of the times about the law, s.
     """
 
@@ -41,30 +41,30 @@ class OrderFit:
 
     @property
     def observed_order(self) -> Annotated[float | None, Written.ALWAYS]:
-        """The order where it is the times' own, else None."""
+        """The observed order; None if the integrator's order was assumed."""
         return self.order if self.observed else None
 
     @property
     def assumed_order(self) -> Annotated[float | None, Written.ALWAYS]:
-        """The order where it is the integrator's, else None."""
+        """The integrator's order if it was assumed; None if an order was observed."""
         return None if self.observed else self.order
 
     def time(self, timestep: Array) -> Array:
-        """The law's time at these timesteps, s."""
+        """Return the time of the law at these timesteps, s."""
         return np.asarray(self.limit + self.coefficient * timestep**self.order)
 
 
 def fit_order(timesteps: Array, times: Array) -> OrderFit:
     """Fit T(h) = T0 + C h^p, the law of Richardson's extrapolation, by least squares.
 
-    For every p the best T0 and C are linear, so only p is searched. With three timesteps in a constant ratio it is the
-    textbook p = log((T3 - T2) / (T2 - T1)) / log(ratio); with others and more of them, weighted least squares as in Eça
-    and Hoekstra 2014 (J. Comput. Phys. 262, 104-130, doi 10.1016/j.jcp.2014.01.006). As there, the formal order is
-    taken where the times show none that can be trusted: here the 1 of semi-implicit Euler.
+    For every p the best T0 and C are linear, so only p is searched. With three timesteps in a constant ratio, p is the
+    textbook log((T3 - T2) / (T2 - T1)) / log(ratio). In all other cases, weighted least squares are used, as in Eça
+    and Hoekstra 2014 (J. Comput. Phys. 262, 104-130, doi 10.1016/j.jcp.2014.01.006). As in that paper, the formal order
+    is assumed if the times show no reliable one: here 1, the order of semi-implicit Euler.
 
     Args:
-        timesteps: two at least, all different, s, (run,).
-        times: at them, s, (run,).
+        timesteps: at least two, all different, s, (run,).
+        times: time at each timestep, s, (run,).
     """
     scaled = timesteps / timesteps.max()
     change = float(np.ptp(times))
@@ -94,9 +94,9 @@ def fit_order(timesteps: Array, times: Array) -> OrderFit:
 
 
 def _linear_fit(scaled: Array, times: Array, order: float, fitted: int = 3) -> tuple[float, float, float]:
-    """T0 and C of T0 + C h^p, and the standard deviation about it, where so many of T0, C and p are fitted."""
+    """Return T0 and C of T0 + C h^p, and the standard deviation about it, with `fitted` fitted parameters."""
     powers = np.column_stack([np.ones_like(scaled), scaled**order])
-    # short timesteps count for more, by 1 / h: they are nearer to where the law holds
+    # short timesteps have larger weights, 1 / h, because the law holds for h -> 0
     weights = len(scaled) / scaled / np.sum(1 / scaled)
     root = np.sqrt(weights)
     solution = np.linalg.lstsq(powers * root[:, None], times * root, rcond=None)[0]
@@ -106,7 +106,7 @@ def _linear_fit(scaled: Array, times: Array, order: float, fitted: int = 3) -> t
 
 
 def _best_order(scaled: Array, times: Array) -> float:
-    """The p of the least squares; a coarse search first, for there may be more than one dip."""
+    """Return the p with the least squares. A coarse search comes first, because there may be several minima."""
 
     def misfit(order: float) -> float:
         return _linear_fit(scaled, times, order)[2]

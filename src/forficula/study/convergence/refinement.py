@@ -1,4 +1,4 @@
-"""What a convergence study varies: the timestep, the membrane's modulus or its mesh, and the values these may have."""
+"""Settings that a convergence study varies (timestep, membrane modulus, mesh) and their allowed values."""
 
 from __future__ import annotations
 
@@ -27,28 +27,28 @@ _NUMBER_THEN_UNIT = re.compile(
 
 
 def read_values(key: str, text: str) -> list[float]:
-    """Read values such as "0.5 0.4 ms", or "0.5 ms, 0.4 ms": a number without a unit has that of the next one.
+    """Read values such as "0.5 0.4 ms" or "0.5 ms, 0.4 ms". A number without a unit has the unit of the next number.
 
     Args:
         key: `TIMESTEP`, `YOUNGS_MODULUS`, or `MESH`, whose values are whole numbers without a unit.
-        text: what the user wrote.
+        text: as written by the user.
 
     Returns:
         The values in their order: s, Pa, or numbers.
 
     Raises:
-        InputError: something that is no such list; the caller knows the option.
+        InputError: the text is no such list. The caller adds the option.
     """
     unit = _UNITS.get(key)
     right = f'such as "{_example(key)}"'
     items: list[tuple[str, str]] = []
-    place, stripped = 0, text.strip()
-    while place < len(stripped):
-        match = _NUMBER_THEN_UNIT.match(stripped, place)
+    position, stripped = 0, text.strip()
+    while position < len(stripped):
+        match = _NUMBER_THEN_UNIT.match(stripped, position)
         if match is None:
             raise InputError(f"need numbers with spaces between {right}, got {as_written(text)}")
         items.append((match[1], match[2] or ""))
-        place = match.end()
+        position = match.end()
     following, values = "", []
     for number, written in reversed(items):
         following = written or following
@@ -62,7 +62,7 @@ def read_values(key: str, text: str) -> list[float]:
 
 
 def value_text(key: str, value: float) -> str:
-    """A value as people write it, such as "0.2 ms"."""
+    """Return a value as people write it, such as "0.2 ms"."""
     unit = _UNITS.get(key)
     return show_quantity(value, unit) if unit else f"{value:g}"
 
@@ -78,14 +78,14 @@ def _whole(number: str, unit: str) -> float:
 
 
 def check_values(key: str, values: Sequence[float]) -> None:
-    """Refuse values that cannot be compared.
+    """Reject values that cannot be compared.
 
     Raises:
-        InputError: fewer than two, one of them twice, or one that the key cannot have.
+        InputError: fewer than two values, equal values, or a value that the key does not allow.
     """
     right = f'such as "{_example(key)}"'
     if len(values) < 2:
-        raise InputError(f"need two values at least {right}, got {len(values)}")
+        raise InputError(f"need at least two values {right}, got {len(values)}")
     for value in values:
         shown = value_text(key, value)
         if not 0 < value < math.inf:
@@ -97,15 +97,15 @@ def check_values(key: str, values: Sequence[float]) -> None:
 
 
 def same(one: float, other: float) -> bool:
-    """Tell whether two values are one, written in different units."""
+    """Return whether two values are equal up to the rounding of units."""
     return math.isclose(one, other, rel_tol=_SAME)
 
 
 def own_value(design: Design, key: str) -> float:
-    """The value that a design has itself: s, Pa, or 1 for its own mesh.
+    """Return the design's own value: s, Pa, or 1 for its mesh.
 
     Raises:
-        InputError: it has none.
+        InputError: the design has no such setting.
     """
     section = key.partition(".")[0]
     if section not in type(design).model_fields:
@@ -117,7 +117,7 @@ def own_value(design: Design, key: str) -> float:
 
 
 def with_value(design: Design, key: str, value: float) -> Design:
-    """The design with another timestep, s, or modulus, Pa, or with a mesh so many times finer."""
+    """Return the design with another timestep (s) or modulus (Pa), or with a mesh that is finer by a whole factor."""
     if key != MESH:
         return with_values(design, {key: value})
     times = int(value)
@@ -127,11 +127,11 @@ def with_value(design: Design, key: str, value: float) -> Design:
 
 
 def _divided(shares: Sequence[float], times: int) -> list[float]:
-    """Shares with each gap divided evenly, without the last share, which the mesh has anyway."""
+    """Divide each gap between shares evenly, and omit the last share, which the mesh always has."""
     return [float(share) for low, high in pairwise(shares) for share in np.linspace(low, high, times, endpoint=False)]
 
 
 def row_count(design: Design) -> int:
-    """Rows of the mesh, that at the ring fold and that at the tip among them."""
+    """Return the number of rows of the mesh, including those at the ring fold and at the tip."""
     rows = (key_value(design, f"membrane.{part}_rows") for part in ("proximal", "distal"))
-    return sum(len(each) for each in rows) + 2
+    return sum(len(shares) for shares in rows) + 2

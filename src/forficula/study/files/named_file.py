@@ -1,4 +1,4 @@
-"""Files of studies, goals and observations by name or path, and the design that they start from."""
+"""Load study, goal and observations files by name or path, and the designs that they refer to."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ Built = TypeVar("Built")
 
 @dataclass(frozen=True, kw_only=True)
 class FileKind(Generic[Model]):
-    """A kind of file that commands take by name or path.
+    """A kind of file that commands accept by name or path.
 
     Attributes:
-        word: for one of them, such as "study".
-        several: the same for several of them.
-        package: whose folder `references` has the named ones.
-        model: what such a file may have.
-        texts: of a design that a new file is about, which its examples name; the comment of a table that has the name
-            of one ends with it.
+        word: singular, such as "study".
+        several: plural, such as "studies".
+        package: package whose folder `references` contains the named files.
+        model: keys that such a file may have.
+        texts: texts for a new file about a design, by name. Examples of keys contain them as placeholders; a text with
+            the name of a table is appended to the comment of this table.
     """
 
     word: str
@@ -41,8 +41,8 @@ class FileKind(Generic[Model]):
     texts: Callable[[Design], Mapping[str, str]] = lambda _: {}
 
 
-# of each kind of file a table that no other kind has, and the command that takes it
-_TELLING = {
+# for each kind of file, a table that no other kind has, and the command that reads the file
+_TYPICAL_TABLES = {
     "study": ("factors", "study"),
     "goal": ("objectives", "optimise"),
     "observations file": ("fact", "identify"),
@@ -50,42 +50,42 @@ _TELLING = {
 
 
 def named_files(kind: FileKind[Model]) -> list[str]:
-    """The names of the files of a kind that come with the package."""
+    """Return the names of the files of a kind that the package contains."""
     folder = resources.files(kind.package) / "references"
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
 
 def load_named(name_or_path: object, kind: FileKind[Model], build: Callable[[Model, Path], Built]) -> Built:
-    """Load a named file or a path and build its object. Without `name` in the file, its name is the file's stem.
+    """Load a named file or a file at a path, and build its object. A file without `name` is named by its stem.
 
     Args:
-        name_or_path: as a user gives it.
-        kind: of the file.
-        build: makes what it describes of the file and of the folder that paths in it start from.
+        name_or_path: as a user writes it.
+        kind: kind of the file.
+        build: builds the object from the content of the file and the folder that paths in the file are relative to.
 
     Raises:
-        InputError: no such name or file, not TOML, or what `build` refuses, with the file before it.
+        InputError: unknown name, missing file, invalid TOML, or rejected by `build`. The message begins with the file.
     """
-    given, names = str(as_path(name_or_path, f"a named {kind.word}, or the path of a file")), named_files(kind)
-    if given in names:
-        text, folder = (resources.files(kind.package) / "references" / f"{given}.toml").read_text("utf-8"), Path()
-    elif given.endswith(".toml"):
-        text, folder = read_text(Path(given)), Path(given).parent
+    name, names = str(as_path(name_or_path, f"a named {kind.word}, or the path of a file")), named_files(kind)
+    if name in names:
+        text, folder = (resources.files(kind.package) / "references" / f"{name}.toml").read_text("utf-8"), Path()
+    elif name.endswith(".toml"):
+        text, folder = read_text(Path(name)), Path(name).parent
     else:
         raise InputError(
-            f"{as_written(given)} is neither a named {kind.word} nor a .toml file; the named {kind.several} are"
-            f" {', '.join(names)}{near_name(given, names)}"
+            f"{as_written(name)} is neither a named {kind.word} nor a .toml file; the named {kind.several} are"
+            f" {', '.join(names)}{near_name(name, names)}"
         )
-    with error_prefix(f"{given}: "):
+    with error_prefix(f"{name}: "):
         tables = parse_toml(text, _a(kind.word))
         _check_kind(tables, kind.word)
-        return build(read_part(kind.model, {"name": Path(given).stem, **tables}), folder)
+        return build(read_part(kind.model, {"name": Path(name).stem, **tables}), folder)
 
 
 def _check_kind(tables: Mapping[str, Any], word: str) -> None:
-    """Refuse a file of another kind, for which there is another command."""
-    for other, (table, command) in _TELLING.items():
-        if other != word and table in tables and _TELLING[word][0] not in tables:
+    """Reject a file of another kind and name the command that reads it."""
+    for other, (table, command) in _TYPICAL_TABLES.items():
+        if other != word and table in tables and _TYPICAL_TABLES[word][0] not in tables:
             raise InputError(
                 f"need {_a(word)}, got {_a(other)}, because it has {table}; give it to forficula {command}"
             )
@@ -96,40 +96,40 @@ def _a(what: str) -> str:
 
 
 def base_design(design: str | Design | None, settings: Mapping[str, object], folder: Path) -> Design:
-    """The design that a file is about.
+    """Return the design that a file refers to.
 
     Args:
-        design: itself, its name or its path.
+        design: a design, its name or its path.
         settings: values by key that replace the design's own.
-        folder: that paths start from.
+        folder: folder that paths are relative to.
 
     Raises:
-        InputError: there is none, or a value that is not allowed.
+        InputError: no design, or a value that is not allowed.
     """
     if design is None:
         raise InputError('design: is missing; give the name or path of a design, such as "binder2025"')
     values = settings_of(settings, folder)
     if isinstance(design, Design):
         return settled_by(design, values)
-    called = str(folder / design) if design.endswith(".toml") else design
+    name_or_path = str(folder / design) if design.endswith(".toml") else design
     try:
-        return load_design(called, values)
+        return load_design(name_or_path, values)
     except InputError as error:
-        # what is wrong with the design itself is told as such
-        load_design(called)
+        # an error that the design has without the settings is reported as an error of the design
+        load_design(name_or_path)
         raise InputError(_of_settings(str(error), values)) from None
 
 
 def settings_of(settings: Mapping[str, object], folder: Path) -> dict[str, object]:
-    """The values that a file has under `settings`, with paths that start from a folder."""
+    """Return the values under `settings` of a file, with paths resolved from a folder."""
     return {key: value_from_folder(key, value, folder) for key, value in settings.items()}
 
 
 def settled_by(design: Design, settings: Mapping[str, object]) -> Design:
-    """A design with the values under `settings` of a file.
+    """Apply the values under `settings` of a file to a design.
 
     Raises:
-        InputError: one of them is not allowed, or no key of it.
+        InputError: an unknown key, or a value that is not allowed.
     """
     try:
         return design.with_values(settings)
@@ -138,5 +138,5 @@ def settled_by(design: Design, settings: Mapping[str, object]) -> Design:
 
 
 def _of_settings(error: str, settings: Mapping[str, object]) -> str:
-    """An error with the table that it is about, and its key there."""
+    """Prefix an error with the table `settings`, and with the key if the error is about one of its keys."""
     return f"settings.{error}" if error.startswith(tuple(f"{key}:" for key in settings)) else f"settings: {error}"

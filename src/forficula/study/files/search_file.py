@@ -1,4 +1,4 @@
-"""The search of a study or goal file, read and checked."""
+"""Read and check the table `search` of a study or goal file."""
 
 from __future__ import annotations
 
@@ -17,51 +17,52 @@ from forficula.structure import Drive, Structure, Transition, drive_of, first_st
 from forficula.study.factors import Values, range_values
 from forficula.study.search_steps import Search, SearchStep
 
-_MOST_TORQUES = 1000  # every one of them is a run of every point
+_MOST_TORQUES = 1000  # each value costs one run per point
 
 
 class TorqueSearchTable(Section):
-    """The table `search` of a goal file; DRIVE stands for names of the design's drives, by which keys are checked."""
+    """The table `search` of a goal file. In keys, DRIVE stands for the name of a drive of the design."""
 
     model_config = ConfigDict(extra="allow")
 
     DRIVE_torques: Values = entry(
-        "torques that are tried, rising, in searches for least torques",
+        "rising torques to try when least torques are searched for",
         left_out="the drive's",
         examples=('${first}_torques = "0..50 N cm step 10"', '${second}_torques = "10..100 N cm step 10"'),
     )
     DRIVE_with: Annotated[Any, "N cm"] = entry(
-        "torque of the first drive in searches for least torques of the second",
+        "torque of the first drive while the least torque of the second is searched for",
         left_out="the design's",
         examples=('${first}_with = "50 N cm"',),
     )
-    refinements: Annotated[Whole, Field(le=20)] = entry("how often the last step is halved", 0, at_least=0)
+    refinements: Annotated[Whole, Field(le=20)] = entry(
+        "number of times the last step of a search is halved", 0, at_least=0
+    )
 
 
 class SearchTable(TorqueSearchTable):
     """The table `search` of a study file."""
 
     key: str | None = entry(
-        "key whose least value is searched for, with least-value", left_out="needed", examples=('key = "$key"',)
+        "key whose least value is searched for (least-value)", left_out="needed", examples=('key = "$key"',)
     )
     values: Values = entry(
-        "values that are tried, with least-value",
+        "values to try (least-value)",
         left_out="needed",
         examples=('values = ["$low", "$value", "$high"]',),
     )
     state: str | None = entry(
-        "state that is to be reached, with least-value", left_out="the first", examples=('state = "$state"',)
+        "state that must be reached (least-value)", left_out="the first", examples=('state = "$state"',)
     )
 
 
-def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
+def read_search(ask: str, table: Mapping[str, Any], base: Design) -> Search:
     """Read the table `search` of a study or goal file.
 
     Args:
-        ask: "least-torques", of the first two transitions of the base, with keys such as `fold_torques`, `fold_with`,
-            `unfold_torques`; or "least-value", with `key`, `values` and the `state` that is to be reached.
-        given: the values of the table that are given; torques that are not are those that the drive tries, or ten up
-            to its own.
+        ask: "least-torques" searches for the least torques of the first two transitions of the base, with keys such as
+            `fold_torques`, `fold_with`, `unfold_torques`. "least-value" has `key`, `values` and the `state` to reach.
+        table: the values in the table. Default torques are those that the drive tries, or ten up to the drive's own.
         base: the design that is varied.
 
     Raises:
@@ -72,38 +73,38 @@ def read_search(ask: str, given: Mapping[str, Any], base: Design) -> Search:
         raise InputError(f'ask: "{ask}" needs a design that a protocol drives to a state, got {base.name}')
     start = first_state(structure, structure.stage_states)
     if ask == "least-value":
-        return _value_search(given, base, structure, start)
+        return _value_search(table, base, structure, start)
     first, *others = structure.transitions[:2]
-    names = [f"{each.name}_torques" for each in (first, *others)]
-    check_known(given, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
-    drives = [drive_of(structure, each.drive) for each in (first, *others)]
+    names = [f"{transition.name}_torques" for transition in (first, *others)]
+    check_known(table, (names[0], f"{first.name}_with", *names[1:], "refinements"), "search.")
+    drives = [drive_of(structure, transition.drive) for transition in (first, *others)]
     steps = [
-        _torque_step(each, drive, given, none=each is not first)
-        for each, drive in zip((first, *others), drives, strict=True)
+        _torque_step(transition, drive, table, none=transition is not first)
+        for transition, drive in zip((first, *others), drives, strict=True)
     ]
     if len({step.key for step in steps}) < len(steps):
         raise InputError(
             f'ask: "least-torques" needs transitions with drives of their own, got {steps[0].key} for both'
             f' {first.name} and {others[0].name}; ask "least-value" of one'
         )
-    # with its own torque of the first transition a point is what a run of the same values is
-    own = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)
+    # with the drive's own torque, a point gives the same result as a run of the same values
+    default_torque = format_quantity(abs(drives[0].strength) or steps[0].values[-1], TORQUE)
     name = f"{first.name}_with"
     return Search(
         first=steps[0],
         second=next((step for step in steps[1:] if step.values), None),
-        reference=_rising(name, [given.get(name, own)], TORQUE, none=False)[0],
-        next_drive=next((each.drive for each in others), None),
+        reference=_rising(name, [table.get(name, default_torque)], TORQUE, none=False)[0],
+        next_drive=next((transition.drive for transition in others), None),
         start_state=start,
-        refinements=given.get("refinements", 0),
+        refinements=table.get("refinements", 0),
     )
 
 
-def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
-    """A search for the least value of any key that reaches a state."""
-    check_known(given, ("key", "values", "state", "refinements"), "search.")
+def _value_search(table: Mapping[str, Any], base: Design, structure: Structure, start: str) -> Search:
+    """Return a search for the least value of a key with which a state is reached."""
+    check_known(table, ("key", "values", "state", "refinements"), "search.")
     states = {transition.state: transition for transition in structure.transitions}
-    state, key = given.get("state", next(iter(states))), given.get("key")
+    state, key = table.get("state", next(iter(states))), table.get("key")
     if state not in states:
         raise InputError(f"search.state: need {one_of(list(states), str(state))}")
     if key is None:
@@ -111,7 +112,7 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
     quantity = key_quantity(key, type(base))
     if quantity is None:
         raise InputError(f"search.key: need a key whose value has a unit, got {key}")
-    # refuses entries of lists that there are not
+    # raises an error for list entries that do not exist
     key_value(base, key)
     transition = states[state]
     step = SearchStep(
@@ -120,7 +121,7 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
         state=state,
         done=transition.wording.done,
         key=key,
-        values=_rising("values", given.get("values"), quantity.unit, none=False),
+        values=_rising("values", table.get("values"), quantity.unit, none=False),
         unit=quantity.unit,
     )
     return Search(
@@ -129,11 +130,11 @@ def _value_search(given: Mapping[str, Any], base: Design, structure: Structure, 
         reference=0.0,
         next_drive=None,
         start_state=start,
-        refinements=given.get("refinements", 0),
+        refinements=table.get("refinements", 0),
     )
 
 
-def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any], *, none: bool) -> SearchStep:
+def _torque_step(transition: Transition, drive: Drive, table: Mapping[str, Any], *, none: bool) -> SearchStep:
     name = f"{transition.name}_torques"
     return SearchStep(
         transition=transition.name,
@@ -141,20 +142,20 @@ def _torque_step(transition: Transition, drive: Drive, given: Mapping[str, Any],
         state=transition.state,
         done=transition.wording.done,
         key=drive.key,
-        values=_rising(name, given.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
+        values=_rising(name, table.get(name, drive.tries or _tenths(drive.strength)), TORQUE, none=none),
         unit=TORQUE,
         sign=-1.0 if drive.strength < 0 else 1.0,
     )
 
 
 def _tenths(torque: float) -> list[str]:
-    """Ten torques up to one's size, or none at all."""
+    """Return ten torques up to the size of a torque, or 0 for a torque of 0."""
     torques = [abs(torque) * tenths / 10 for tenths in range(1, 11)] if torque else [0.0]
-    return [format_quantity(each, TORQUE) for each in torques]
+    return [format_quantity(value, TORQUE) for value in torques]
 
 
 def _rising(key: str, given: object, unit: Unit, *, none: bool) -> tuple[float, ...]:
-    """Read values, a list or a range: torques that rise from 0 or more, or those of any key, which may fall, too."""
+    """Read a list or a range: torques rise from 0 or more; values of other keys rise or fall."""
     what = "torques" if unit is TORQUE else "values"
     values = range_values(f"search.{key}", given) if isinstance(given, str) else given
     if not isinstance(values, list | tuple) or not (values or none):

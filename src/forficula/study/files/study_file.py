@@ -1,4 +1,4 @@
-"""Studies in files: named ones, and those of a user."""
+"""Study files: named studies and those of a user."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ from forficula.study.study import Study
 
 
 class PointSampling(Section):
-    """How points are drawn."""
+    """Sampling of points from distributions."""
 
-    method: Literal["random", "sobol"] = entry("how the points are drawn", "sobol")
+    method: Literal["random", "sobol"] = entry("sampling method", "sobol")
     count: Annotated[Whole, Field(le=MOST_VALUES)] = entry(
         "number of points", ..., at_least=1, examples=("count = 64",)
     )
@@ -43,25 +43,27 @@ class PointSampling(Section):
 
 
 class StudyFile(Section):
-    """A study as its file has it."""
+    """Content of a study file."""
 
     about: ClassVar[str] = (
         "A forficula study: every point of its factors is a run of its design; forficula keys --study lists all keys"
     )
 
-    name: FolderName = entry("what outputs call it", "study", left_out="the file's name")
-    source: str = entry("where its values come from", "")
-    reproduces: Annotated[str, AfterValidator(check_paper)] | None = entry("the paper that its maps are set beside")
+    name: FolderName = entry("name of the study in outputs", "study", left_out="the file's name")
+    source: str = entry("source of the values in this file", "")
+    reproduces: Annotated[str, AfterValidator(check_paper)] | None = entry(
+        "paper whose maps are compared with this study"
+    )
     design: DesignName = DESIGN
     ask: Literal["run", "least-torques", "least-value"] = entry(
-        "what is asked of every point: its run, or least torques or values by [search]", "run"
+        "what to compute at every point: a run, or the least torques or least value that [search] defines", "run"
     )
     vary: Literal["grid", "one-at-a-time"] = entry(
-        "whether all values are crossed, or one factor leaves the base", "grid"
+        "combine all values of all factors, or change one factor of the base at a time", "grid"
     )
     settings: Settings = SETTINGS
     factors: Factors = entry(
-        "values that the key takes; several lists or ranges are crossed",
+        "values of the key; all combinations of several lists or ranges are run",
         {},
         left_out="needed",
         examples=(
@@ -70,9 +72,9 @@ class StudyFile(Section):
             '"$key" = { distribution = "uniform", low = "$low", high = "$high" }',
         ),
     )
-    grid: Grid = entry("values that are crossed at every choice of factors that vary one at a time", {})
-    sampling: PointSampling | None = entry("how points are drawn from distributions")
-    search: SearchTable | None = entry('which values are tried, with ask = "least-torques" or "least-value"')
+    grid: Grid = entry("values that are combined with every change (one-at-a-time)", {})
+    sampling: PointSampling | None = entry("sampling of factors that are distributions")
+    search: SearchTable | None = entry('values to try, with ask = "least-torques" or "least-value"')
 
 
 STUDY = FileKind(word="study", several="studies", package="forficula.study", model=StudyFile)
@@ -91,7 +93,7 @@ def load_study(name_or_path: str | Path) -> Study:
 
 
 def study_of(tables: Mapping[str, Any]) -> Study:
-    """Build a study of tables as a file has them, but for `design`, which may be one.
+    """Build a study from tables as in a study file; `design` may be a `Design`.
 
     Raises:
         InputError: an unknown key, or a value that is not allowed.
@@ -100,7 +102,7 @@ def study_of(tables: Mapping[str, Any]) -> Study:
 
 
 def named_studies() -> list[str]:
-    """The names of the studies that come with the package."""
+    """Return the names of the studies that the package contains."""
     return named_files(STUDY)
 
 
@@ -112,7 +114,7 @@ def _study(file: StudyFile, folder: Path) -> Study:
         raise InputError("factors: need either all of them as distributions or none, got both kinds")
     if "vary" in file.model_fields_set and drawn:
         raise InputError(f'vary: needs factors that are lists or ranges, got distributions with "{file.vary}"')
-    if file.vary == "grid":  # otherwise a setting says where the others vary from
+    if file.vary == "grid":  # one at a time, a setting is the value from which a factor is varied
         check_not_settled(file.settings, "factors", factors, base)
     grid = _repeated_grid(file, factors, folder, base)
     if file.sampling is not None and not drawn:
@@ -144,23 +146,23 @@ def _study(file: StudyFile, folder: Path) -> Study:
     )
 
 
-def read_factors(given: Mapping[str, object], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
-    """The factors of a table of a file.
+def read_factors(table: Mapping[str, object], name: str, folder: Path, base: Design) -> tuple[Factor, ...]:
+    """Read a table of factors.
 
     Args:
-        given: the table, by dotted key.
-        name: of the table.
-        folder: that paths start from.
+        table: values by dotted key.
+        name: name of the table.
+        folder: folder that paths are relative to.
         base: the design that is varied.
 
     Raises:
-        InputError: the table is empty, or a value is not allowed, or given twice by two names.
+        InputError: the table is empty, a value is not allowed, or a value is given under two names.
     """
-    if not given:
+    if not table:
         raise InputError(f'{name}: need a table with at least one, such as "tendon.stiffness" = "10..60 N/cm step 10"')
     with error_prefix(f"{name}."):
-        check_keys_once(given, base)
-        factors = [read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in given.items()]
+        check_keys_once(table, base)
+        factors = [read_factor(key, value_from_folder(key, value, folder), type(base)) for key, value in table.items()]
         for factor in factors:
             now, quantity = key_value(base, factor.key), key_quantity(factor.key, factor.model)
             if factor.distribution is not None and quantity is None and not isinstance(now, float):
@@ -169,28 +171,28 @@ def read_factors(given: Mapping[str, object], name: str, folder: Path, base: Des
 
 
 def check_not_settled(settings: Mapping[str, object], name: str, factors: Sequence[Factor], base: Design) -> None:
-    """Refuse a factor whose key is under `settings`, too, where its value there counts for no run.
+    """Reject a factor whose key is also under `settings`, because the setting would have no effect.
 
     Args:
         settings: of the file.
-        name: of the table of the factors.
-        factors: that have a value in every run.
+        name: name of the table of factors.
+        factors: factors that have a value in every run.
         base: the design that is varied.
 
     Raises:
-        InputError: which one is.
+        InputError: the first such factor.
     """
     settled = {numbered_key(base, key): key for key in settings}
     for factor in factors:
         if names_law(factor.key) and NO_LAW in factor.values:
-            continue  # a tendon without a law keeps the stiffness of the one that it had
-        if (twice := settled.get(numbered_key(base, factor.key))) is not None:
-            told = "" if twice == factor.key else f", as {twice}"
-            raise InputError(f"{name}.{factor.key}: is under [settings], too{told}; need it in one of them")
+            continue  # a tendon whose law is removed keeps the stiffness of this law
+        if (other_name := settled.get(numbered_key(base, factor.key))) is not None:
+            alias = "" if other_name == factor.key else f", as {other_name}"
+            raise InputError(f"{name}.{factor.key}: is under [settings], too{alias}; need it in one of them")
 
 
 def _repeated_grid(file: StudyFile, factors: tuple[Factor, ...], folder: Path, base: Design) -> tuple[Factor, ...]:
-    """The factors that are crossed wherever the others, varied one at a time, are."""
+    """Read the factors whose grid is repeated at every change of the factors that vary one at a time."""
     if "grid" not in file.model_fields_set:
         return ()
     if file.vary != "one-at-a-time":
@@ -205,16 +207,18 @@ def _repeated_grid(file: StudyFile, factors: tuple[Factor, ...], folder: Path, b
 
 
 def _search(file: StudyFile, base: Design, factors: Sequence[Factor]) -> Search | None:
-    """What the study looks for, none of which its factors may vary; None where it runs the protocol as it is."""
+    """Read the search of a study and check that no factor is what it searches for; None if it runs the protocol."""
     if file.ask == "run":
         if file.search is not None:
             raise InputError('search: needs ask = "least-torques" or "least-value"')
         return None
-    given = {} if file.search is None else file.search.model_dump(exclude_unset=True)
-    search = read_search(file.ask, given, base)
-    looked_for = {step.key for step in search.steps}
+    table = {} if file.search is None else file.search.model_dump(exclude_unset=True)
+    search = read_search(file.ask, table, base)
+    searched_keys = {step.key for step in search.steps}
     if file.ask == "least-torques":
-        looked_for |= {drive.key for drive in structure_of(base).drives}
-    if taken := looked_for & {factor.key for factor in factors}:
-        raise InputError(f'factors.{min(taken)}: is what "{file.ask}" looks for; give it under [search], or ask "run"')
+        searched_keys |= {drive.key for drive in structure_of(base).drives}
+    if conflicts := searched_keys & {factor.key for factor in factors}:
+        raise InputError(
+            f'factors.{min(conflicts)}: is what "{file.ask}" looks for; give it under [search], or ask "run"'
+        )
     return search

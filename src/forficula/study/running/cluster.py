@@ -1,4 +1,4 @@
-"""Runs on a Dask cluster, and the SLURM job array that runs the shards of a study."""
+"""Run studies on a Dask cluster, and write SLURM job arrays that run the shards of a study."""
 
 from __future__ import annotations
 
@@ -21,55 +21,55 @@ from forficula.study.running.evaluate import evaluate
 from forficula.study.running.journal import Row
 from forficula.study.running.run_study import Evaluate
 
-# A task costs Dask 1.6 ms, which 0.2 s of work make good: less is run here. A chunk is meant to be longer, for its runs
-# share their first stages, and how long they take is known from earlier ones only.
+# A task costs Dask 1.6 ms, so a chunk of less than 0.2 s of work runs in this process. Chunks are meant to be longer,
+# because their runs share their first stages. The time of a run is estimated from earlier runs.
 _LEAST_SECONDS = 0.2
 _CHUNK_SECONDS = 1.0
-# Chunks in the hands of the cluster for every thread that it has: one at work, one that waits.
+# Chunks submitted per thread of the cluster: one that runs and one that waits.
 _AHEAD = 2
 _CONNECT_SECONDS = 3
 _LOOK_SECONDS = 0.05
-# How long a study waits for a worker where all have left.
+# How long a study waits for a worker if none is connected.
 _PATIENCE_SECONDS = 60
 _MOST_SHARDS = 10_000
 
 
 @dataclass
 class _Pace:
-    """How long a run takes on one thread, from those that are done."""
+    """Average time of a run on one thread, from completed runs."""
 
     runs: int = 0
     seconds: float = 0.0
 
     def add(self, done: dict[str, Any], runs: int) -> list[Row]:
-        """Take note of what a chunk of so many runs took, and hand on its rows."""
+        """Record the time of a chunk with a number of runs, and return its rows."""
         self.runs, self.seconds = self.runs + runs, self.seconds + done["seconds"]
         return list(done["rows"])
 
     def runs_in(self, seconds: float) -> int:
-        """How many runs take so long at least."""
+        """Return the number of runs that take at least this time."""
         return math.ceil(seconds / max(self.seconds / self.runs, 1e-4))
 
     def chunk(self, left: int) -> int:
-        """How many runs go out next: all, where those after them would be too few for a chunk."""
+        """Return the size of the next chunk; all runs if too few would remain for another chunk."""
         size = self.runs_in(_CHUNK_SECONDS)
         return left if left - size < self.runs_in(_LEAST_SECONDS) else size
 
 
 @contextmanager
 def dask_cluster(address: str) -> Iterator[Evaluate]:
-    """Connect to a cluster and hand out what `run_study` takes as `cluster`.
+    """Connect to a cluster and yield the function that `run_study` accepts as `cluster`.
 
-    A worker that dies costs the time of its chunk: Dask gives it to another one, and a chunk that keeps killing workers
-    is run here. Each chunk runs on one thread and is meant to take a second, 0.2 s at least; the first runs, which tell
-    how many runs that is, and rounds of a search that take less than 0.2 s, run here.
+    A worker that dies costs the time of its chunk, because Dask gives the chunk to another worker. A chunk that keeps
+    killing workers runs in this process. Each chunk runs on one thread and is meant to take 1 s, at least 0.2 s. The
+    first runs, which measure the time of a run, and rounds of a search that take less than 0.2 s run in this process.
 
     Args:
         address: of the scheduler, such as "tcp://scheduler:8786".
 
     Raises:
-        InputError: Dask is not installed; nothing answers at the address, or it has no workers; later on, the scheduler
-            is gone, all workers have been gone for a minute, or one lacks forficula or has it in other versions.
+        InputError: Dask is not installed; nothing answers at the address, or it has no workers. Later: the scheduler
+            has gone, all workers have been gone for a minute, or a worker lacks forficula or has other versions.
     """
     try:
         from distributed import Client
@@ -80,10 +80,10 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
         client = Client(address, timeout=_CONNECT_SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         why = f"no Dask scheduler answers at {address}: {error}"
-    except AssertionError:  # of Dask's own: its thread did not start within ten seconds
-        why = "Dask cannot start here, the machine is too busy; try again"
+    except AssertionError:  # raised by Dask: its thread did not start within ten seconds
+        why = "Dask cannot start because this machine is too busy; try again"
     if why:
-        # were the client that failed collected while another one starts, it would wait for that one's lock for ever
+        # if the failed client were collected while another one starts, it would wait for that one's lock for ever
         gc.collect()
         raise InputError(f"--dask: {why}")
     with client:
@@ -96,7 +96,7 @@ def dask_cluster(address: str) -> Iterator[Evaluate]:
 
 
 def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design], until_last: bool) -> Iterator[Row]:
-    """Rows in the order in which the cluster finishes them."""
+    """Yield rows in the order in which the cluster finishes them."""
     from distributed import as_completed
 
     left = deque(design_text(design) for design in designs)
@@ -111,7 +111,7 @@ def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design],
         ahead = _AHEAD * max(1, _threads(client, address))
         while left and len(chunks) < ahead:
             texts = [left.popleft() for _ in range(pace.chunk(len(left)))]
-            # two chunks are never one task: a key of its own for each, made from nothing
+            # pure=False: every chunk gets a key of its own, so that two chunks are never one task
             future = client.submit(_run_chunk, texts, until_last, pure=False)
             chunks[future] = texts
             finished.add(future)
@@ -122,21 +122,21 @@ def _evaluate(client: Any, address: str, pace: _Pace, designs: Sequence[Design],
 
 
 def _wait(client: Any, address: str, finished: Any) -> None:
-    """Wait until a chunk is done, but not for ever where nobody is at work."""
-    seen = time.monotonic()
+    """Wait until a chunk is done, but not for ever if there are no workers."""
+    last_seen = time.monotonic()
     while not finished.has_ready():
         if _threads(client, address):
-            seen = time.monotonic()
-        elif time.monotonic() - seen > _PATIENCE_SECONDS:
+            last_seen = time.monotonic()
+        elif time.monotonic() - last_seen > _PATIENCE_SECONDS:
             raise InputError(
                 f"--dask: the scheduler at {address} has had no workers for {_PATIENCE_SECONDS} s;"
-                " the same command goes on where it stood"
+                " the same command continues where it stopped"
             )
         time.sleep(_LOOK_SECONDS)
 
 
 def _threads(client: Any, address: str) -> int:
-    """How many threads the workers have."""
+    """Return the number of threads of all workers."""
     try:
         return sum(client.nthreads().values())
     except OSError:
@@ -144,11 +144,11 @@ def _threads(client: Any, address: str) -> int:
 
 
 def _gone(address: str) -> InputError:
-    return InputError(f"--dask: the scheduler at {address} is gone; the same command goes on where it stood")
+    return InputError(f"--dask: the scheduler at {address} is gone; the same command continues where it stopped")
 
 
 def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
-    """What a chunk's task left, or None where its workers died of it."""
+    """Return the result of a chunk, or None if it killed its workers."""
     from distributed import KilledWorker
 
     if client.status != "running" or future.cancelled():
@@ -160,27 +160,27 @@ def _result(client: Any, address: str, future: Any) -> dict[str, Any] | None:
         raise InputError(f"--dask: a worker cannot run forficula: {type(error).__name__}: {error}")
     done: dict[str, Any] = future.result()
     if done["versions"] != versions():
-        raise InputError(f"--dask: a worker has other versions: {done['versions']} there, {versions()} here")
+        raise InputError(f"--dask: a worker has other versions: {done['versions']}, but this process has {versions()}")
     return done
 
 
 def _run_chunk(texts: Iterable[str], until_last: bool) -> dict[str, Any]:
-    """Run designs on one thread; this is what a worker does."""
+    """Run designs on one thread, in a worker."""
     start = time.perf_counter()
     rows = list(evaluate([design_from_text(text) for text in texts], threads=1, until_last=until_last))
     return {"rows": rows, "seconds": time.perf_counter() - start, "versions": versions()}
 
 
 def slurm_script(study: str, out: str, shards: int) -> str:
-    """Write the text of a job array, one job a shard.
+    """Return the text of a job array with one job per shard.
 
     Args:
-        study: name or path, as the command line takes it.
-        out: folder of the study, on a disk that all machines see.
-        shards: how many jobs.
+        study: name or path, as on the command line.
+        out: folder of the study, on a disk that all machines share.
+        shards: number of jobs.
 
     Raises:
-        InputError: not a sensible number of jobs.
+        InputError: a number of jobs that is not allowed, or a name with a line break or not in UTF-8.
     """
     if not 1 <= shards <= _MOST_SHARDS:
         raise InputError(f"--slurm: need a number of jobs from 1 to {_MOST_SHARDS}, got {shards}")

@@ -1,4 +1,4 @@
-"""Runs to rows: many designs through their protocols, each as a row of plain numbers."""
+"""Run many designs through their protocols, and convert each outcome to a row of plain numbers."""
 
 from __future__ import annotations
 
@@ -27,31 +27,31 @@ from forficula.errors import InputError
 from forficula.study.running.journal import SCHEMA, Row
 from forficula.study.running.runs import check_of, half_step, run_each
 
-# [chosen] of a margin, in [-1, 1]. Calibrated on 200 builds of the reference wing within 10 %
-# (benchmarks/confirmation.py): the rule finds 14 of the 14 verdicts that change between 0.2 and 0.1 ms, with 156
-# repetitions.
+# [chosen] size of a margin, in [-1, 1], below which a verdict is confirmed. Calibrated on 200 builds of the reference
+# wing within 10 % (benchmarks/confirmation.py): the rule finds all 14 verdicts that change between 0.2 and 0.1 ms, with
+# 156 repetitions.
 _SMALL = 0.05
 
 
 def row_key(design: Design, *, whole: bool = False) -> str:
-    """What names a row: every value of the design and its protocol, and whether all of its run was looked at."""
+    """Return the key of a row: it identifies all values of the design, and whether the whole record was evaluated."""
     return f"{SCHEMA}-{design.hash}{'-whole' if whole else ''}"
 
 
 def evaluate(
     designs: Sequence[Design], threads: int = 0, *, until_last: bool = False, whole: bool = False
 ) -> Iterator[Row]:
-    """Run designs and hand on their rows as they finish; the rows do not depend on order, company or threads.
+    """Run designs and yield their rows as they finish. Rows do not depend on order, other designs or threads.
 
-    A design that cannot be built is a row, too, whose status says why. A run whose verdict may depend on the timestep,
-    see `needs_confirmation`, is run again at half the timestep: `confirmed` says whether the verdict was the same, None
-    where that was not tried. Where verdicts differ, the verdict is "undecided", and margins are the lesser ones.
+    A design that cannot be built also has a row; its status says why. A run whose verdict may depend on the timestep
+    (see `needs_confirmation`) is repeated at half the timestep. `confirmed` is whether the verdicts agree; None if the
+    run was not repeated. If they differ, the verdict is "undecided", and each margin is the smaller one.
 
     Args:
-        designs: what to run.
-        threads: 0 for one a core.
-        until_last: as of `run_each`.
-        whole: whether to keep all rows of the records, for what the ends of stages do not tell: see `whole_row`.
+        designs: to run.
+        threads: number of threads; 0 for one per core.
+        until_last: see `run_each`.
+        whole: whether to keep whole records, which the columns of `whole_row` need.
     """
     keys = [row_key(design, whole=whole) for design in designs]
     doubtful: list[tuple[Row, Outcome, Design]] = []
@@ -74,63 +74,64 @@ def evaluate(
 
 
 def _row(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> Row:
-    """What a row has of every run."""
+    """Return the columns that every run has."""
     agree = None if outcome.confirmation is None else outcome.confirmation.agree
     return {
         **outcome_row(outcome),
-        **{margin_column(name): each for name, each in margins.items()},
+        **{margin_column(name): margin for name, margin in margins.items()},
         "confirmed": agree,
         "timestep_s": float(record.design.protocol.timestep),
     }
 
 
 def _confirmed(row: Row, outcome: Outcome, design: Design, half: Record) -> Row:
-    """A row that was held against a run of the same design at half the timestep."""
+    """Return a row after the comparison with a run of the same design at half the timestep."""
     other = measure(half)
-    found = held_against(outcome, [check_of(HALF_STEP, float(half.design.protocol.timestep), other)], design)
-    if found.confirmation is None or found.confirmation.agree:
-        return row | {"confirmed": None if found.confirmation is None else True}
-    margins = {margin_column(name): each for name, each in transition_margins(half, other).items()}
-    least = {name: min(each, float(row[name])) for name, each in margins.items()}
-    return row | outcome_row(found) | least | {"confirmed": False}
+    compared = held_against(outcome, [check_of(HALF_STEP, float(half.design.protocol.timestep), other)], design)
+    if compared.confirmation is None or compared.confirmation.agree:
+        return row | {"confirmed": None if compared.confirmation is None else True}
+    margins = {margin_column(name): margin for name, margin in transition_margins(half, other).items()}
+    least = {name: min(margin, float(row[name])) for name, margin in margins.items()}
+    return row | outcome_row(compared) | least | {"confirmed": False}
 
 
 def outcome_row(outcome: Outcome) -> Row:
-    """An outcome as plain numbers with units in their names; None where there is none, or none is to be trusted.
+    """Return an outcome as plain numbers with units in their names; None if missing or unreliable.
 
-    Of every state that a transition leads to whether it holds, of every transition time and work, and of every state
-    the energy of all tendons, all distances that are watched and what the measure reads furthest from the goal.
+    The row has, for every state that a transition leads to, whether the state holds; for every transition, its time and
+    work; for every state, the energy of all tendons, all recorded distances, and the reading that is furthest from the
+    goal.
     """
-    # of an undecided run all is known but what its second run contradicts
-    tells = outcome.verdict.tells or outcome.verdict is Verdict.UNDECIDED
-    known = {name: tells and held is not None for name, held in outcome.holds.items()}
-    leads = {each.name: each.state for each in outcome.structure.transitions}
+    # for an undecided run everything is known except what its second run contradicts
+    reliable = outcome.verdict.tells or outcome.verdict is Verdict.UNDECIDED
+    known = {name: reliable and held is not None for name, held in outcome.holds.items()}
+    leads = {transition.name: transition.state for transition in outcome.structure.transitions}
     row: Row = {**ending_row(outcome.ending), **outcome.holds}
     for name, transition in outcome.transitions.items():
         row |= _transition(name, transition if known[leads[name]] else None)
     for name, state in outcome.states.items():
-        row |= _state(name, state if known.get(name, tells) else None)
+        row |= _state(name, state if known.get(name, reliable) else None)
     return row
 
 
 def whole_row(record: Record, outcome: Outcome) -> Row:
-    """What only all rows of a record tell: the least package of a named state, and the largest forces of displacements.
+    """Return columns that need the whole record: smallest package of a named state, largest forces of displacements.
 
-    None where there is none, or none is to be trusted.
+    Values are None if missing or unreliable.
     """
     smallest = smallest_package(record) if outcome.verdict.tells else None
     row: Row = {
         "package_area": None if smallest is None else smallest[2].area_ratio,
         "package_height_m": None if smallest is None else smallest[2].height,
     }
-    for name, made in outcome.transitions.items():
-        force = None if made is None or not outcome.verdict.tells else made.largest_force
+    for name, transition in outcome.transitions.items():
+        force = None if transition is None or not outcome.verdict.tells else transition.largest_force
         row[f"{name}_force_N"] = None if force is None else abs(force)
     return row
 
 
 def ending_row(ending: Ending) -> Row:
-    """What a run came to as plain data."""
+    """Return the ending of a run as plain data."""
     residual, transition = ending.residual, ending.transition
     return {
         "status": ending_text(ending),
@@ -138,7 +139,7 @@ def ending_row(ending: Ending) -> Row:
         "outcome": ending_word(ending),
         "goal": ending.goal,
         **_reading("", ending.reading, "angle" if transition is None else transition.kind),
-        # JSON has no number for what is not finite
+        # JSON has no infinity or nan
         "residual": None if residual is None or not np.isfinite(residual) else residual,
     }
 
@@ -150,7 +151,7 @@ def _transition(name: str, transition: TransitionOutcome | None) -> Row:
 
 
 def _state(name: str, state: State | None) -> Row:
-    """What is stored, and the first measure's reading of what is furthest from the goal."""
+    """Return stored energies, distances, and the first measure's reading that is furthest from the goal."""
     if state is None:
         return {f"{name}_energy_J": None}
     energy = {f"{name}_energy_J": stored_energy(state)}
@@ -168,25 +169,25 @@ def _state(name: str, state: State | None) -> Row:
 
 
 def stored_energy(state: State) -> float | None:
-    """Energy of all tendons, J; of a structure without any, what springs and membranes store.
+    """Return the energy of all tendons, J; without tendons, the energy of springs and membranes.
 
-    None of one without tendons that has membranes, whose energy sparse records do not have.
+    None for a structure without tendons but with membranes, because sparse records lack the energy of membranes.
     """
     return float(np.sum(state.tendon_energy)) if len(state.tendon_energy) else whole_energy(state)
 
 
 def whole_energy(state: State) -> float | None:
-    """Energy of tendons, of the springs of hinges, bars and couplings, and of membranes, J.
+    """Return the energy of tendons, of springs of hinges, bars and couplings, and of membranes, J.
 
-    None of one that has membranes, whose energy sparse records do not have.
+    None for a structure with membranes, because sparse records lack their energy.
     """
     parts = (state.tendon_energy, *(getattr(state, f"{kind}_energy") for kind in SPRUNG), state.membrane_energy)
-    stored = sum(float(np.sum(each)) for each in parts if each is not None)
+    stored = sum(float(np.sum(energies)) for energies in parts if energies is not None)
     return stored if np.isfinite(stored) else None
 
 
 def _reading(prefix: str, value: float | None, kind: str) -> Row:
-    """An angle in deg or a distance in m."""
+    """Return an angle in deg or a distance in m."""
     if kind == "distance":
         return {f"{prefix}distance_m": value}
     return {f"{prefix}angle_deg": None if value is None else float(np.degrees(value))}
@@ -195,21 +196,21 @@ def _reading(prefix: str, value: float | None, kind: str) -> Row:
 def needs_confirmation(record: Record, outcome: Outcome, margins: Mapping[str, float]) -> bool:
     """Return whether the verdict of a run may depend on the timestep.
 
-    Verdicts change where a structure slams into its stops and is then released: whether the rest of the motion carries
-    it back over the barrier depends on small differences. They may also change where a transition was made or missed by
-    a small margin.
+    Verdicts change if a structure slams into its stops and is then released, because small differences then decide
+    whether the remaining motion carries it back over the barrier. They may also change if a transition was reached or
+    missed by a small margin.
 
     Args:
-        record: of the run. A record with checks is confirmed already.
+        record: of the run; a record with checks has been confirmed.
         outcome: of the run.
         margins: of the run, by transition.
     """
     if not outcome.verdict.tells or record.checks:
         return False
     released = any(
-        each.stage is not None
-        and each.stage + 1 < len(record.stages)
-        and record.stages[each.stage].goal_time is not None
-        for each in record.structure.transitions
+        transition.stage is not None
+        and transition.stage + 1 < len(record.stages)
+        and record.stages[transition.stage].goal_time is not None
+        for transition in record.structure.transitions
     )
     return released or any(margin > NOT_TRIED and abs(margin) < _SMALL for margin in margins.values())

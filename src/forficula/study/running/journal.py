@@ -1,4 +1,4 @@
-"""The rows of a study on disk: appended as runs finish, whole after any crash."""
+"""Rows of a study on disk, appended as runs finish. A crash leaves the file valid."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from forficula.lock import held
 
 Row = dict[str, Any]
 
-# Raise it when a row's meaning changes: old rows are then refused instead of mixed in.
+# Increase this if the meaning of a row changes: old rows are then rejected instead of mixed with new ones.
 SCHEMA = 5
 _CHECKSUM = "crc32"
 
 
 def read_rows(folder: Path, base: Design) -> dict[str, Row]:
-    """All rows of a study's folder by key, whichever shard or machine wrote them.
+    """Return all rows of a study's folder by key, from all shards and machines.
 
-    A row that is not what was written, for a crash cut it short or a disk or a hand changed it, is left out, and a line
-    on stderr says so: its run is done again.
+    A damaged row, cut short by a crash or changed on disk, is skipped with a warning on stderr. Its run is repeated.
 
     Args:
-        folder: of the study; it need not be there.
+        folder: of the study; it need not exist.
         base: the study's design.
 
     Raises:
-        InputError: a journal cannot be read, or another design or other versions wrote it, and what differs.
+        InputError: a journal cannot be read, or was written for another design or by other versions; the message says
+            what differs.
     """
     rows: dict[str, Row] = {}
     try:
@@ -49,20 +49,20 @@ def read_rows(folder: Path, base: Design) -> dict[str, Row]:
                 signed = True
             elif not signed and isinstance(entry.get("key"), str):
                 raise InputError(
-                    f"{path}: holds rows that do not say which versions wrote them; take another folder for --out"
+                    f"{path}: has rows without the versions that wrote them; choose another folder with --out"
                 )
             elif _is_whole(entry):
                 rows[entry["key"]] = entry
             else:
                 damaged += 1
         if damaged:
-            left_out = "1 damaged row is" if damaged == 1 else f"{damaged} damaged rows are"
-            print(f"warning: {path}: {left_out} left out; runs that are missing are done again", file=sys.stderr)
+            damage = "1 damaged row is" if damaged == 1 else f"{damaged} damaged rows are"
+            print(f"warning: {path}: {damage} skipped; missing runs are repeated", file=sys.stderr)
     return rows
 
 
 def _entries(path: Path) -> Iterator[dict[str, Any]]:
-    """The lines of a journal: rows, and who wrote those that follow; empty where a line is neither."""
+    """Yield the lines of a journal: rows and signatures of those who wrote them; an invalid line is empty."""
     if path.is_symlink() or not path.is_file():
         raise InputError(f"{path}: cannot be read: need a file")
     try:
@@ -80,12 +80,12 @@ def _entries(path: Path) -> Iterator[dict[str, Any]]:
 
 
 def _checksum(row: Mapping[str, Any]) -> int:
-    """Of a row's text, which is the same again when it has been read: any flipped bit changes it."""
+    """Return the checksum of a row's text, which is unchanged by writing and reading; any flipped bit changes it."""
     return zlib.crc32(json.dumps(row, allow_nan=False).encode())
 
 
 def _is_whole(entry: dict[str, Any]) -> bool:
-    """Whether a row is what was written; its checksum is taken out."""
+    """Return whether a row is intact. Its checksum is removed."""
     checksum = entry.pop(_CHECKSUM, None)
     try:
         return isinstance(entry.get("key"), str) and checksum == _checksum(entry)
@@ -94,21 +94,21 @@ def _is_whole(entry: dict[str, Any]) -> bool:
 
 
 def _signature(base: Design) -> dict[str, Any]:
-    """Who writes rows: which design was varied, by which versions."""
+    """Return the identity of a writer of rows: the varied design and the versions."""
     return {"schema": SCHEMA, "design": base.name, "design_hash": base.hash, **versions()}
 
 
-def _check_signature(path: Path, theirs: Mapping[str, Any], ours: Mapping[str, Any]) -> None:
-    # the hash tells designs apart; what they are called is for people
+def _check_signature(path: Path, in_file: Mapping[str, Any], current: Mapping[str, Any]) -> None:
+    # designs are distinguished by their hash; their names are not compared
     differing = [
-        f"{name} {theirs.get(name)} there, {ours.get(name)} now"
-        for name in sorted({*theirs, *ours} - {"design"})
-        if theirs.get(name) != ours.get(name)
+        f"{name} {in_file.get(name)} in the file, {current.get(name)} now"
+        for name in sorted({*in_file, *current} - {"design"})
+        if in_file.get(name) != current.get(name)
     ]
     if differing:
         raise InputError(
-            f"{path}: holds rows of another design or other versions: {'; '.join(differing)};"
-            " take another folder for --out"
+            f"{path}: has rows of another design or other versions: {'; '.join(differing)};"
+            " choose another folder with --out"
         )
 
 
@@ -128,10 +128,10 @@ class Journal:
         self._write({**row, _CHECKSUM: _checksum(row)})
 
     def sign(self, base: Design) -> None:
-        """Write who writes the rows that follow.
+        """Write the identity of the writer of the following rows.
 
         Raises:
-            InputError: as of `append`.
+            InputError: see `append`.
         """
         self._write({"written_by": _signature(base)})
 
@@ -145,39 +145,41 @@ class Journal:
 
 @contextmanager
 def open_journal(folder: Path, base: Design, shard: tuple[int, int]) -> Iterator[Journal]:
-    """Open the journal that a shard of a study appends to; its first line says who writes it.
+    """Open the journal of a shard of a study for appending; its first line identifies the writer.
 
-    One process at a time has it: a second one would only do the same runs, for hours, so it is refused at once.
+    Only one process at a time may open it. A second one would only repeat the same runs, so it is rejected at once.
 
     Args:
-        folder: of the study; made where it is missing.
+        folder: of the study; created if missing.
         base: the study's design.
-        shard: number, from 1 on, and count.
+        shard: number, from 1, and count.
 
     Raises:
-        InputError: it cannot be written, is a link, or another process has it.
+        InputError: the file cannot be written, is a link, or is used by another process.
     """
     number, count = shard
     path = folder / ("journal.jsonl" if count == 1 else f"journal-{number}-of-{count}.jsonl")
     with ExitStack() as stack:
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            taken = stack.enter_context(held(folder / f".{path.name}.lock", wait=False))
+            locked = stack.enter_context(held(folder / f".{path.name}.lock", wait=False))
         except OSError as error:
             raise InputError(f"{path}: cannot be written: {error.strerror}") from None
-        if taken is False:
+        if locked is False:
             what = "this study" if count == 1 else f"shard {number}/{count} of this study"
-            raise InputError(f"{path}: another process is running {what} there; wait for it, or take another folder")
+            raise InputError(
+                f"{path}: another process is running {what} in this folder; wait for it, or choose another folder"
+            )
         file = open_to_append(path)
         try:
             journal = Journal(file, path)
             if file.tell():
-                # a line that a crash cut short must not swallow the next one
+                # a line that a crash cut short must not merge with the next one
                 file.write(b"\n")
             if not any("written_by" in entry for entry in _entries(path)):
                 journal.sign(base)
             yield journal
         finally:
-            # every row is flushed as it is appended: what a full disk leaves in the buffer has been told of
+            # every row was flushed when it was appended: an error of a full disk has been reported already
             with suppress(OSError):
                 file.close()

@@ -1,4 +1,4 @@
-"""Runs of a study that are kept whole, so that they can be played: which, and where they lie."""
+"""Whole records of a study's runs, kept so that they can be played: selection and folders."""
 
 from __future__ import annotations
 
@@ -35,29 +35,30 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int, Row], None]
 
-# Points whose runs are kept where nothing else is said.
+# Default number of points whose runs are kept.
 MOST_POINTS = 100
-# Runs side by side: a whole record of each is in memory until it is written.
+# Number of runs side by side: each whole record is in memory until it is written.
 _BATCH = 48
 _FOLDER = "runs"
-# as a folder of ours is named, and as earlier versions named one that they were writing
+# names of folders of kept runs, and of folders that earlier versions named so while they wrote them
 _NAME = re.compile(r"\d+(-[a-z]+)?")
 _UNFINISHED = re.compile(r"\.\d+(-[a-z]+)?-\w+")
-# A row for every motion by this share of the size of the whole, and for every so many seconds.
+# A row is kept for every motion by this fraction of the size of the structure, and for every interval of this length,
+# s.
 _SHARE_OF_SIZE = 0.005
 _LONGEST_GAP = 5e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class RunToKeep:
-    """A run of a study that is worth a record.
+    """A run of a study whose record is to be kept.
 
     Attributes:
-        point: number of the study's point, from 0 on.
-        part: what its transition does, such as "folding" or "opening", of a search; "run" of a plain study.
-        name: of its folder: the row of `table.csv`, from 1 on, and the part.
-        design: what to run.
-        transition: number of the transition that a search made it for; None where it is for all of them.
+        point: index of the study's point, from 0.
+        part: for a search, the process of its transition, such as "folding" or "opening"; "run" for a plain study.
+        name: of its folder: the row of `table.csv`, from 1, and the part.
+        design: to run.
+        transition: index of the transition for which a search did this run; None if it is for all of them.
     """
 
     point: int
@@ -72,12 +73,12 @@ class KeptRun:
     """A run with its record.
 
     Attributes:
-        point: number of the study's point, from 0 on.
-        part: as of `RunToKeep`.
-        folder: where it lies, within the study's folder.
-        record: with the rows that `thin_record` leaves.
-        outcome: with the same bits as in the study's table.
-        transition: as of `RunToKeep`.
+        point: index of the study's point, from 0.
+        part: see `RunToKeep`.
+        folder: path within the study's folder.
+        record: with the rows that `thin_record` keeps.
+        outcome: bitwise the same as in the study's table.
+        transition: see `RunToKeep`.
     """
 
     point: int
@@ -89,17 +90,17 @@ class KeptRun:
 
 
 def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[RunToKeep]:
-    """Choose the runs that the numbers of a table come from.
+    """Choose the runs from which the numbers of a table come.
 
-    Of a plain study that is the run of each point. Of a search it is the first transition with
-    the least value that does it, and the release, and the second with the least value that does that, from where the
-    search's reference value left the first; where no value worked, the last that was tried, which shows why.
+    For a plain study, this is the run of each point. For a search, these are the release after the first transition
+    with its least successful value, and the second transition with its own least successful value, starting from the
+    state that the search's reference value leads to. If no value succeeds, it is the last one tried, which shows why.
 
     Args:
-        study: what was asked.
-        table: what came out.
-        most: points at most. Where there are more, only those count that did the first transition, spread evenly
-            over the study.
+        study: the study.
+        table: its result.
+        most: largest number of points. If there are more, points whose first transition succeeds are chosen, spread
+            evenly over the study.
 
     Raises:
         InputError: `most` is no whole number, or below 0.
@@ -112,14 +113,14 @@ def runs_to_keep(study: Study, table: Dataset, most: int = MOST_POINTS) -> list[
             design = point_design(study.base, study.points[point], study.search)
         except InputError:  # its row says why
             continue
-        for part, transition, each in _parts(study, structure, table, point, design):
+        for part, transition, run_design in _parts(study, structure, table, point, design):
             name = f"{point + 1:0{width}d}{'' if part == 'run' else f'-{part}'}"
-            runs.append(RunToKeep(point=point, part=part, name=name, design=each, transition=transition))
+            runs.append(RunToKeep(point=point, part=part, name=name, design=run_design, transition=transition))
     return runs
 
 
 def check_most(most: int) -> None:
-    """Refuse a number of points that is none, before a study that takes a while.
+    """Reject an invalid number of points before a study that takes a while.
 
     Raises:
         InputError: it is no whole number, or below 0.
@@ -131,20 +132,20 @@ def check_most(most: int) -> None:
 def kept_runs(
     runs: Sequence[RunToKeep], out: str | Path, *, threads: int = 0, progress: Progress | None = None
 ) -> Iterator[KeptRun]:
-    """Run again what `runs_to_keep` chose, leave each in a folder of its own, and hand them on one after another.
+    """Repeat the runs that `runs_to_keep` chose, write each to a folder of its own, and yield them one by one.
 
-    A run that is there is read, not run; stopped or killed, the same call goes on. Each folder, such as
-    `runs/07-folding`, is that of a run, without its figures. Kept runs that are not among these, or that other versions
-    made, are removed. Runs are deterministic: their outcomes are those of the table.
+    A run whose folder exists is read, not repeated, so an interrupted call can be continued by the same call. Each
+    folder, such as `runs/07-folding`, is the folder of a run without its figures. Kept runs that are not in `runs`, or
+    that other versions wrote, are removed. Runs are deterministic: their outcomes equal those of the table.
 
-    One process at a time keeps runs in a folder. Another one waits, which takes minutes at most, and of the same study
-    finds all of them there: shards that end together need no care.
+    Only one process at a time keeps runs in a folder. Another one waits, for minutes at most, and then finds the runs
+    of the same study there, so shards may end at the same time.
 
     Args:
         runs: to keep.
         out: folder of the study.
-        threads: 0 for one a core.
-        progress: called after every run with the runs that are there, all of them, and the run's row.
+        threads: number of threads; 0 for one per core.
+        progress: called after every run with the number of kept runs, the number of all runs, and the run's row.
 
     Raises:
         InputError: the folder cannot be written.
@@ -154,11 +155,11 @@ def kept_runs(
         clear_leftovers(folder)
         for run in runs:
             clear_leftovers(folder / run.name)
-        there = [run for run in runs if holds_run(folder / run.name, row_key(run.design))]
-        names = {run.name for run in there}
+        existing = [run for run in runs if holds_run(folder / run.name, row_key(run.design))]
+        names = {run.name for run in existing}
         _remove_others(folder, names)
         missing = [run for run in runs if run.name not in names]
-        for run in there:
+        for run in existing:
             try:
                 record = read_run(folder / run.name)
             except InputError:
@@ -177,7 +178,7 @@ def kept_runs(
 
 @contextmanager
 def _alone(out: Path, needed: bool) -> Iterator[None]:
-    """Be the only process that keeps runs in a study's folder, where there is anything to do."""
+    """Lock a study's folder so that this is the only process that keeps runs in it, if there is anything to do."""
     with ExitStack() as stack:
         try:
             if needed:
@@ -189,16 +190,16 @@ def _alone(out: Path, needed: bool) -> Iterator[None]:
 
 
 def _points(study: Study, table: Dataset, most: int) -> list[int]:
-    """Numbers of the points whose runs are kept."""
+    """Return the indices of the points whose runs are kept."""
     if len(study.points) <= most:
         return list(range(len(study.points)))
-    numbers = np.flatnonzero(_worked(study, table).ravel())
-    chosen = np.unique(np.linspace(0, len(numbers) - 1, min(len(numbers), most)).round().astype(int))
-    return [int(number) for number in numbers[chosen]]
+    successful = np.flatnonzero(_worked(study, table).ravel())
+    chosen = np.unique(np.linspace(0, len(successful) - 1, min(len(successful), most)).round().astype(int))
+    return [int(index) for index in successful[chosen]]
 
 
 def _worked(study: Study, table: Dataset) -> Flags:
-    """Whether each point reached the first state that the study is about."""
+    """Return whether each point reached the first state of the study."""
     if study.search is not None:
         return np.asarray(np.isfinite(table[study.search.first.least_name].values))
     transitions = structure_of(study.base).transitions
@@ -210,19 +211,19 @@ def _worked(study: Study, table: Dataset) -> Flags:
 def _parts(
     study: Study, structure: Structure, table: Dataset, point: int, design: Design
 ) -> Iterator[tuple[str, int | None, Design]]:
-    """The runs of one point that a row of the table comes from, with their names and numbers of their transitions."""
+    """Yield the runs of one point from which a row of the table comes, with names and indices of their transitions."""
     search = study.search
     if search is None:
         yield "run", None, design
         return
     first, second = search.first, search.second
     least = float(table[first.least_name].values.ravel()[point])
-    # of a run that says nothing there is nothing to see
+    # an inconclusive run shows nothing
     verdict = Verdict(str(table["verdict"].values.ravel()[point]))
-    tells = verdict.tells or verdict is Verdict.UNDECIDED
+    conclusive = verdict.tells or verdict is Verdict.UNDECIDED
     part = _part_name(structure, first)
     if math.isnan(least):
-        if tells:
+        if conclusive:
             yield *part, first_design(design, search, first.values[-1])
         return
     released = search.next_drive is not None
@@ -230,13 +231,13 @@ def _parts(
     if second is None:
         return
     least = float(table[second.least_name].values.ravel()[point])
-    if tells or not math.isnan(least):
+    if conclusive or not math.isnan(least):
         value = second.values[-1] if math.isnan(least) else least
         yield *_part_name(structure, second), second_design(design, search, value)
 
 
 def _part_name(structure: Structure, step: SearchStep) -> tuple[str, int | None]:
-    """What the folder of a search's run says of it, such as "folding", and the number of its transition."""
+    """Return the name of a search's run in its folder, such as "folding", and the index of its transition."""
     transition = transition_of(structure, step.drive)
     if transition is None:
         return step.transition, None
@@ -244,14 +245,14 @@ def _part_name(structure: Structure, step: SearchStep) -> tuple[str, int | None]
 
 
 def _run(runs: Sequence[RunToKeep], threads: int) -> Iterator[tuple[RunToKeep, Record]]:
-    """Take designs through their protocols side by side; those that cannot be built are left out, as their rows say."""
+    """Run designs side by side. Designs that cannot be built are omitted; their rows say why."""
     for number, record in run_each([run.design for run in runs], threads):
         if not isinstance(record, InputError):
             yield runs[number], record
 
 
 def _keep(folder: Path, run: RunToKeep, record: Record) -> KeptRun:
-    """Write a run's folder, all of it or nothing."""
+    """Write a run's folder completely or not at all."""
     outcome, thinned = measure(record), thin_record(record)
     with replacing_all(folder / run.name) as unfinished:
         write_run_files(record, outcome, unfinished, kept=thinned, key=row_key(run.design))
@@ -270,16 +271,16 @@ def _kept(run: RunToKeep, record: Record, outcome: Outcome) -> KeptRun:
 
 
 def _remove_others(folder: Path, wanted: Collection[str]) -> None:
-    """Remove what we left there and do not want now; files that are not ours stay."""
+    """Remove kept runs that are not wanted. Files of other origin stay."""
     try:
-        for place in folder.iterdir() if folder.is_dir() else ():
-            if _UNFINISHED.fullmatch(place.name):  # of a process that was killed while it wrote
-                shutil.rmtree(place, ignore_errors=True)
-            elif _NAME.fullmatch(place.name) and place.is_dir() and place.name not in wanted:
-                clear_leftovers(place)
-                remove_run(place)
-                if not any(place.iterdir()):
-                    place.rmdir()
+        for entry in folder.iterdir() if folder.is_dir() else ():
+            if _UNFINISHED.fullmatch(entry.name):  # left by a process that was killed while it wrote
+                shutil.rmtree(entry, ignore_errors=True)
+            elif _NAME.fullmatch(entry.name) and entry.is_dir() and entry.name not in wanted:
+                clear_leftovers(entry)
+                remove_run(entry)
+                if not any(entry.iterdir()):
+                    entry.rmdir()
         if not wanted and folder.is_dir() and not any(folder.iterdir()):
             folder.rmdir()
     except OSError as error:
@@ -287,32 +288,34 @@ def _remove_others(folder: Path, wanted: Collection[str]) -> None:
 
 
 def thin_record(record: Record) -> Record:
-    """Leave out rows where little moves.
+    """Remove rows in which little moves.
 
-    What `measure` looks at stays, so that the outcome has the same bits: both ends of every stage and the protocol's
-    window before its end. Elsewhere a row stays for every 0.5 % of the size of the whole that some point of it has
-    moved, as measured along its path, and for every 5 ms.
+    Rows that `measure` evaluates are kept, so that the outcome is bitwise the same: both ends of every stage and the
+    protocol's window before its end. Otherwise a row is kept whenever some point has moved by 0.5 % of the size of the
+    structure along its path since the last kept row, and every 5 ms.
 
     Args:
         record: sampled at an interval.
 
     Returns:
-        The same run with some of its rows.
+        The same run with fewer rows.
     """
     drawn, nodes = drawn_points(record.structure), record.series["membrane_position"]
     points = np.concatenate([record.series["point_position"][:, drawn], nodes], axis=1)
     size = float(np.ptp(points[0], axis=0).max())
     kept = _needed(record)
-    with np.errstate(over="ignore", invalid="ignore"):  # of what diverged
+    with np.errstate(over="ignore", invalid="ignore"):  # of a run that diverged
         moved = np.linalg.norm(np.diff(points, axis=0), axis=2).max(axis=1)
-        ways = np.stack([np.cumsum(moved) / (_SHARE_OF_SIZE * size), (record.time[1:] - record.time[0]) / _LONGEST_GAP])
-        kept[1:] |= (np.diff(np.floor(ways), prepend=0.0) > 0).any(axis=0)
+        progress = np.stack(
+            [np.cumsum(moved) / (_SHARE_OF_SIZE * size), (record.time[1:] - record.time[0]) / _LONGEST_GAP]
+        )
+        kept[1:] |= (np.diff(np.floor(progress), prepend=0.0) > 0).any(axis=0)
     kept[[0, -1]] = True
     return replace(record, time=record.time[kept], series={name: rows[kept] for name, rows in record.series.items()})
 
 
 def _needed(record: Record) -> Flags:
-    """The rows that states and transitions are read from, (time,)."""
+    """Return the rows from which states and transitions are computed, (time,)."""
     protocol = record.design.protocol
     half = float(protocol.timestep) / 2  # times are multiples of the timestep up to rounding
     needed = np.zeros(len(record.time), dtype=bool)

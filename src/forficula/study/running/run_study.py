@@ -1,4 +1,4 @@
-"""A whole study: what is missing is run, what is there is kept, and the table is built at the end."""
+"""Run a study: missing runs are done, existing rows are kept, and the table is built at the end."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
     import xarray
 
 Progress = Callable[[int, int, Row], None]
-# rows of designs, as `evaluate` makes them on this machine; the second argument is its `until_last`
+# computes rows of designs; the second argument is `until_last` of `run_each`
 Evaluate = Callable[[Sequence[Design], bool], Iterator[Row]]
 
 Building = Callable[[int, int], None]
 
-# Points whose designs are built before the first of them runs: a few seconds.
+# Number of points whose designs are built before the first of them runs, which takes a few seconds.
 _WINDOW = 1024
-# Runs side by side in one batch: enough that a few slow ones do not leave a core idle for long.
+# Runs side by side in one batch: large enough that a few slow runs do not leave a core idle for long.
 _BATCH = 1024
 
 
@@ -42,24 +42,26 @@ def run_study(
     progress: Progress | None = None,
     building: Building | None = None,
 ) -> xarray.Dataset | None:
-    """Run what a study lacks and build its table.
+    """Do the missing runs of a study and build its table.
 
     Args:
-        study: what to run.
-        out: folder with the rows; a study that was stopped goes on there.
-        shard: number, from 1 on, and count: only every count-th point runs, so that machines can share a study.
-        threads: 0 for one a core.
-        batch: runs side by side.
-        cluster: what makes rows of designs, from `dask_cluster`; the cores of this machine do, if not given.
-        progress: called after every run with the runs done, the runs known to be needed, and the row; a run that a
-            search turns out to do without counts as done, and what is needed never shrinks.
-        building: called now and then while designs are built that do not run here, with how many are and of how many.
+        study: to run.
+        out: folder with the rows. An interrupted study continues there.
+        shard: number, from 1, and count. Only every count-th point runs, so that several machines can share a study.
+        threads: number of threads; 0 for one per core.
+        batch: number of runs side by side.
+        cluster: function that computes rows of designs, from `dask_cluster`; by default this machine computes them.
+        progress: called after every run with the number of completed runs, the number of runs known to be needed, and
+            the row. A run that a search no longer needs counts as completed, so the number of needed runs never
+            shrinks.
+        building: called now and then, while designs are built that do not run in this call, with the number of built
+            designs and the number of all of them.
 
     Returns:
-        The table, or None where points of other shards are missing.
+        The table, or None if points of other shards are missing.
 
     Raises:
-        InputError: the folder holds another study's rows, or cannot be written; a number is not allowed.
+        InputError: the folder has another study's rows or cannot be written, or a number is not allowed.
     """
     if not 1 <= shard[0] <= shard[1]:
         raise InputError(f"shard: need a number from 1 to the count, got {shard[0]} of {shard[1]}")
@@ -67,19 +69,19 @@ def run_study(
         check_whole(name, value, least)
     folder = Path(out)
     rows = read_rows(folder, study.base)
-    mine = range(shard[0] - 1, len(study.points), shard[1])
+    points_of_shard = range(shard[0] - 1, len(study.points), shard[1])
     designs: dict[int, Design | str] = {}
     second = study.search.second if study.search is not None else None
-    count = RunCount(0, len(mine), "" if second is None else second.state)
+    count = RunCount(0, len(points_of_shard), "" if second is None else second.state)
     with open_journal(folder, study.base, shard) as journal:
-        # the first of many points run before the last of them are built
-        for first in range(0, len(mine), _WINDOW):
-            window = {number: _design(study, number) for number in mine[first : first + _WINDOW]}
+        # the first points run before the last ones are built
+        for first in range(0, len(points_of_shard), _WINDOW):
+            window = {number: _design(study, number) for number in points_of_shard[first : first + _WINDOW]}
             designs |= window
             count.reach(len(window), len(_known(study, window, rows)))
-            while points := _missing_by_point(study, window, rows):
-                count.plan([list(point) for point in points])
-                todo = list(_joined(points).values())
+            while missing := _missing_by_point(study, window, rows):
+                count.plan([list(point) for point in missing])
+                todo = list(_joined(missing).values())
                 searches = study.search is not None
                 for row in _in_batches(todo, threads, batch, searches) if cluster is None else cluster(todo, searches):
                     journal.append(row)
@@ -102,32 +104,30 @@ def collect(study: Study, out: str | Path, building: Building | None = None) -> 
     """Build the table from the rows of all shards.
 
     Args:
-        study: what was run.
+        study: the study.
         out: folder with the rows.
-        building: as of `run_study`.
+        building: see `run_study`.
 
     Raises:
-        InputError: rows are missing, and how many; or the folder holds another study's rows.
+        InputError: rows are missing (the message has their number), or the folder has another study's rows.
     """
     folder = Path(out)
     rows, designs = read_rows(folder, study.base), _designs(study, building)
     if points := _missing_by_point(study, designs, rows):
-        raise InputError(
-            f"{folder}: {len(_joined(points))} runs are missing; run the shards that are not done, then collect"
-        )
+        raise InputError(f"{folder}: {len(_joined(points))} runs are missing; run the remaining shards, then collect")
     return build_table(study, designs, rows)
 
 
 def estimate(study: Study, out: str | Path, building: Building | None = None) -> tuple[int, int, float]:
-    """Say how many runs a study takes at most, how many points are not done, and guess how long these take, s.
+    """Estimate a study: largest number of runs, number of unfinished points, and time for these, s.
 
-    How many runs a search takes depends on what they find. The guess is the time that the middle point takes, measured
-    now, times the points that are left.
+    The number of runs of a search depends on their results. The estimated time is the time of the middle point, which
+    is run now, times the number of unfinished points.
 
     Args:
         study: to run.
-        out: folder with the rows, if there are any.
-        building: as of `run_study`.
+        out: folder with rows, if there are any.
+        building: see `run_study`.
     """
     rows, designs = read_rows(Path(out), study.base), _designs(study, building)
     most = len(study.points) * (1 if study.search is None else most_runs(study.search))
@@ -145,7 +145,7 @@ def estimate(study: Study, out: str | Path, building: Building | None = None) ->
 def _designs(
     study: Study, building: Building | None = None, built: Mapping[int, Design | str] | None = None
 ) -> dict[int, Design | str]:
-    """The design at every point in their order, or why there is none; some are built already."""
+    """Return the design at every point in order, or why there is none. Designs in `built` are reused."""
     designs: dict[int, Design | str] = {}
     for number in range(len(study.points)):
         designs[number] = (built or {}).get(number) or _design(study, number)
@@ -155,25 +155,25 @@ def _designs(
 
 
 def _design(study: Study, number: int) -> Design | str:
-    """The design at a point, or why there is none."""
+    """Return the design at a point, or why there is none."""
     try:
         return point_design(study.base, study.points[number], study.search)
     except InputError as error:
         return str(error)
 
 
-def _wanted(study: Study, design: Design, rows: Mapping[str, Row]) -> dict[str, Design]:
-    """The runs of a point as far as the rows tell, by key, in the order in which they are tried."""
+def _needed_runs(study: Study, design: Design, rows: Mapping[str, Row]) -> dict[str, Design]:
+    """Return the runs that a point needs as far as the rows show, by key, in the order in which they are tried."""
     return {row_key(design): design} if study.search is None else search_designs(design, study.search, rows)
 
 
 def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> set[str]:
-    """Keys of the runs that are wanted and are in the rows."""
+    """Return the keys of needed runs that are in the rows."""
     return {
         key
         for design in designs.values()
         if isinstance(design, Design)
-        for key in _wanted(study, design, rows)
+        for key in _needed_runs(study, design, rows)
         if key in rows
     }
 
@@ -181,9 +181,9 @@ def _known(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str,
 def _missing_by_point(
     study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]
 ) -> list[dict[str, Design]]:
-    """Runs that are not in the rows, by key, for every point that lacks some, in the order in which they are tried."""
+    """Return the missing runs of every incomplete point, by key, in the order in which they are tried."""
     points = [
-        {key: each for key, each in _wanted(study, design, rows).items() if key not in rows}
+        {key: run for key, run in _needed_runs(study, design, rows).items() if key not in rows}
         for design in designs.values()
         if isinstance(design, Design)
     ]
@@ -191,27 +191,27 @@ def _missing_by_point(
 
 
 def _joined(points: Iterable[Mapping[str, Design]]) -> dict[str, Design]:
-    """The runs of all points, one that several share once."""
+    """Return the runs of all points; shared runs occur once."""
     return {key: design for point in points for key, design in point.items()}
 
 
 class RunCount:
-    """Runs done and needed, as far as results tell.
+    """Number of completed and needed runs, as far as results show.
 
-    What a search turns out to do without counts as done, so that what is needed never shrinks; it grows where results
-    ask for more.
+    Runs that a search no longer needs count as completed, so the number of needed runs never shrinks. It grows if
+    results require further runs.
 
     Attributes:
-        needed: runs, those done among them.
+        needed: number of runs, including completed ones.
     """
 
     def __init__(self, done: int, later: int = 0, last_state: str = "") -> None:
-        """Start with runs that are done, and points that come later, of which each counts as a run for now.
+        """Start with completed runs and with later points, each of which counts as one run for now.
 
         Args:
-            done: runs that are.
-            later: points that come later.
-            last_state: that a search ends with; of a run that reaches it, none with a larger value is tried.
+            done: number of completed runs.
+            later: number of later points.
+            last_state: final state of a search. Once a run reaches it, larger values are not tried.
         """
         self._last_state = last_state
         self.needed = done + later
@@ -221,24 +221,24 @@ class RunCount:
 
     @property
     def done(self) -> int:
-        """Runs done, or not needed any more."""
+        """Number of runs that are completed or no longer needed."""
         return self.needed - len(self._open) - self._later
 
     def reach(self, points: int, done: int) -> None:
-        """Take note of points that came later until now, and of their runs that are done already."""
+        """Start a number of later points, some of whose runs are completed already."""
         self._later -= points
         self._spare = max(points - done, 0)
         self.needed += max(done - points, 0)
 
     def plan(self, points: Collection[Sequence[str]]) -> None:
-        """Take note of the keys of missing runs, by point and in the order in which they are tried."""
+        """Set the missing runs: their keys by point, in the order in which they are tried."""
         self._points = {key: keys for keys in points for key in keys}
         self.needed += max(len(self._points.keys() - self._open) - self._spare, 0)
         self._spare = 0
         self._open = set(self._points)
 
     def count(self, row: Row) -> None:
-        """Take note of a run that is done; after the one that reaches the last state, no larger value is tried."""
+        """Count a completed run. If it reaches the last state, larger values are no longer needed."""
         self._open.discard(row["key"])
         if self._last_state and row.get(self._last_state):
             keys = self._points[row["key"]]

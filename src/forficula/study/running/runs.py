@@ -1,4 +1,4 @@
-"""Designs through their protocols, with timesteps that their results bear out where these are left open."""
+"""Run designs through their protocols. A timestep "auto" is determined so that the results do not depend on it."""
 
 from __future__ import annotations
 
@@ -27,32 +27,32 @@ from forficula.errors import InputError
 from forficula.quantities import show_duration, show_value
 from forficula.structure import Structure, drive_keys, structure_of, with_protocol
 
-# By how much of themselves times may differ between two timesteps of which the finer one is taken.
+# Allowed relative difference of times between two timesteps, of which the shorter is used.
 _TIME_TOLERANCE = 0.02
-# How many timesteps, one after the other, must agree; of sheets of nodes, whose bars ask for a step far below what
-# resolves their folding, fewer.
+# Number of successive timesteps that must agree. It is smaller for sheets of nodes, because their bars require a
+# timestep far below the one that resolves their folding.
 _AGREEING, _OF_NODES = 3, 2
-# How often a timestep is halved before it is given up.
+# Largest number of times that a timestep is halved.
 _HALVINGS = 8
-# What is missing of the energy falls with the timestep between in proportion and with its square.
+# Order at which the energy residual decreases with the timestep: between linear and quadratic.
 _RESIDUAL_ORDER = 1.3
-# An attempt that takes longer is announced with its time, s.
+# An attempt that takes longer than this, s, is announced with its expected time.
 _LONG = 60.0
-# How long models are built before the first of them run, s; twice as long each time, for many side by side are faster.
+# Time for building models before the first of them run, s. It doubles each time, because many side by side are faster.
 _FIRST_SECONDS = 1.0
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Attempt:
-    """A design at a timestep, and what it came to at longer ones.
+    """A design at a timestep, with its outcomes at longer ones.
 
     Attributes:
         number: of the design.
-        design: with the timestep, s, but for "auto" before the first attempt.
-        halvings: by which it is shorter than the first one; None where the design gives it.
-        before: timesteps, s, and outcomes of the attempts before, the last two at most.
-        agreeing: how many timesteps must agree.
-        expected: how long it may take by the time of the attempt before, s; 0 where that is not known.
+        design: with the timestep, s; before the first attempt it may be "auto".
+        halvings: number of times the first timestep was halved; None if the design sets the timestep.
+        before: timesteps, s, and outcomes of at most two earlier attempts.
+        agreeing: number of timesteps that must agree.
+        expected: expected time by the time of the previous attempt, s; 0 if unknown.
     """
 
     number: int
@@ -64,24 +64,24 @@ class _Attempt:
 
 
 def run(design: Design, progress: Progress | None = None, *, confirm: bool = False) -> Record:
-    """Take one structure through its protocol.
+    """Run the protocol of one structure.
 
-    A timestep "auto" is found by halving, from what the stiffest mode allows on, until at three of them (two of sheets
-    of nodes), one after the other, the energy balance misses no more than `protocol.residual_limit`, the verdict is the
-    same, and no transition's time is off that of the last by more than 2 %. The record is that of the last one, and its
-    design has it.
+    A timestep "auto" is found by halving, starting from the longest one that the stiffest mode allows. The search ends
+    when three successive timesteps (two for sheets of nodes) agree: their energy residual is at most
+    `protocol.residual_limit`, their verdicts are the same, and no transition time deviates from that at the shortest
+    timestep by more than 2 %. The record is that of the shortest timestep, which its design contains.
 
     Args:
-        design: what to build and what to do with it.
-        progress: called now and then with the stage's name, the time so far and the longest it can take, s.
+        design: structure and protocol.
+        progress: called now and then with the stage's name, the time so far and the time limit, s.
         confirm: whether to run the design also at half the timestep and from a slightly different start, side by side.
-            With a timestep "auto" the run before the last takes the place of the one at half the timestep.
+            With a timestep "auto" the last but one run replaces the one at half the timestep.
 
     Returns:
-        What happened, sampled at the protocol's interval.
+        The record, sampled at the protocol's interval.
 
     Raises:
-        InputError: it cannot be built.
+        InputError: the design cannot be built.
     """
     others = _second_designs(design) if confirm and design.protocol.timestep != "auto" else {}
     runs = dict(run_each([design, *others.values()], progress=progress))
@@ -91,12 +91,12 @@ def run(design: Design, progress: Progress | None = None, *, confirm: bool = Fal
     if confirm and design.protocol.timestep == "auto":
         other = record.design.with_other_start()
         others = {} if other is None else {OTHER_START: other}
-        runs |= {number + 1: each for number, each in run_each([*others.values()], progress=progress)}
+        runs |= {number + 1: checked for number, checked in run_each([*others.values()], progress=progress)}
     return with_checks(record, {name: runs[number] for number, name in enumerate(others, start=1)})
 
 
 def _second_designs(design: Design) -> dict[str, Design]:
-    """Return the designs of the second runs that confirm one with a given timestep, by what differs."""
+    """Return the designs of the second runs that confirm one with a given timestep, by the name of the difference."""
     half, other = half_step(design), design.with_other_start()
     return {HALF_STEP: half} | ({} if other is None else {OTHER_START: other})
 
@@ -107,8 +107,8 @@ def half_step(design: Design) -> Design:
 
 
 def with_checks(record: Record, others: Mapping[str, Record | InputError]) -> Record:
-    """Return a record with the outcomes of second runs of its design, by what differs; those not built are left out."""
-    checks = [_check(name, each) for name, each in others.items() if isinstance(each, Record)]
+    """Return a record with the outcomes of second runs of its design, by difference. Designs not built are omitted."""
+    checks = [_check(name, other) for name, other in others.items() if isinstance(other, Record)]
     return replace(record, checks=(*record.checks, *checks))
 
 
@@ -117,7 +117,7 @@ def _check(name: str, record: Record) -> NumericalCheck:
 
 
 def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
-    """Return what a record keeps of a second run at a timestep, s."""
+    """Return the summary of a second run at a timestep, s, that a record stores."""
     return NumericalCheck(
         name=name,
         timestep=timestep,
@@ -130,10 +130,10 @@ def check_of(name: str, timestep: float, outcome: Outcome) -> NumericalCheck:
 
 
 def resolved(design: Design) -> Design:
-    """The design with the timestep that a run of it takes.
+    """Return the design with the timestep that its run uses.
 
     Raises:
-        InputError: it cannot be built.
+        InputError: the design cannot be built.
     """
     if design.protocol.timestep != "auto":
         return design
@@ -151,17 +151,17 @@ def run_each(
     until_last: bool = False,
     progress: Progress | None = None,
 ) -> Iterator[tuple[int, Record | InputError]]:
-    """Do as `run` does with many designs side by side, and hand on every one's number and record as it is done.
+    """Do the same as `run` with many designs side by side, and yield the index and record of each when it is done.
 
-    What becomes of a design does not depend on the others, on their order, or on threads.
+    The result of a design does not depend on the others, on their order, or on threads.
 
     Args:
-        designs: what to run.
-        threads: 0 for one a core.
-        sparse: keep only what an outcome needs, see `simulate`.
-        until_last: whether to try designs that only the strength of their last transition's drive tells apart one
-            after another, as they come, until one does it; the rest of them get no records.
-        progress: as of `run`.
+        designs: to run.
+        threads: number of threads; 0 for one per core.
+        sparse: whether to keep only what an outcome needs, see `simulate`.
+        until_last: whether to try designs that differ only in the strength of their last drive one after another, in
+            the given order, until one reaches its last state. The remaining ones get no records.
+        progress: see `run`.
 
     Returns:
         Records, or why a design cannot be built.
@@ -174,7 +174,7 @@ def run_each(
         start = time.perf_counter()
         left = {attempt.number: attempt for attempt in attempts}
         for attempt, result in _results(attempts, threads, sparse, until_last, progress):
-            if left.pop(attempt.number, None) is None:  # a lesser value has done it meanwhile
+            if left.pop(attempt.number, None) is None:  # a smaller value has succeeded in the meantime
                 continue
             if isinstance(result, InputError):
                 yield attempt.number, result
@@ -192,15 +192,15 @@ def run_each(
             if until_last and _last_holds(outcome, structure) and not doubt:
                 chain = but_last_drive(designs[attempt.number], structure)
                 left = {
-                    number: each
-                    for number, each in left.items()
+                    number: waiting
+                    for number, waiting in left.items()
                     if number < attempt.number or but_last_drive(designs[number], structure) != chain
                 }
         attempts = [left[number] for number in sorted(left)]
 
 
 def topology(model: Model) -> tuple[int, ...]:
-    """What models of one batch have in common: sizes, how often creases are followed, which hinges have motors."""
+    """Return what models of one batch must share: sizes, update interval of creases, and the hinges with motors."""
     engine = model.engine
     sizes = (engine.nq, engine.nv, engine.nu, engine.nbody, engine.ngeom, engine.ntendon, engine.nflexvert)
     driven = tuple(hinge for motor in model.structure.motors for hinge in motor.hinges)
@@ -211,15 +211,15 @@ def topology(model: Model) -> tuple[int, ...]:
 def _results(
     attempts: Sequence[_Attempt], threads: int, sparse: bool, until_last: bool, progress: Progress | None
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Build models and simulate them, the first ones soon and more of them side by side each time."""
+    """Build models and simulate them: the first ones soon, then larger batches each time."""
     by_engine: dict[str, list[_Attempt]] = {}
     for attempt in attempts:
         by_engine.setdefault(_engine_key(attempt.design), []).append(attempt)
     built: list[tuple[_Attempt, Model]] = []
     seconds, start = _FIRST_SECONDS, time.perf_counter()
-    for alike in by_engine.values():
-        model = _compile(alike[0].design)
-        for attempt in alike:
+    for members in by_engine.values():
+        model = _compile(members[0].design)
+        for attempt in members:
             try:
                 built.append(_with_protocol(model, attempt))
             except InputError as error:
@@ -237,36 +237,36 @@ def _simulated(
     until_last: bool,
     progress: Progress | None,
 ) -> Iterator[tuple[_Attempt, Record | InputError]]:
-    """Simulate models, those of one topology side by side; in halves where memory does not hold them."""
+    """Simulate models, those of one topology side by side. A batch that exceeds the memory is halved."""
     groups: dict[tuple[int, ...], list[tuple[_Attempt, Model]]] = {}
     for attempt, model in built:
         groups.setdefault(topology(model), []).append((attempt, model))
-    enough = _did_last if until_last else None
+    is_last = _did_last if until_last else None
     for group in groups.values():
-        telling = None if progress is None else _with_timestep_told(progress, group[0][0])
+        callback = None if progress is None else _with_timestep_shown(progress, group[0][0])
         done: set[int] = set()
         try:
-            for row, record in simulate_each([model for _, model in group], threads, sparse, telling, enough):
+            for row, record in simulate_each([model for _, model in group], threads, sparse, callback, is_last):
                 done.add(row)
                 yield group[row][0], record
         except InputError as error:
             if len(group) == 1:
                 yield group[0][0], error
                 continue
-            rest = [each for row, each in enumerate(group) if row not in done]
+            rest = [member for row, member in enumerate(group) if row not in done]
             for half in (rest[: len(rest) // 2], rest[len(rest) // 2 :]):
                 yield from _simulated(half, threads, sparse, until_last, progress)
 
 
 def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
-    """The next attempt where this one does not do, or None where it does or there is no other."""
+    """Return the next attempt, or None if this one suffices or if no further one is allowed."""
     if attempt.halvings is None or attempt.halvings >= _HALVINGS:
         return None
     halvings = 1
     residual, limit = outcome.ending.residual, attempt.design.protocol.residual_limit
     if outcome.verdict is Verdict.UNTRUSTED and residual is not None and math.isfinite(residual):
         halvings = max(1, round(math.log2(residual / limit) / _RESIDUAL_ORDER))
-    elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(each, outcome) for _, each in attempt.before):
+    elif len(attempt.before) >= attempt.agreeing - 1 and all(_agree(earlier, outcome) for _, earlier in attempt.before):
         return None
     total = min(attempt.halvings + halvings, _HALVINGS)
     timestep = float(attempt.design.protocol.timestep) / 2 ** (total - attempt.halvings)
@@ -282,30 +282,30 @@ def _following(attempt: _Attempt, outcome: Outcome) -> _Attempt | None:
 
 
 def _with_step(design: Design, timestep: float) -> Design:
-    """The design with a timestep, s."""
+    """Return the design with a timestep, s."""
     return design.model_copy(update={"protocol": design.protocol.model_copy(update={"timestep": timestep})})
 
 
 def _doubt(attempt: _Attempt, outcome: Outcome) -> str:
-    """Why a run at the last timestep that is tried is not to be trusted, beside its residual; mostly nothing."""
+    """Return why a run at the shortest timestep is unreliable, apart from its residual; usually empty."""
     if not outcome.verdict.tells or not attempt.before:
         return ""
-    told = [each for _, each in attempt.before if each.verdict.tells]
-    return "" if all(_same_ending(each, outcome) for each in told) else UNSETTLED
+    conclusive = [earlier for _, earlier in attempt.before if earlier.verdict.tells]
+    return "" if all(_same_ending(earlier, outcome) for earlier in conclusive) else UNSETTLED
 
 
 def _coarser(attempt: _Attempt, outcome: Outcome) -> tuple[NumericalCheck, ...]:
-    """The runs at longer timesteps that a search for one compared with the last; none where the step is given."""
-    own = float(attempt.design.protocol.timestep)
+    """Return the runs at longer timesteps with which the last was compared; none if the design sets the timestep."""
+    last = float(attempt.design.protocol.timestep)
     return tuple(
-        check_of(f"{show_value(timestep, 's')} instead of {show_value(own, 's')}", timestep, before)
+        check_of(f"{show_value(timestep, 's')} instead of {show_value(last, 's')}", timestep, before)
         for timestep, before in attempt.before
         if outcome.verdict.tells and before.verdict.tells
     )
 
 
 def _agree(before: Outcome, after: Outcome) -> bool:
-    """Whether a run that is to be trusted came to the same at two timesteps, at about the same times."""
+    """Return whether a reliable run has the same ending at two timesteps, at about the same times."""
     pairs = [(before.transitions[name], after.transitions[name]) for name in after.transitions]
     times = [(a.time, b.time) for a, b in pairs if a is not None and b is not None]
     near = all(a is b or (a and b and abs(a - b) <= _TIME_TOLERANCE * b) for a, b in times)
@@ -317,7 +317,7 @@ def _same_ending(before: Outcome, after: Outcome) -> bool:
 
 
 def _last_holds(outcome: Outcome, structure: Structure) -> bool:
-    """Whether the last transition reached its state."""
+    """Return whether the last transition reached its state."""
     return bool(structure.transitions and outcome.holds[structure.transitions[-1].state])
 
 
@@ -326,9 +326,9 @@ def _did_last(record: Record) -> bool:
 
 
 def _engine_key(design: Design) -> str:
-    """What names an engine model: all but what is done to the structure."""
+    """Return a key of the engine model: everything in the design except the loads on the structure."""
     parted = put(design, "protocol.stages", ())
-    # the estimate of a timestep minds torques where tendons damp more than in proportion to their speed
+    # the estimate of a timestep depends on torques if tendons have nonlinear damping
     if design.protocol.timestep != "auto" or not _damps_nonlinearly(design):
         for key in drive_keys(design):
             parted = put(parted, key, 0.0)
@@ -338,30 +338,30 @@ def _engine_key(design: Design) -> str:
 def _damps_nonlinearly(design: Design) -> bool:
     try:
         tendons = structure_of(design).tendons
-    except InputError:  # whoever compiles it says why
+    except InputError:  # compiling the model reports the error
         return True
     return any(any((tendon.law.damping or ())[1:]) for tendon in tendons)
 
 
 def _compile(design: Design) -> Model | InputError:
-    """A model, or why there is none.
+    """Return a model, or why there is none.
 
-    With four times the estimated timestep where that is left open, so that the third attempt can do.
+    A timestep "auto" starts at four times the estimated one, so that the third attempt can be the last.
     """
     try:
-        guessed = with_timestep(design)
-        if guessed is not design:
-            guessed = _with_step(guessed, 2 ** (_AGREEING - 1) * float(guessed.protocol.timestep))
-        return compile_model(guessed)
+        started = with_timestep(design)
+        if started is not design:
+            started = _with_step(started, 2 ** (_AGREEING - 1) * float(started.protocol.timestep))
+        return compile_model(started)
     except InputError as error:
         return error
 
 
 def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attempt, Model]:
-    """An attempt at the timestep of a model, and that model with its protocol, the engine model shared.
+    """Return an attempt at the timestep of a model, and the model with the attempt's protocol. They share the engine.
 
     Raises:
-        InputError: there is no model, or its protocol is too large or small for it.
+        InputError: there is no model, or its protocol has too large or too small values for it.
     """
     if isinstance(model, InputError):
         raise model
@@ -375,11 +375,11 @@ def _with_protocol(model: Model | InputError, attempt: _Attempt) -> tuple[_Attem
     )
 
 
-def _with_timestep_told(progress: Progress, attempt: _Attempt) -> Progress:
-    """Say at which timestep a run is, where it is being looked for."""
+def _with_timestep_shown(progress: Progress, attempt: _Attempt) -> Progress:
+    """Add the timestep to progress messages while a timestep is searched."""
     if attempt.halvings is None:
         return progress
-    told = f"timestep {show_value(float(attempt.design.protocol.timestep), 's')}"
+    shown = f"timestep {show_value(float(attempt.design.protocol.timestep), 's')}"
     if attempt.expected > _LONG:
-        told += f" (about {show_duration(attempt.expected)}; protocol.shortest_timestep limits the search)"
-    return lambda stage, time, longest: progress(f"{stage}, {told}", time, longest)
+        shown += f" (about {show_duration(attempt.expected)}; protocol.shortest_timestep limits the search)"
+    return lambda stage, time, longest: progress(f"{stage}, {shown}", time, longest)

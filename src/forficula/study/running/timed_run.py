@@ -1,4 +1,4 @@
-"""A run's times, to a fraction of a step: when its goals were reached."""
+"""Times at which a run reaches its goals, interpolated within a timestep."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from forficula.structure import Transition, goal_coordinates, goal_of
 
 
 class RunKind(NamedTuple):
-    """What must not change with a timestep."""
+    """Properties of a run that must not change with the timestep."""
 
     holds: tuple[bool, ...]
     diverged: bool
@@ -25,19 +25,19 @@ class RunKind(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class TimedRun:
-    """What is kept of a run.
+    """Part of a run that a convergence study keeps.
 
     Attributes:
         status: in a few words.
-        word: that without its numbers.
-        verdict: on it.
-        outcome: what must not change.
-        transition_times: by transition, from the start of its stage until the last of what its goal bounds crosses its
-            bound for good, s; nan where it did not.
-        starts: by transition, when its stage began, s; nan where it did not.
+        word: status without its numbers.
+        verdict: of the run.
+        outcome: properties that must not change.
+        transition_times: by transition, time from the start of its stage until all that its goal bounds has crossed the
+            bound for the last time, s; nan if the transition failed.
+        starts: by transition, start time of its stage, s; nan if it did not start.
         times: of the rows, s, (row,).
-        hinge: number of the hinge that is followed, among those of the first measure, from 0.
-        angle: what that measure reads of it, rad, (row,).
+        hinge: index of the displayed hinge among those of the first measure, from 0.
+        angle: reading of this measure at the hinge, rad, (row,).
     """
 
     status: str
@@ -52,21 +52,21 @@ class TimedRun:
 
 
 def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
-    """Time a run's transitions.
+    """Compute the times of a run's transitions.
 
     Args:
-        record: with every step, or nearly so.
-        hinge: number of the hinge to follow, among those of the first measure, from 0; the last if not given, or where
-            there are fewer.
+        record: with every step, or nearly every step.
+        hinge: index of the hinge to display, among those of the first measure, from 0. By default, or if there are
+            fewer hinges, the last one.
     """
     outcome, structure = measure(record), record.structure
     angle = record.measured(structure.measures[0].name)
     last = angle.shape[1] - 1
     followed = last if hinge is None else min(hinge, last)
     ends = {
-        each.name: record.stages[each.stage]
-        for each in structure.transitions
-        if each.stage is not None and each.stage < len(record.stages)
+        transition.name: record.stages[transition.stage]
+        for transition in structure.transitions
+        if transition.stage is not None and transition.stage < len(record.stages)
     }
     return TimedRun(
         status=outcome.status,
@@ -78,12 +78,15 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
             outcome.verdict is Verdict.UNTRUSTED,
         ),
         transition_times={
-            each.name: _crossing(record, ends.get(each.name), _distance(record, each))
-            if outcome.holds[each.state]
+            transition.name: _crossing(record, ends.get(transition.name), _distance(record, transition))
+            if outcome.holds[transition.state]
             else math.nan
-            for each in structure.transitions
+            for transition in structure.transitions
         },
-        starts={each.name: ends[each.name].start if each.name in ends else math.nan for each in structure.transitions},
+        starts={
+            transition.name: ends[transition.name].start if transition.name in ends else math.nan
+            for transition in structure.transitions
+        },
         times=record.time,
         hinge=followed,
         angle=angle[:, followed].copy(),
@@ -91,7 +94,7 @@ def timed_run(record: Record, hinge: int | None = None) -> TimedRun:
 
 
 def _distance(record: Record, transition: Transition) -> Array:
-    """How far the furthest of what a goal bounds is from its bound, (row,), <= 0 where the goal is reached."""
+    """Return the largest distance from a goal's bounds, (row,); <= 0 if the goal is reached."""
     goal = goal_of(record.structure, transition.goal)
     angles = goal_coordinates(record.structure, record.series["hinge_angle"], record.series.get("distance"))
     above, below = np.isfinite(goal.most), np.isfinite(goal.least)
@@ -100,20 +103,20 @@ def _distance(record: Record, transition: Transition) -> Array:
 
 
 def _crossing(record: Record, end: StageEnd | None, distance: Array) -> float:
-    """Time from the start of a stage until its goal was reached, s, between the two steps about it.
+    """Return the time from the start of a stage until its goal was reached, s, interpolated between two steps.
 
-    The goal's own time is a multiple of the step: that alone would make an error of order 1, whatever the integrator's.
-    Semi-implicit Euler's velocity is constant over a step, so that its angles do go straight in between.
+    The recorded goal time is a multiple of the step, which alone would cause an error of order 1. Linear interpolation
+    is exact enough, because the velocity of semi-implicit Euler is constant over a step.
 
     Args:
-        record: with every step, or nearly so.
-        end: the stage.
-        distance: from the goal, (row,), <= 0 where reached.
+        record: with every step, or nearly every step.
+        end: of the stage.
+        distance: from the goal, (row,), <= 0 if reached.
     """
     if end is None or end.goal_time is None:
         return math.nan
     timestep = float(record.design.protocol.timestep)
-    # half a step, for times are multiples of it up to rounding
+    # minus half a step, because times are multiples of the step up to rounding
     after = int(np.searchsorted(record.time, end.goal_time - timestep / 2))
     left, right = distance[after - 1], distance[after]
     share = left / (left - right) if left > 0 >= right else float(right > 0)

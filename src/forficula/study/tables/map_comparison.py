@@ -1,4 +1,4 @@
-"""A static map beside the table of a simulated search: which structures make a transition in one, or in both."""
+"""Comparison of a static map with the table of a simulated search: which structures succeed in one, or in both."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from forficula.study.tables.outcome_kinds import TableTransition, table_transiti
 if TYPE_CHECKING:
     import xarray
 
-_SAME = 1e-9  # share by which two torques of one grid may differ
+_SAME = 1e-9  # relative difference allowed between equal torques of a grid
 BOTH, BOTH_LESS, BOTH_MORE, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED = (
     "in both, at the same torque",
-    "in both, at less when simulated",
-    "in both, at more when simulated",
+    "in both, at a smaller torque when simulated",
+    "in both, at a larger torque when simulated",
     "in the simulation only: inertia",
     "in the statics only",
     "in neither",
@@ -26,11 +26,12 @@ BOTH, BOTH_LESS, BOTH_MORE, ONLY_SIMULATED, ONLY_STATIC, NEITHER, NOT_SIMULATED 
 
 
 def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """Say for every structure where it has a least torque: in the statics, in the simulation, in both.
+    """Return for every structure where it has a least torque: in statics, in the simulation, or in both.
 
     Args:
         statics: from `static_map`.
-        simulated: table of a search for the least torques, with the same factors; other values of them are left out.
+        simulated: table of a search for the least torques over the same factors. Values of factors that are not in the
+            static map are ignored.
         name: of a least torque, such as "least_fold_torque".
 
     Returns:
@@ -39,19 +40,19 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
     Raises:
         InputError: the tables have different factors, or the simulated one has no such torque.
     """
-    there = simulated_values(statics, simulated, name).values
+    torques = simulated_values(statics, simulated, name).values
     first, *_ = table_transitions(statics)
-    found = np.isfinite(there)
+    in_simulation = np.isfinite(torques)
     tried = simulated_values(statics, simulated.assign(tried=_tried(simulated, name, first)), "tried").values == 1
-    slow = np.isfinite(statics[name].values)
-    words = np.full(found.shape, NEITHER, dtype=object)
+    in_statics = np.isfinite(statics[name].values)
+    words = np.full(in_simulation.shape, NEITHER, dtype=object)
     with np.errstate(invalid="ignore"):
-        ratio = there / statics[name].values
+        ratio = torques / statics[name].values
         less, more = ratio < 1 - _SAME, ratio > 1 + _SAME
     for where, word in (
-        (slow, ONLY_STATIC),
-        (found, ONLY_SIMULATED),
-        (found & slow, BOTH),
+        (in_statics, ONLY_STATIC),
+        (in_simulation, ONLY_SIMULATED),
+        (in_simulation & in_statics, BOTH),
         (less, BOTH_LESS),
         (more, BOTH_MORE),
         (~tried, NOT_SIMULATED),
@@ -61,33 +62,33 @@ def compare_maps(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) 
 
 
 def simulated_values(statics: xarray.Dataset, simulated: xarray.Dataset, name: str) -> xarray.DataArray:
-    """A variable of a simulated table at the points of a static map, nan where it has none.
+    """Return a variable of a simulated table at the points of a static map, nan if missing.
 
     Raises:
-        InputError: as `compare_maps`.
+        InputError: see `compare_maps`.
     """
     factors = [str(factor) for factor in statics["outcome"].dims]
-    theirs = [str(factor) for factor in simulated["outcome"].dims]
-    if set(factors) != set(theirs) or name not in simulated:
+    simulated_factors = [str(factor) for factor in simulated["outcome"].dims]
+    if set(factors) != set(simulated_factors) or name not in simulated:
         raise InputError(
             f"the simulated study: need a search for the least torques over {', '.join(factors)}, got a table of"
-            f" {', '.join(theirs)}"
+            f" {', '.join(simulated_factors)}"
         )
     values = simulated[name].transpose(*factors)
-    # the same text of a value gives the same number, so no nearest one is looked for
+    # equal texts give equal numbers, so no tolerance is needed
     return values.reindex({factor: statics[factor] for factor in factors})
 
 
 def _tried(simulated: xarray.Dataset, name: str, first: TableTransition) -> xarray.DataArray:
-    """1 where a simulation tells of this torque: that of the second transition is tried where some makes the first."""
+    """Return 1 where a simulation determines this torque. The second transition is tried only if the first succeeds."""
     outcome = simulated["outcome"]
     if name == first.least:
-        return outcome.copy(data=_tells(simulated.get(f"{first.name}_outcome", outcome)).astype(np.float64))
-    tells = np.isfinite(simulated[first.least].values) & _tells(outcome)
-    return outcome.copy(data=tells.astype(np.float64))
+        return outcome.copy(data=_conclusive(simulated.get(f"{first.name}_outcome", outcome)).astype(np.float64))
+    tried = np.isfinite(simulated[first.least].values) & _conclusive(outcome)
+    return outcome.copy(data=tried.astype(np.float64))
 
 
-def _tells(outcomes: xarray.DataArray) -> np.ndarray:
-    """Where outcomes say something of the structure."""
-    silent = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
-    return np.asarray(~np.isin(outcomes.values.astype(str), silent))
+def _conclusive(outcomes: xarray.DataArray) -> np.ndarray:
+    """Return where outcomes are conclusive."""
+    inconclusive = [ending_word(Ending(verdict=verdict)) for verdict in Verdict if not verdict.tells]
+    return np.asarray(~np.isin(outcomes.values.astype(str), inconclusive))

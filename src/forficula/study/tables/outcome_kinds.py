@@ -1,4 +1,4 @@
-"""What the words of a study's table mean: how far a structure came, whatever its transitions are called."""
+"""Meaning of the words in a study's table: how far a structure came, whatever its transitions are called."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _ATTRIBUTE = "transitions"
 
 
 class OutcomeKind(Enum):
-    """How far a structure came on its way through the transitions of a protocol."""
+    """How far a structure came through the transitions of a protocol."""
 
     DID_ALL = "all transitions"
     DID_FIRST = "the first, but not the last"
@@ -45,7 +45,7 @@ class OutcomeKind(Enum):
 
     @property
     def did_first(self) -> bool:
-        """Whether the first transition was done, so that the next one could be tried."""
+        """Whether the first transition succeeded, so that the next one could be tried."""
         return self in (
             OutcomeKind.DID_ALL,
             OutcomeKind.DID_FIRST,
@@ -57,12 +57,12 @@ class OutcomeKind(Enum):
 
 @dataclass(frozen=True, kw_only=True)
 class TableTransition:
-    """A transition as a table knows it.
+    """A transition in a table.
 
     Attributes:
         name: such as "fold".
-        state: that it leads to, such as "folded".
-        least: name of the variable with its least value; "" where none is looked for.
+        state: state that it leads to, such as "folded".
+        least: name of the variable with its least value; "" if none is searched.
         wording: for sentences.
     """
 
@@ -73,58 +73,58 @@ class TableTransition:
 
 
 def transitions_text(structure: Structure, search: Search | None) -> str:
-    """The transitions of a structure as an attribute of a table."""
+    """Return the transitions of a structure as text for an attribute of a table."""
     least = {step.transition: step.least_name for step in search.steps} if search is not None else {}
     return json.dumps(
         [
             {
-                "name": each.name,
-                "state": each.state,
-                "least": least.get(each.name, ""),
-                "wording": {key: word for key, word in asdict(each.wording).items() if not key.startswith("if_")},
+                "name": transition.name,
+                "state": transition.state,
+                "least": least.get(transition.name, ""),
+                "wording": {key: word for key, word in asdict(transition.wording).items() if not key.startswith("if_")},
             }
-            for each in structure.transitions
+            for transition in structure.transitions
         ]
     )
 
 
 def table_transitions(table: Dataset) -> tuple[TableTransition, ...]:
-    """The transitions of the structure that a table is of, in their order."""
+    """Return the transitions of a table's structure, in their order."""
     return tuple(
-        TableTransition(**{**each, "wording": Wording(**each["wording"])})
-        for each in json.loads(table.attrs.get(_ATTRIBUTE, "[]"))
+        TableTransition(**{**entry, "wording": Wording(**entry["wording"])})
+        for entry in json.loads(table.attrs.get(_ATTRIBUTE, "[]"))
     )
 
 
 def check_table(table: Dataset, path: Path, again: str) -> None:
-    """Refuse a table that does not say of which transitions it is.
+    """Reject a table that lacks its transitions.
 
     Args:
         table: that was read.
         path: of its file.
-        again: the command that writes it again.
+        again: command that writes the table again.
 
     Raises:
-        InputError: it is such a one.
+        InputError: the table lacks its transitions.
     """
     if _ATTRIBUTE not in table.attrs:
-        raise InputError(f"{path}: of an earlier forficula; run `{again}` again")
+        raise InputError(f"{path}: written by an earlier forficula; run `{again}` again")
 
 
 def asked_transitions(table: Dataset) -> tuple[TableTransition, ...]:
-    """The transitions whose least values were searched for, or all of them where none was."""
+    """Return the transitions whose least values were searched; all transitions if none was searched."""
     transitions = table_transitions(table)
-    return tuple(each for each in transitions if each.least) or transitions
+    return tuple(transition for transition in transitions if transition.least) or transitions
 
 
 def did_all(table: Dataset, transitions: Sequence[TableTransition]) -> DataArray:
-    """Whether every one of some transitions was done in a plain run, over the points' dimensions."""
-    # what never left its first state may well be found in it after the way back
-    return reduce(and_, (table[each.state].astype(bool) for each in transitions))
+    """Return whether all given transitions succeeded in a plain run, over the points' dimensions."""
+    # all are checked: a structure that never leaves its first state is also in this state after the way back
+    return reduce(and_, (table[transition.state].astype(bool) for transition in transitions))
 
 
 def least_values(table: Dataset, transition: TableTransition) -> Array:
-    """The least values that made a transition, SI, (structure,): of a later one, where the one before it was kept."""
+    """Return the least successful values of a transition, SI, (structure,), for structures that kept earlier states."""
     values = table[transition.least]
     for before in table_transitions(table):
         if before == transition:
@@ -134,18 +134,18 @@ def least_values(table: Dataset, transition: TableTransition) -> Array:
 
 
 def lost_text(table: Dataset, transition: TableTransition) -> str:
-    """How many made a transition under its least value and lost it when released, as " (2 did not stay folded)".
+    """Return the number of structures that lost a state when released, as " (2 did not stay folded)".
 
-    Empty where all kept it.
+    Empty if none did.
     """
     count = int((table[transition.least].notnull() & _lost(table, transition)).sum())
     return f" ({count} {verdict_word(Verdict.NOT_HELD, transition.wording)})" if count else ""
 
 
 def undecided_text(table: Dataset, transition: TableTransition) -> str:
-    """How many more make a transition if all do of which that is undecided, as " (15 with the undecided ones)".
+    """Return the number of structures that succeed if all undecided ones do, as " (15 with the undecided ones)".
 
-    Empty where all are decided.
+    Empty if none is undecided.
     """
     open_ones, names = table[transition.least].isnull(), (f"{transition.name}_outcome", "outcome")
     outcomes = next(table[name] for name in names if name in table)
@@ -154,8 +154,8 @@ def undecided_text(table: Dataset, transition: TableTransition) -> str:
 
 
 def confirmation_sentence(table: Dataset) -> str:
-    """Return how many runs were repeated at half the timestep and what that changed; empty where none was."""
-    runs, repeated, changed = (int(table.attrs.get(f"runs{of}", 0)) for of in ("", "_repeated", "_undecided"))
+    """Return how many runs were repeated at half the timestep, and how many verdicts changed; empty if none was."""
+    runs, repeated, changed = (int(table.attrs.get(f"runs{suffix}", 0)) for suffix in ("", "_repeated", "_undecided"))
     if not repeated:
         return ""
     verdicts = "no verdict changed" if not changed else f"{changed} changed their verdict and count as undecided"
@@ -163,40 +163,43 @@ def confirmation_sentence(table: Dataset) -> str:
 
 
 def _lost(table: Dataset, transition: TableTransition) -> DataArray:
-    """Where a transition was made and lost when released."""
+    """Return where a transition succeeded but its state was lost when released."""
     outcomes = table.get(f"{transition.name}_outcome", table["outcome"])
     return outcomes == verdict_word(Verdict.NOT_HELD, transition.wording)
 
 
 def asked_verbs(table: Dataset) -> list[str]:
-    """What is asked whether a structure does it, such as "fold"; "settle" where its protocol drives nothing."""
-    return [each.wording.verb for each in asked_transitions(table)] or ["settle"]
+    """Return the verbs of the studied transitions, such as "fold"; "settle" if the protocol drives nothing."""
+    return [transition.wording.verb for transition in asked_transitions(table)] or ["settle"]
 
 
 def whole_of(table: Dataset) -> str:
-    """What sentences call the structure that a table is of."""
+    """Return the noun for the structure of a table in sentences."""
     return str(table.attrs.get("whole", Appearance().whole))
 
 
 def not_tried_word(transitions: Sequence[TableTransition]) -> str:
-    """What a table says of a later transition where the first was not done."""
+    """Return the word for a later transition that was not tried because the first failed."""
     return f"not tried: did not {transitions[0].wording.verb}" if transitions else "not tried"
 
 
 def word_of(table: Dataset, kind: OutcomeKind) -> str:
-    """The word by which a table tells a kind; "" where it has none."""
-    return next((word for word, its in outcome_kinds(table).items() if its is kind), "")
+    """Return the word for a kind in a table; "" if it has none."""
+    return next((word for word, meaning in outcome_kinds(table).items() if meaning is kind), "")
 
 
 def outcome_kinds(table: Dataset) -> Mapping[str, OutcomeKind]:
-    """What each word that a table may have means; those that came furthest first."""
+    """Return the meaning of each word that a table may have, beginning with the furthest."""
     transitions = table_transitions(table)
     kinds: dict[str, OutcomeKind] = {}
     if not transitions:
         kinds[verdict_word(Verdict.REACHED, None)] = OutcomeKind.DID_ALL
-    first, later = [each.wording for each in transitions[:1]], [each.wording for each in transitions[1:]]
+    first, later = (
+        [transition.wording for transition in transitions[:1]],
+        [transition.wording for transition in transitions[1:]],
+    )
     reached = [verdict_word(Verdict.REACHED, wording) for wording in reversed([*first, *later])]
-    kinds |= {word: OutcomeKind.DID_FIRST if place else OutcomeKind.DID_ALL for place, word in enumerate(reached)}
+    kinds |= {word: OutcomeKind.DID_FIRST if index else OutcomeKind.DID_ALL for index, word in enumerate(reached)}
     for verdict, wordings, kind in (
         (Verdict.STUCK, later, OutcomeKind.STUCK_LATER),
         (Verdict.STUCK, first, OutcomeKind.STUCK),

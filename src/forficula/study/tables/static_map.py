@@ -1,4 +1,4 @@
-"""Which structures of a grid make their transitions under slowly growing torques: a map without any simulation."""
+"""Static map: structures of a grid that make their transitions under slowly growing torques, without simulation."""
 
 from __future__ import annotations
 
@@ -29,22 +29,22 @@ if TYPE_CHECKING:
     import xarray
 
 
-# some 50 ms each
+# about 50 ms each
 _MOST_POINTS = 100_000
-# more are hardly faster, and say nothing for longer
+# larger batches are hardly faster, but report progress less often
 _SIDE_BY_SIDE = 256
 
 
 def map_study(design: Design, over: Mapping[str, object], search: Search | None = None) -> Study:
-    """The grid of a static map.
+    """Return the grid of a static map as a study.
 
     Args:
-        design: what is varied.
-        over: values by key of the design, as a study file has its factors: a range with a step, or a list.
-        search: the torques to try; those of a study file that gives none, if not given.
+        design: that is varied.
+        over: values by key of the design, as the factors of a study file: a range with a step, or a list.
+        search: torques to try; by default those of a study file without a table `search`.
 
     Raises:
-        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree on joints.
+        InputError: an unknown key, values that are not allowed, a distribution, or a design that is no tree of joints.
     """
     if is_net(structure_of(design)):
         raise InputError(
@@ -56,12 +56,12 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
     count = math.prod(len(factor.values) for factor in factors)
     if count > _MOST_POINTS:
         raise InputError(f"{', '.join(over)}: need at most {_MOST_POINTS} points of a static map, got {count}")
-    matter = static_keys(design)
+    relevant = static_keys(design)
     for factor in factors:
-        if not factor.key.startswith(("tendon.", *matter)):
+        if not factor.key.startswith(("tendon.", *relevant)):
             raise InputError(
-                f"{factor.key}: changes nothing under slowly growing torques; need a key of the tendon, or of"
-                f" {', '.join(matter)}"
+                f"{factor.key}: has no effect under slowly growing torques; need a key of the tendon, or of"
+                f" {', '.join(relevant)}"
             )
         if factor.distribution is not None:
             raise InputError(f'{factor.key}: need a list or a range such as "10..60 N/cm step 10", got a distribution')
@@ -77,20 +77,20 @@ def map_study(design: Design, over: Mapping[str, object], search: Search | None 
 
 
 def static_map(study: Study, progress: Callable[[int, int], None] | None = None) -> xarray.Dataset:
-    """Let torques grow step by step on every design of a study: the least that make the transitions it asks for.
+    """Find the least slowly growing torques that make the transitions of a search, for every design of a study.
 
-    Every torque of the study's search above 0 is tried, with all inertia left out. Designs that differ in their tendons
-    only go side by side.
+    Every torque of the study's search above 0 is tried, without inertia. Designs that differ only in their tendons are
+    computed side by side.
 
     Args:
         study: a grid with a search for the least torques.
-        progress: called now and then with the designs that are done, and all of them.
+        progress: called now and then with the number of completed designs and the number of all designs.
 
     Returns:
-        Dimensions are the factors; variables as in the table of a search for the least torques.
+        Dimensions are the factors. Variables are as in the table of a search for the least torques.
 
     Raises:
-        InputError: the study draws its points, or searches for no torques.
+        InputError: the points of the study are sampled, or it does not search for torques.
     """
     from forficula.study.tables.study_table import StudyTable
 
@@ -103,7 +103,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
         try:
             design = point_design(study.base, point)
         except InputError as error:
-            results[number] = {**_told(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
+            results[number] = {**_ending_columns(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
         else:
             groups.setdefault(repr([key_value(design, key) for key in static_keys(design)]), []).append(
                 (number, design)
@@ -143,8 +143,8 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
 
 
 def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]:
-    """Unit and what it is, by name."""
-    wordings = {each.name: each.wording for each in structure.transitions}
+    """Return unit and meaning of each variable, by name."""
+    wordings = {transition.name: transition.wording for transition in structure.transitions}
     steps = {
         step.least_name: ("N m", f"least slowly growing torque that {wordings[step.transition].does}")
         for step in search.steps
@@ -153,56 +153,60 @@ def _numbers(structure: Structure, search: Search) -> dict[str, tuple[str, str]]
 
 
 def _states(search: Search) -> tuple[str, str]:
-    """Names of the states before and after the first transition."""
+    """Return the names of the states before and after the first transition."""
     return search.start_state or "first", search.first.state
 
 
 def _rows(designs: Sequence[Design], search: Search) -> list[dict[str, float | str]]:
-    """Rows of designs that go side by side."""
+    """Return rows of designs that are computed side by side."""
     structures = ensemble_of(designs)
-    transitions = {each.name: each for each in structures.structure.transitions}
+    transitions = {transition.name: transition for transition in structures.structure.transitions}
     before, after = _states(search)
     position, rests = start_state(structures).position, np.ones(structures.cases, dtype=bool)
     columns = {f"{before}_energy": _tendon_energies(structures, position)}
-    ways: list[tuple[Transition, Flags, Flags]] = []
+    results: list[tuple[Transition, Flags, Flags]] = []
     for step in search.steps:
         transition, torques = transitions[step.transition], [torque for torque in step.values if torque > 0]
-        found = slow_transition(structures, position, transition, torques)
-        slow = found.torque
-        columns[step.least_name] = np.where(rests, slow, np.nan)
-        position = state_after(structures, transition, slow, found.position).position
+        slow_result = slow_transition(structures, position, transition, torques)
+        torque = slow_result.torque
+        columns[step.least_name] = np.where(rests, torque, np.nan)
+        position = state_after(structures, transition, torque, slow_result.position).position
         rests = at_goal(structures, position, goal_of(structures.structure, transition.released))
         if step is search.first:
             columns[f"{after}_energy"] = np.where(rests, _tendon_energies(structures, position), np.nan)
-        ways.append((transition, np.isfinite(slow), rests))
+        results.append((transition, np.isfinite(torque), rests))
     return [
         {
             **{name: float(values[case]) for name, values in columns.items()},
-            **_told(_ending([(transition, bool(made[case]), bool(held[case])) for transition, made, held in ways])),
+            **_ending_columns(
+                _ending(
+                    [(transition, bool(succeeded[case]), bool(held[case])) for transition, succeeded, held in results]
+                )
+            ),
         }
         for case in range(structures.cases)
     ]
 
 
 def _tendon_energies(structures: Ensemble, position: Array) -> Array:
-    """Energy of all tendons, J, (case,)."""
+    """Return the energy of all tendons, J, (case,)."""
     stored = structures.tendons.energy(position[:, structures.crossed])
-    energies = np.array([sum(each) for each in stored], dtype=np.float64)
+    energies = np.array([sum(energy) for energy in stored], dtype=np.float64)
     return energies if structures.lines is None else energies + line_energy(structures.lines, position)[0]
 
 
-def _told(ending: Ending) -> dict[str, str]:
+def _ending_columns(ending: Ending) -> dict[str, str]:
     return {"status": ending_text(ending), "verdict": ending.verdict.value, "outcome": ending_word(ending)}
 
 
-def _ending(ways: Sequence[tuple[Transition, bool, bool]]) -> Ending:
-    """What a structure comes to: of each transition, whether some torque makes it, and whether it then rests there."""
-    for transition, made, held in ways:
-        if not made:
+def _ending(results: Sequence[tuple[Transition, bool, bool]]) -> Ending:
+    """Return the ending: for each transition, whether some torque makes it, and whether its state is then held."""
+    for transition, succeeded, held in results:
+        if not succeeded:
             return Ending(verdict=Verdict.STUCK, transition=transition)
         if not held:
             return Ending(verdict=Verdict.NOT_HELD, transition=transition)
-    return Ending(verdict=Verdict.REACHED, transition=ways[-1][0])
+    return Ending(verdict=Verdict.REACHED, transition=results[-1][0])
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:

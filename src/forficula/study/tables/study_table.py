@@ -1,4 +1,4 @@
-"""The table of a study as a notebook shows it. Only what makes one imports this, for xarray takes long to load."""
+"""Table of a study for notebooks. Only modules that build tables import this one, because xarray is slow to load."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from forficula.study.study import Study
 
 
 class StudyTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
-    """An `xarray.Dataset` that shows its maps above its numbers.
+    """An `xarray.Dataset` that displays its maps above its numbers.
 
     Attributes:
-        study: whose points are the rows. Parts of a table and tables that were read from a file do not have it.
+        study: study whose points are the rows. Parts of a table and tables read from a file lack it.
     """
 
     __slots__ = ("study",)
@@ -24,7 +24,7 @@ def study_of_table(table: object) -> Study:
     """Return the study whose points are the rows of a table.
 
     Raises:
-        InputError: it is a part of a table, or was read from a file.
+        InputError: the table is a part of one, or was read from a file.
     """
     study = getattr(table, "study", None)
     if not isinstance(study, Study):

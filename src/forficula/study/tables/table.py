@@ -1,4 +1,4 @@
-"""Rows to a labelled table: one entry a point, the failed ones too."""
+"""Tables of studies: labelled data with one entry per point, including failed ones."""
 
 from __future__ import annotations
 
@@ -30,20 +30,19 @@ if TYPE_CHECKING:
 
 
 def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping[str, Row]) -> xarray.Dataset:
-    """Label the results of a study.
+    """Build the labelled table of a study's results.
 
     Args:
-        study: what was asked.
-        designs: by number of the point, or why there is none.
+        study: the study.
+        designs: by index of the point; or why there is none.
         rows: by key, none missing.
 
     Returns:
-        Dimensions are the factors, in the study's order, or "sample" where the points were drawn, or "choice" and the
-        grid that is repeated there where factors are varied one at a time, the base first; coordinates in SI with
-        `units`, `display` and `key`. Of every transition of the base there are time and work, of every state the energy
-        of the tendons and, where there are such, of the hinges' springs, in a search of every transition the least
-        value; the attribute `transitions` names them, see `table_transitions`, and `whole` is what sentences call the
-        structure.
+        Dimensions are the factors, in the study's order; or "sample" if the points were sampled; or "choice" (the base
+        first) and the repeated grid if factors are varied one at a time. Coordinates are in SI, with `units`, `display`
+        and `key`. Variables are time and work of every transition of the base; the energy of the tendons and, if they
+        exist, of the hinges' springs in every state; and the least value of every searched transition. The attribute
+        `transitions` has the transitions, see `table_transitions`; `whole` is the noun for the structure in sentences.
     """
     from forficula.study.tables.study_table import StudyTable
 
@@ -57,7 +56,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
     variables: dict[str, Any] = {}
     for name, (unit, meaning) in numbers.items():
         sprung = name.endswith(tuple(f"_{kind}_energy" for kind in SPRUNG))
-        # springs are not in every structure
+        # not every structure has springs
         if sprung and all(result.get(name) is None for result in results):
             continue
         values = np.array([_nan(result.get(name)) for result in results]).reshape(shape)
@@ -67,7 +66,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         variables[name] = (dimensions, texts)
     if search is None:
         for transition in structure.transitions:
-            holds = np.array([bool(each.get(transition.state)) for each in results]).reshape(shape)
+            holds = np.array([bool(result.get(transition.state)) for result in results]).reshape(shape)
             variables[transition.state] = (dimensions, holds)
     else:
         variables |= _by_value(search, results, dimensions, shape)
@@ -81,7 +80,7 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
         "source": study.source,
         "design": study.base.name,
         "design_hash": study.base.hash,
-        "ask": _asked(study),
+        "ask": _ask(study),
         "tendons": len(structure.tendons),
         "transitions": transitions_text(structure, search),
         "start_state": first_state(structure, structure.stage_states),
@@ -95,27 +94,30 @@ def build_table(study: Study, designs: Mapping[int, Design | str], rows: Mapping
 
 
 def _confirmations(rows: Mapping[str, Row]) -> dict[str, int]:
-    """How many runs there are, how many were repeated at half the timestep, and how many verdicts that changed."""
-    held = [row["confirmed"] for row in rows.values() if row.get("confirmed") is not None]
-    return {"runs": len(rows), "runs_repeated": len(held), "runs_undecided": held.count(False)}
+    """Return the numbers of runs, of runs repeated at half the timestep, and of changed verdicts."""
+    confirmed = [row["confirmed"] for row in rows.values() if row.get("confirmed") is not None]
+    return {"runs": len(rows), "runs_repeated": len(confirmed), "runs_undecided": confirmed.count(False)}
 
 
 def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
-    """The numbers of a table: unit and what it is, by name."""
+    """Return unit and meaning of the numbers of a table, by name."""
     search = study.search
     drives = [step.drive for step in search.steps] if search is not None else []
-    asked = [each for each in structure.transitions if search is None or each.drive in drives]
+    studied = [transition for transition in structure.transitions if search is None or transition.drive in drives]
     start = [state for state in [first_state(structure, structure.stage_states)] if state]
     numbers: dict[str, tuple[str, str]] = {}
     for step in search.steps if search is not None else ():
-        does = next(each.wording.does for each in asked if each.drive == step.drive)
+        does = next(transition.wording.does for transition in studied if transition.drive == step.drive)
         what = "torque" if step.unit is TORQUE else step.key
-        numbers[step.least_name] = (step.unit.si, f"least {what} that {does}")
-    numbers |= {f"{each.name}_time": ("s", each.wording.time) for each in asked}
-    numbers |= {f"{each.name}_work": ("J", f"work of {each.wording.noun}, done or not") for each in asked}
+        numbers[step.least_name] = (step.unit.si, f"least {what} with which the structure {does}")
+    numbers |= {f"{transition.name}_time": ("s", transition.wording.time) for transition in studied}
+    numbers |= {
+        f"{transition.name}_work": ("J", f"work of {transition.wording.noun}, even if it failed")
+        for transition in studied
+    }
     stored = "energy of the tendons" if structure.tendons else "stored energy"
-    # a transition that failed has what it came to
-    ends = {each.state: f"{each.state}, or where {each.wording.noun} ended" for each in asked}
+    # a failed transition has the energy of its final state
+    ends = {transition.state: f"{transition.state}, or where {transition.wording.noun} ended" for transition in studied}
     for state, where in ({state: state for state in start} | ends).items():
         numbers[f"{state}_energy"] = ("J", f"{stored}, {where}")
         numbers[f"{state}_hinge_energy"] = ("J", f"energy of the hinges' springs, {where}")
@@ -125,35 +127,37 @@ def _numbers(study: Study, structure: Structure) -> dict[str, tuple[str, str]]:
     return numbers
 
 
-def _asked(study: Study) -> str:
+def _ask(study: Study) -> str:
     if study.search is None:
         return "run"
     return "least-torques" if study.search.first.key in drive_keys(study.base) else "least-value"
 
 
 def _columns(study: Study, table: xarray.Dataset) -> list[str]:
-    """What the text of a table has, in this order: numbers, words, and whether each state holds."""
+    """Return the columns of a table as text, in order: numbers, words, and whether each state holds."""
     structure = structure_of(study.base)
     numbers = list(_numbers(study, structure))
-    late = [f"{each.name}_time" for each in structure.transitions[1:]]
+    late = [f"{transition.name}_time" for transition in structure.transitions[1:]]
     early = [name for name in numbers if name not in (*late, "residual")]
-    holds = [each.state for each in structure.transitions]
+    holds = [transition.state for transition in structure.transitions]
     return [name for name in (*early, "status", *late, "verdict", "residual", *holds) if name in table]
 
 
 def _by_value(
     search: Search, results: Sequence[Mapping[str, Any]], dimensions: tuple[str, ...], shape: tuple[int, ...]
 ) -> dict[str, Any]:
-    """What became of the first transition with every value that was tried."""
-    first, by = search.first, "torque" if search.first.unit is TORQUE else "value"
+    """Return the result of the first transition for every value that was tried."""
+    first, kind = search.first, "torque" if search.first.unit is TORQUE else "value"
     axes = (*dimensions, first.value_name)
-    times = np.array([[_nan(each.get("times_tried", {}).get(t)) for t in first.values] for each in results])
-    became = [[each.get("outcomes_tried", {}).get(t, each["outcome"]) for t in first.values] for each in results]
+    times = np.array([[_nan(result.get("times_tried", {}).get(value)) for value in first.values] for result in results])
+    outcomes = [
+        [result.get("outcomes_tried", {}).get(value, result["outcome"]) for value in first.values] for result in results
+    ]
     times = times.reshape(*shape, -1)
     return {
-        f"{first.transition}_time_by_{by}": (axes, times, {"units": "s"}),
-        f"{first.state}_by_{by}": (axes, np.isfinite(times)),
-        f"{first.transition}_outcome_by_{by}": (axes, np.array(became, dtype=object).reshape(*shape, -1)),
+        f"{first.transition}_time_by_{kind}": (axes, times, {"units": "s"}),
+        f"{first.state}_by_{kind}": (axes, np.isfinite(times)),
+        f"{first.transition}_outcome_by_{kind}": (axes, np.array(outcomes, dtype=object).reshape(*shape, -1)),
     }
 
 
@@ -168,7 +172,7 @@ def _tried(step: SearchStep) -> tuple[str, Array, dict[str, str]]:
 
 
 def table_csv(study: Study, table: xarray.Dataset) -> str:
-    """The table as text, one line a point, units in the names of the columns, empty where there is no number."""
+    """Return the table as text: one line per point, units in column names, empty cells for missing numbers."""
     names, rows = _rows(study, table)
     varied = len(study.factors) + len(study.grid)
     return csv_text([names, *([*row[:varied], *map(_cell, row[varied:])] for row in rows)])
@@ -179,9 +183,9 @@ class TableRow:
     """A point of a study.
 
     Attributes:
-        status: what the run came to, in a few words.
-        verdict: the same in a word.
-        others: values of the factors, and numbers and states of the run, by name and unit.
+        status: outcome in a few words.
+        verdict: of the run.
+        others: values of the factors, and numbers and states of the run, by name with unit.
     """
 
     status: str
@@ -190,21 +194,21 @@ class TableRow:
 
 
 def table_json(study: Study, table: xarray.Dataset) -> list[dict[str, Any]]:
-    """Return the rows of `table_csv` as plain data, with the keys of `TableRow`; None where there is nothing."""
+    """Return the rows of `table_csv` as plain data, with the keys of `TableRow`; None for missing values."""
     names, rows = _rows(study, table)
     return [dict(zip(names, row, strict=True)) for row in rows]
 
 
 def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any]]]:
-    """Headings and rows of a table, one a point; None for what there is not, or that a run does not tell."""
+    """Return column names and rows of a table, one per point; None for missing or inconclusive values."""
     varied = (*study.factors, *study.grid)
     factors = [_column(factor) for factor in varied]
     names = _columns(study, table)
     units = {name: unit_suffix(table[name].attrs.get("units", "")) for name in names}
     columns = [table[name].values.ravel().tolist() for name in names]
-    silent = [verdict for verdict in Verdict if not verdict.tells]
-    told = table["verdict" if "verdict" in table else "outcome"].values
-    tells = (~np.isin(told.astype(str).ravel(), silent)).tolist()
+    inconclusive = [verdict for verdict in Verdict if not verdict.tells]
+    words = table["verdict" if "verdict" in table else "outcome"].values
+    conclusive = (~np.isin(words.astype(str).ravel(), inconclusive)).tolist()
     rows: list[list[Any]] = []
     for number, point in enumerate(study.points):
         values = [_point_value(study, factor, point) for factor in varied]
@@ -212,14 +216,14 @@ def _rows(study: Study, table: xarray.Dataset) -> tuple[list[str], list[list[Any
             factor * value if isinstance(value, float) else value
             for value, (_, factor) in zip(values, factors, strict=True)
         ]
-        rows.append([*cells, *(_told(column[number], tells=tells[number]) for column in columns)])
+        rows.append([*cells, *(_known(column[number], conclusive=conclusive[number]) for column in columns)])
     return [*(name for name, _ in factors), *(name + units[name] for name in names)], rows
 
 
 def _result(
     study: Study, design: Design | str, rows: Mapping[str, Row], numbers: Mapping[str, tuple[str, str]]
 ) -> dict[str, Any]:
-    """What became of a point: numbers by their names in the table, SI, and words."""
+    """Return the result of a point: numbers in SI by their names in the table, and words."""
     if isinstance(design, str):
         return ending_row(Ending(verdict=Verdict.NOT_BUILT, why=design))
     if study.search is not None:
@@ -229,7 +233,7 @@ def _result(
 
 
 def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int, ...]]:
-    """Coordinates, dimensions and shape of the table."""
+    """Return coordinates, dimensions and shape of the table."""
     coordinates: dict[str, Any] = {}
     crossed = study.grid if study.choices else () if study.sampled else study.factors
     names, shape = [factor.dimension for factor in crossed], [len(factor.values) for factor in crossed]
@@ -253,7 +257,7 @@ def table_axes(study: Study) -> tuple[dict[str, Any], tuple[str, ...], tuple[int
 
 
 def _point_value(study: Study, factor: Factor, point: Mapping[str, object]) -> Any:
-    """The value of a factor at a point or a choice: the base's where that has none of its own."""
+    """Return the value of a factor at a point or a choice; the base's value if the point has none."""
     return _factor_value(factor, point[factor.key] if factor.key in point else own_value(study.base, factor))
 
 
@@ -265,7 +269,7 @@ def _factor_value(factor: Factor, value: object) -> Any:
 
 
 def _column(factor: Factor) -> tuple[str, float]:
-    """Heading of a factor's column and the factor from SI to it; angles are in degrees, as in all our files."""
+    """Return the name of a factor's column and the conversion factor from SI; angles are in degrees."""
     unit = factor.unit
     if unit is None:
         return factor.dimension, 1.0
@@ -278,15 +282,15 @@ def _nan(value: object) -> float:
     return math.nan if value is None else float(str(value))
 
 
-def _told(value: object, *, tells: bool) -> object:
-    """A value; None for what there is not, or for yes or no of a run that does not tell."""
-    if isinstance(value, bool) and not tells:
+def _known(value: object, *, conclusive: bool) -> object:
+    """Return a value; None if it is missing, or if it is true or false from an inconclusive run."""
+    if isinstance(value, bool) and not conclusive:
         return None
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
 def _cell(value: object) -> object:
-    """A value as text has it."""
+    """Return a value as in CSV text."""
     if isinstance(value, bool):
         return str(value).lower()
     return "" if value is None else value
