@@ -129,8 +129,8 @@ def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
         "mountain (dash-dotted crease)",
         "valley (dashed crease)",
         "facet",
-        "held vertex",
-        "tendon, energy stored",
+        "fixed vertex",
+        "tendon, coloured by stored energy",
     ]
     data = clip_data(clip)
     assert len(data["triangles"]) == 3 * 2 * 16

@@ -128,7 +128,7 @@ def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):
     assert lines == [
         "",
         "Cycles: up to cycle 4",
-        "  margin of the fold torque over the least slow one: 70 at cycle 1, 420 at cycle 6",
-        "  margin of the unfold torque over the least slow one: 4 at cycle 1, 24 at cycle 6",
+        "  ratio of the fold torque to the least quasi-static torque: 70 at cycle 1, 420 at cycle 6",
+        "  ratio of the unfold torque to the least quasi-static torque: 4 at cycle 1, 24 at cycle 6",
         "  [2] to 4 seen",
     ]

@@ -254,7 +254,7 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
 def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
     """Each is handed over as data, with its fields in braces: copies drift."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
-    texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "which moves with the time"]
+    texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "moving over time"]
     texts += ["time by torque", *LIVE_OUTCOME_TEXTS.values()]
     pieces = {piece.strip() for text in texts for piece in re.split(r"\{\w+\}", text)}
     long = {piece for piece in pieces if piece.count(" ") > 1}

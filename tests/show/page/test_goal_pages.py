@@ -155,9 +155,9 @@ def test_the_design_itself_is_marked_in_the_cloud(goals, built):
 def test_facts_stand_with_the_share_that_meets_them_and_pairs_that_exclude_one_another_are_marked(goals):
     tried, path = goals["identify"]
     page = path.read_text("utf-8")
-    facts = cells(page, "Share of the samples drawn")
+    facts = cells(page, "Share of the drawn samples")
     assert [row[0] for row in facts] == ["1. it works", "2. stiff", "3. slack", "4. never"]
-    pairs = cells(page, "How many of the")
+    pairs = cells(page, "Number of the")
     both = tried.table["met"].values.astype(int)
     assert [[int(re.sub(r"\D", "", cell)) for cell in row[1:]] for row in pairs] == (both.T @ both).tolist()
     assert [[cell.startswith("✕") for cell in row[1:]].count(True) for row in pairs] == [0, 1, 1, 0]

@@ -102,7 +102,7 @@ def test_every_landscape_with_a_curve_has_its_states_on_it(surveyed, name):
 def test_a_run_that_diverged_is_told_and_not_played(surveyed, short_run, tmp_path):
     page = landscape_page(surveyed("reference"), tmp_path, {}, replace(short_run, diverged_at=0.01))
     assert data_of(page)["kind"] == "curves"
-    assert "The run beside it" not in page
+    assert "Run of this design" not in page
     assert "The simulated wing: diverged" in page
 
 
@@ -227,7 +227,7 @@ def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the
 def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_nothing_is_drawn(surveyed, tmp_path):
     plates = surveyed("plates")
     data = data_of(landscape_page(plates, tmp_path, {}))
-    assert data["curves"][0]["drawn"] == "This hinge turns alone; the others are as at the start."
+    assert data["curves"][0]["drawn"] == "This hinge turns alone; all others keep their starting angles."
     shown = inner_hinge(plates)
     poses = poses_of(plates, shown)
     assert np.ptp(poses.angles, axis=0) == pytest.approx(

@@ -209,7 +209,7 @@ def test_on_a_telephone_nothing_is_wider_than_the_page_and_nothing_was_said_or_a
 
 def test_the_same_parts_give_the_same_bytes_and_another_run_is_refused(parts, short_run, letter_run):
     assert parts_page(parts, CHECKS, short_run) == parts_page(parts, CHECKS, short_run)
-    with pytest.raises(InputError, match="record: need one of the design that the parts are of, binder2025"):
+    with pytest.raises(InputError, match="record: need a run of the design of the parts, binder2025"):
         parts_page(parts, CHECKS, letter_run)
 
 

@@ -43,7 +43,7 @@ def data(page):
 
 def rows(page):
     """The texts of the table of all points."""
-    body = re.search(r"<caption>One row a point[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    body = re.search(r"<caption>One row for each point[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
     return [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
 
 
@@ -99,7 +99,7 @@ def test_of_many_points_there_is_a_map_and_a_pointer_to_the_file(study_file):
     table = planted(TWO)
     places = {name: np.arange(size) % table.sizes[name] for name, size in zip(TWO, (61, 50), strict=True)}
     page = study_page(study, table.isel(places), (), 0)
-    assert "The 3050 points are too many for a table here; table.csv has them all." in page
+    assert "A table of 3050 points is too long for this page; table.csv lists all." in page
     assert data(page)["csv"] is None
     assert len(data(page)["study"]["statuses"]) == 3050
 

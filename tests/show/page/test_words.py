@@ -86,7 +86,7 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     odd = replace(short_outcome, status="did not open", advise=lambda: Advice(text="Raise it."), states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
-    assert any(remark.startswith("Where the folded state is taken, the wing still moves") for remark in remarks)
+    assert any(remark.startswith("In the folded state the wing still moves") for remark in remarks)
     series = {name: values.copy() for name, values in short_run.series.items()}
     series["stop_work"][-1] += 1.0  # J
     unsound = replace(short_run, series=series)
@@ -118,10 +118,10 @@ def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
 
 
 def test_a_structure_is_told_by_what_it_is_or_by_its_parts(short_run):
-    told = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, which"
-    assert structure_text(short_run.structure).startswith(told)
+    start = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, "
+    assert structure_text(short_run.structure).startswith(start)
     nameless = replace(short_run.structure, appearance=replace(short_run.structure.appearance, text=""))
-    counted = "A wing of 6 bars, 2 membranes, 12 hinges and 3 tendons, 22 cm in size, which moves with the time."
+    counted = "A wing of 6 bars, 2 membranes, 12 hinges and 3 tendons, 22 cm in size, moving over time."
     assert structure_text(nameless) == counted
 
 
