@@ -119,8 +119,8 @@ def test_what_a_structure_lacks_is_in_no_legend(plates_runs):
         name: set(texts(run_drawings(*plates_runs[name])["energy"](PAGE_WIDTH)))
         for name in ("whole", "without tendons")
     }
-    assert {"tendons", "hinges", "kinetic", "taken by tendons"} <= there["whole"]
-    assert not {"tendons", "taken by tendons", "membrane"} & there["without tendons"]
+    assert {"tendons", "hinges", "kinetic", "dissipated by tendons"} <= there["whole"]
+    assert not {"tendons", "dissipated by tendons", "membrane"} & there["without tendons"]
     assert "done by torques" not in texts(run_drawings(*plates_runs["without motors"])["energy"](PAGE_WIDTH))
     folding = texts(run_drawings(*plates_runs["without tendons"])["folding"](PAGE_WIDTH))
     assert {"base", "flap"} <= set(folding)
@@ -167,7 +167,7 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     energy = 1e3 * (stored.tendon_energy.sum() + stored.hinge_energy.sum())
     assert f"{energy:.4g}" in lines["sum"].split()
     assert "+ change of hinge energy" in lines
-    assert "+ taken by stops" in lines
+    assert "+ dissipated by stops" in lines
     assert not any("membrane" in line for line in lines)
 
 

@@ -236,9 +236,9 @@ def test_a_least_value_lies_between_those_that_do_not_tell_and_the_one_that_hold
 def test_what_exclusion_rests_on_is_told_with_its_numbers(contradicted):
     many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
     told = together_sentences(contradicted)
-    assert "Exclude one another, as far as samples tell" in told[-2]
-    assert f"many | few: by 0 of 64 that tell, by either alone {many} and {few} (" in told[-1]
-    assert "if independent); at most 4.6 % of what is believed (95 %); by none of" in told[-1]
+    assert "Pairs that exclude one another, as far as samples show" in told[-2]
+    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in told[-1]
+    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in told[-1]
     assert int(contradicted.tried_together[0, 1]) == 32
 
 
@@ -260,7 +260,7 @@ def test_names_with_brackets_stand_in_the_table_as_they_are(capsys):
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
     # of a single sample nothing follows for the values beside it
-    assert "Too few samples to say what agrees: 1 ran" in said
+    assert "There are too few samples to compute which values agree: 1 ran" in said
     assert "One sample meets the fact." in said
 
 
@@ -271,4 +271,4 @@ def test_where_nothing_can_be_built_the_reason_is_told():
     assert together_sentences(result)[0].startswith(
         "4 samples cannot be built, mostly: binder2025: tendon.distal_attach"
     )
-    assert agrees_sentences(result) == ["None agrees, for none can be built."]
+    assert agrees_sentences(result) == ["No sample agrees, because none can be built."]

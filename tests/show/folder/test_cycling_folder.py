@@ -56,12 +56,12 @@ def test_the_figure_shows_what_was_not_seen_and_where_the_wing_stops(cycling):
     assert [axes.get_ylabel() for axes in figure.axes] == [
         "energy of the tendons (J)",
         "fold time (s)",
-        "margin: torque over the least slow one",
+        "margin: torque / least slow torque",
     ]
     assert {axes.get_xlabel() for axes in figure.axes} == {"cycle N"}
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert labels == [
-        *("flat", "folded", "opened", "not seen in the tests"),
+        *("flat", "folded", "opened", "not covered by tests"),
         *("first failure, cycle 5", "did not fold and open"),
     ]
     shaded = [
@@ -128,7 +128,7 @@ def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):
     assert lines == [
         "",
         "Cycles: up to cycle 4",
-        "  ratio of the fold torque to the least quasi-static torque: 70 at cycle 1, 420 at cycle 6",
-        "  ratio of the unfold torque to the least quasi-static torque: 4 at cycle 1, 24 at cycle 6",
+        "  ratio of the fold torque to the least slow torque: 70 at cycle 1, 420 at cycle 6",
+        "  ratio of the unfold torque to the least slow torque: 4 at cycle 1, 24 at cycle 6",
         "  [2] to 4 seen",
     ]

@@ -100,8 +100,8 @@ def test_a_drift_is_drawn_through_the_specimens_with_its_size(tpu_material):
     assert loss.get_ylabel().startswith("loss per cycle (")
 
 
-def test_what_cannot_be_told_is_said_in_its_place(elastic_material, lawless_material):
+def test_an_unknown_drift_and_a_missing_law_are_reported(elastic_material, lawless_material):
     # two cycles are too few for a drift
-    assert {axes.get_title("left") for axes in draw_drift(elastic_material).axes} == {"drift cannot be told"}
+    assert {axes.get_title("left") for axes in draw_drift(elastic_material).axes} == {"drift unknown"}
     with pytest.raises(InputError, match="tpu: there is no law to draw"):
         draw_fit(lawless_material)

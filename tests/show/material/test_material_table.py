@@ -78,14 +78,14 @@ def test_sizes_of_a_linear_and_of_a_nonlinear_tendon(reference):
     grown = MaterialLaw(name="grown", moduli=(4e6, 0.0, 1e6), residual_strain=0.1)
     text = printed(size_table(grown, size_tendons(reference, grown, [1000.0])))
     assert "mean stiffness" in text
-    assert "The material has grown by 10 % for good" in text
-    assert "the law does not say up to which strain it holds" in text
+    assert "The material is permanently 10 % longer" in text
+    assert "the law does not report the strain up to which it was measured" in text
 
 
 def test_sizes_call_the_structure_by_its_word():
     law = load_law("tpu-82a")
     text = printed(size_table(law, size_tendons(load_design("letter-fold"), law, [1000.0], length=1.0)))
-    assert "The flat structure leaves it slack." in text
+    assert "The tendon is slack in the flat structure." in text
     assert "wing" not in text
 
 

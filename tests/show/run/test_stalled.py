@@ -60,20 +60,20 @@ def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak, dr
     figure = drawings["angles"](7.1)
     place = next(place for place, axes in enumerate(figure.axes) if axes.get_ylabel() == "torque (N cm)")
     drawn = lines(figure.axes[place + 1])  # of the stage, in ms
-    acts = drawn["acts on every proximal joint"]
+    acts = drawn["acting on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
     stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # of which the landscape tries no more
     least = energy_landscape(stronger, points=61).least_torques["fold"]
-    assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
+    assert drawn["least slow torque"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
 
 
-def test_where_no_torque_does_there_is_no_line_but_words(weak):
+def test_without_a_sufficient_torque_the_legend_says_so(weak):
     figure = draw_angles(weak, measure(weak), 3.5, lambda: np.nan)
     told = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
-    assert "slowly, none up to 10 N cm does" in told
-    assert "needed at least, slowly" not in told
+    assert "no slow torque up to 10 N cm suffices" in told
+    assert "least slow torque" not in told
 
 
 def test_the_advice_stands_beside_the_verdict(weak, drawings):

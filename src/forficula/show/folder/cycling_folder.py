@@ -174,7 +174,7 @@ def print_cycling(cycling: Cycling) -> None:
         first, last = (run.margins[name] for run in (runs[0], runs[-1]))
         if first is not None and last is not None:
             text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
-            console.print(f"  ratio of the {name} torque to the least quasi-static torque: {text}")
+            console.print(f"  ratio of the {name} torque to the least slow torque: {text}")
     for remark in cycling.remarks:
         console.print(f"  {remark}", markup=False, soft_wrap=True)
 

@@ -1,4 +1,4 @@
-"""Parts as shaded triangles with their edges, at an angle of their joints, together or taken apart."""
+"""Parts as shaded triangles with their edges, at an angle of their joints, assembled or as an exploded view."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from forficula.show.make.pose import apart, poses_at
 from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
 
 _EDGE = "#2A2F35"
-# half width of an edge, and how much nearer to the eye it is painted, m
+# m, half the width of an edge, and the distance by which edges are moved towards the eye
 _THIN, _NEARER = 1.1e-4, 2e-4
-_DARK, _LIGHT = 0.5, 0.55  # how light a face is that is turned away from the light, and how much more one towards it
-_LAMP = np.array([-0.35, 0.55, 0.75])  # to the right, up and towards the eye
+_DARK, _LIGHT = 0.5, 0.55  # brightness of a face turned away from the light, and what is added towards the light
+_LAMP = np.array([-0.35, 0.55, 0.75])  # direction of the light: right, up and towards the eye
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlacedPart:
-    """A part where it is.
+    """Part at its position.
 
     Attributes:
-        part: that it is.
-        look: number of its look.
-        mesh: with its points where they are.
+        part: the part.
+        look: index of its look.
+        mesh: mesh with moved points.
     """
 
     part: Part
@@ -43,9 +43,9 @@ class PlacedPart:
 
 
 def placed_parts(parts: PartSet, angle: float, away: float = 0.0) -> list[PlacedPart]:
-    """Every part with all joints at an angle in their own senses, rad, taken apart by a share.
+    """Return every part with all joints at an angle in their own senses, rad, moved apart by a share.
 
-    Straps are taut or bow away from their hinge; rods at the ground are straight, for nothing turns there.
+    Straps are taut or bow away from their hinge. Rods at the ground are straight, because nothing turns there.
     """
     poses, ways = poses_at(parts, angle), apart(parts)
     _, looks = part_looks(parts)
@@ -62,7 +62,7 @@ def placed_parts(parts: PartSet, angle: float, away: float = 0.0) -> list[Placed
 
 
 def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> PaintedShape:
-    """Shade parts in the colours of their looks, with dark edges and the faces of stops in their colour."""
+    """Shade parts in the colours of their looks, with dark edges, and the faces of stops in the colour of stops."""
     triangles, shades = [], []
     lamp = _LAMP / np.linalg.norm(_LAMP)
     for each in placed:
@@ -91,7 +91,7 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
 
 
 def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], way: Array) -> PartMesh:
-    """All straps of a tendon as they are bent, with their eyes; slack, they bow away from the hinge."""
+    """Return all straps of a tendon, bent, with their eyes; slack straps bow away from the hinge."""
     joint = next(each for each in parts.joints if each.tendon == place.tendon)
     axis = poses[joint.proximal.body].rotation @ joint.frame[:, 1]
     meshes = []
@@ -110,7 +110,7 @@ def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMoti
 
 
 def _band(place: StrapPlace, line: Array, axis: Array) -> PartMesh:
-    """The sides of a strap along its middle, as wide as it is along an axis; its ends are in eyes."""
+    """Return the sides of a strap along its centre line, with its width along an axis; its ends lie in eyes."""
     ahead = np.gradient(line, axis=0)
     ahead -= (ahead @ axis)[:, None] * axis
     up = np.cross(axis, ahead)
@@ -125,7 +125,7 @@ def _band(place: StrapPlace, line: Array, axis: Array) -> PartMesh:
 
 
 def _eye(place: StrapPlace, middle: Array, across: Array) -> PartMesh:
-    """The ring of a strap around a peg."""
+    """Return the ring of a strap around a peg."""
     half = place.strap.width / 2 * across
     hole = Rod(start=middle - 2 * half, end=middle + 2 * half, diameter=place.peg_diameter)
     ring = Cut(solid=Rod(start=middle - half, end=middle + half, diameter=place.eye_diameter), taken=(hole,))
