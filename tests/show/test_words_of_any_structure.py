@@ -43,7 +43,7 @@ def called(surveyed):
 
 def test_climbs_are_called_by_what_their_transitions_do(called):
     texts = [text.get_text() for axes in draw_fold_path(called).axes for text in axes.texts]
-    assert any(text.startswith("closing takes") and text.endswith("on every petal") for text in texts)
+    assert any(text.startswith("closing requires") and text.endswith("on every petal") for text in texts)
     assert any(text.startswith("blooming takes") for text in texts)
     assert not any("folding" in text or "opening" in text for text in texts)
 
@@ -62,7 +62,7 @@ def test_structures_side_by_side_are_called_what_they_are():
 def test_a_table_carries_the_word():
     assert whole_of(xarray.Dataset(attrs={"whole": "flower"})) == "flower"
     assert maps_text("", ["a", "b"], [], [], whole="flower").startswith(
-        "Map of what became of every flower over a and b"
+        "Map of the outcome of every flower over a and b"
     )
 
 

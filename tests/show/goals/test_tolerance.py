@@ -47,7 +47,7 @@ def test_bars_stand_for_the_indices_of_the_factors_in_their_order_and_of_the_oth
     first = [bar.get_width() for bar in axes.containers[0]]
     assert first == pytest.approx([max(each, 0) for each in found.indices.first[0]])
     assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(found.indices.total[0].tolist())
-    assert "has to do with tendon left rest length" in description(axes.figure)
+    assert "is due to tendon left rest length" in description(axes.figure)
 
 
 def test_every_sample_is_a_point_of_the_cloud_over_a_cell_for_each_design_of_the_map(found, table):

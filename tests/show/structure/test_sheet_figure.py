@@ -64,7 +64,7 @@ def test_a_vertex_that_does_not_fold_flat_says_what_it_lacks(name, said):
 def test_a_sheet_that_folds_flat_has_no_marks():
     figure = drawn(SHEETS["Miura"])
     assert not any("does not" in each or "missing" in each for each in labels(figure))
-    assert "No inner vertex keeps it from folding flat" in figure.get_label()
+    assert "Every interior vertex folds flat" in figure.get_label()
 
 
 def test_a_dense_sheet_labels_few_vertices_and_the_worst_of_them():

@@ -81,4 +81,4 @@ def test_the_folder_has_the_table_twice_the_figure_and_a_page(tmp_path):
     page = (tmp_path / "report.html").read_text("utf-8")
     assert "Does not apply: gravity, because the axis of the hinge is upright." in page
     assert "1 of 3 changes have no reliable result" in page
-    assert "shorter where the change needs it: twice the damping of hinges 0.1 ms" in page
+    assert "shorter where the change requires it: twice the damping of hinges 0.1 ms" in page

@@ -159,7 +159,7 @@ def test_nothing_is_written_outside_the_figure():
 
 def test_the_text_for_those_who_do_not_see_it_has_every_count():
     text = description(draw_choices(planted()))
-    assert text.startswith("How many of 6 wings fold with values of binder2025 varied one at a time. ")
+    assert text.startswith("Number of 6 wings that fold, with values of binder2025 varied one at a time. ")
     assert "hinge damping (N m s/rad) 1e-2: 0; vein diameter (mm) 3: 2;" in text
 
 

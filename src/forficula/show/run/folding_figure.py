@@ -118,7 +118,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         if strain:
             scaled = ScalarMappable(Normalize(0, 100 * float(norm.vmax or 0)), STRAIN_COLOURS)
             bar = figure.colorbar(scaled, ax=list(panels), fraction=0.04, pad=0.02, aspect=30)
-            bar.set_label("strain, Green's (%)")
+            bar.set_label("Green strain (%)")
             bar.outline.set_visible(False)
         fit_legend(figure, handles, across, loc="outside lower center")
         seen = f" Largest strain of the membrane: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
