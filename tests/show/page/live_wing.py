@@ -80,7 +80,7 @@ class LiveWing:
 
     def slide(self, shares=None):
         """Put sliders to shares of their ranges, by key, and the others back to where the run has them."""
-        self.press("All as in this run")
+        self.press("Reset all to this run")
         for key, share in (shares or {}).items():
             self.put(key, share)
 

@@ -40,11 +40,11 @@ LEAST_TRIED = {
         *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
         *("BUTTON top: view from above", "BUTTON nearer", "SUMMARY Keys", "A Download design.toml"),
     },
-    "compare": {"BUTTON one scale: all wings as large as they are by each other", "BUTTON turn left"},
-    "landscape": {"BUTTON barrier close up", "BUTTON whole curve"},
+    "compare": {"BUTTON one scale: draw all wings at the same scale", "BUTTON turn left"},
+    "landscape": {"BUTTON barrier enlarged", "BUTTON whole curve"},
     "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve"},
     "study": {
-        *("point", "SELECT show", "BUTTON pin, to compare it with another", "BUTTON unpin point #", "SUMMARY Commands"),
+        *("point", "SELECT show", "BUTTON pin to compare with another", "BUTTON unpin point #", "SUMMARY Commands"),
         *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
     },
     "optimise": {

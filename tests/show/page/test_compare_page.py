@@ -77,7 +77,7 @@ def test_wings_are_drawn_to_one_scale_or_each_to_its_own_as_is_chosen(opened):
     show(opened, "whole runs", 0.03)
     eye = "(index) => { const { eye } = forficula.player.stage; eye.aim(index); return eye.camera.position.toArray(); }"
     shared = [opened.page.evaluate(eye, index) for index in (0, 1)]
-    choice = opened.page.get_by_role("button", name="one scale: all wings as large as they are by each other")
+    choice = opened.page.get_by_role("button", name="one scale: draw all wings at the same scale")
     choice.click()
     own = [opened.page.evaluate(eye, index) for index in (0, 1)]
     choice.click()

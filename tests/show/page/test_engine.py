@@ -218,7 +218,7 @@ def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, mon
     answered = run_in_page(design, [])
     assert answered["loaded"] == {
         "said": "refused",
-        "why": "the engine in this page lays the model out otherwise (jnt_dofadr)",
+        "why": "the engine in this page has another layout of the model (jnt_dofadr)",
         "to": 0,
     }
 

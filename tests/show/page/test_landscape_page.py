@@ -165,7 +165,7 @@ def test_where_the_curve_is_pressed_the_clock_goes_to_when_the_run_was_there(ope
 
 def test_the_barrier_can_be_seen_close_up(opened):
     page = opened.page
-    page.get_by_role("button", name="barrier close up").click()
+    page.get_by_role("button", name="barrier enlarged").click()
     opened.settle()
     low, high = page.evaluate("[forficula.curves[0].chart.scales.y.min, forficula.curves[0].chart.scales.y.max]")
     # 0.69 mJ of 0.18 J

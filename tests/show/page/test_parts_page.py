@@ -154,7 +154,7 @@ def test_the_keyboard_turns_joints_degree_by_degree_and_from_stop_to_stop(opened
     slider.press("Home")
     opened.settle()
     assert re.search(r"straps slack by \d", slider.get_attribute("aria-valuetext"))
-    assert page.get_by_role("button", name="stop of the fold").get_attribute("aria-pressed") == "true"
+    assert page.get_by_role("button", name="folding stop").get_attribute("aria-pressed") == "true"
     slider.press(" ")
     until(page, "forficula.clock.playing")
     slider.press(" ")

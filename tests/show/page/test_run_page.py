@@ -223,7 +223,7 @@ def test_from_every_side_the_wing_fills_the_picture_and_stays_in_it_all_through_
 def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
     page = opened.page
     places = []
-    follow = page.get_by_role("button", name="follow: keep the picture filled as it moves")
+    follow = page.get_by_role("button", name="follow: keep the picture filled during the motion")
     for pressed in ("false", "true"):
         follow.click()
         assert follow.get_attribute("aria-pressed") == pressed

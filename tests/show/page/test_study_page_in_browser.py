@@ -222,7 +222,7 @@ def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its
     page = opened.page
     first, second = sorted({point for point, part in small.kept if part == "folding"})[:2]
     open_folding(page, first)
-    page.get_by_role("button", name="pin, to compare it with another").click()
+    page.get_by_role("button", name="pin to compare with another").click()
     open_folding(page, second)
     page.evaluate("forficula.panel.playing.clock.seek(0.012)")
     opened.settle()
@@ -314,7 +314,7 @@ def test_cells_have_their_values_and_where_there_is_none_a_sign_and_a_reason(ope
     ]
     assert lightness == sorted(lightness)
     assert len(set(lightness)) == len(colours) > 1
-    assert "known of" in page.locator(".map > .note").inner_text()
+    assert "known for" in page.locator(".map > .note").inner_text()
 
 
 def test_the_table_is_filtered_by_outcome(opened, small):

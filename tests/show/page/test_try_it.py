@@ -98,7 +98,7 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
     live = LiveWing(opened.page.evaluate)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
-        lambda: live.press("Let go"),
+        lambda: live.press("Release"),
         lambda: live.put("protocol.gravity", 0.5),
         lambda: opened.page.evaluate(push),
     ):
@@ -125,7 +125,7 @@ def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
     slider = trial.page.locator(".slider", has_text="Tendon stiffness")
     assert "changed" in slider.get_attribute("class")
     mark, thumb = slider.locator(".home").bounding_box(), slider.locator("input").bounding_box()
-    trial.page.get_by_role("button", name="All as in this run").click()
+    trial.page.get_by_role("button", name="Reset all to this run").click()
     assert slider.locator("output").inner_text() == "10 N/cm"
     share = int(slider.locator("input").input_value()) / int(slider.locator("input").get_attribute("max"))
     assert mark["x"] + 1 == pytest.approx(thumb["x"] + 8 + share * (thumb["width"] - 16), abs=1.5)

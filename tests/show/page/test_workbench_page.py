@@ -210,7 +210,7 @@ def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench)
     assert field.locator(".wrong").inner_text() == "pattern.hub_radius: need >= 0, got -3 cm"
     assert field.locator("input").get_attribute("aria-invalid") == "true"
     assert field.locator("input").input_value() == "-3 cm"
-    assert "the last good model stays" in bench.alert()
+    assert "the last working model is kept" in bench.alert()
     assert bench.design().hash == before
     assert bench.page.evaluate("forficula.wing.panel.frame.readings[0].length") == 3
     # another key is changed meanwhile, and the bad one can be mended
@@ -262,13 +262,13 @@ def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
 def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench):
     page = bench.page
     page.get_by_role("tab", name="Landscape").click()
-    bench.press("Survey it")
+    bench.press("Compute it")
     bench.press("Stop")
     until(page, "document.querySelector('#view-landscape .note').textContent === 'Stopped.'", SECONDS)
     page.locator("#which-design").select_option("binder2025-joint")
     bench.settled()
     assert page.locator("h1").inner_text() == "binder2025-joint"
-    bench.press("Survey it")
+    bench.press("Compute it")
     # what has changed while it is surveyed is not what is shown then
     page.locator("#which-design").select_option("letter-fold")
     bench.settled()
@@ -277,7 +277,7 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     shown = page.frame_locator("#view-landscape iframe")
     shown.get_by_role("heading", name="binder2025-joint").wait_for()
     said = page.locator("#view-landscape .note").first.inner_text()
-    assert said == "This is of the design before its last change."
+    assert said == "This result belongs to the design before its last change."
 
 
 def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
@@ -290,7 +290,7 @@ def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(ben
     entry.press("Enter")
     bench.press("Stop building")
     bench.settled()
-    assert bench.alert() == "building it was stopped \u2013 the last good model stays."
+    assert bench.alert() == "building was stopped \u2013 the last working model is kept."
     assert bench.design() == before
     bench.put("pattern.columns", "3")
     assert bench.design().pattern.columns == 3
@@ -302,11 +302,11 @@ def test_the_design_file_is_written_by_hand(bench):
     area = page.get_by_label("The design file")
     text = area.input_value()
     area.fill(text.replace('diameter = "5 mm"', 'diameter = "4 mm"'))
-    bench.press("Build what stands here")
+    bench.press("Build this text")
     bench.settled()
     assert bench.design().vein.diameter == pytest.approx(4e-3)
     area.fill("diameter = ")
-    bench.press("Build what stands here")
+    bench.press("Build this text")
     bench.settled()
     # there to be mended
     assert area.input_value() == "diameter = "
