@@ -91,13 +91,18 @@ def _goal(goal: Goal) -> Iterator[str]:
 
 
 @_parts.register
-def _observations(seen: Observations) -> Iterator[str]:
-    yield heading(seen.name)
-    yield paragraph(f"{counted(len(seen.facts), 'fact')} on {seen.base.name}.")
+def _observations(observations: Observations) -> Iterator[str]:
+    yield heading(observations.name)
+    yield paragraph(f"{counted(len(observations.facts), 'fact')} on {observations.base.name}.")
     yield table(
-        "Unknown values", ("key", "prior"), [(prior.key, _values(prior)) for prior in seen.priors], numbers=False
+        "Unknown values",
+        ("key", "prior"),
+        [(prior.key, _values(prior)) for prior in observations.priors],
+        numbers=False,
     )
-    yield table("Facts", ("fact", "observed"), [(fact.name, asked_text(fact)) for fact in seen.facts], numbers=False)
+    yield table(
+        "Facts", ("fact", "observed"), [(fact.name, asked_text(fact)) for fact in observations.facts], numbers=False
+    )
 
 
 def _values(factor: Factor) -> str:

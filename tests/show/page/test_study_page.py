@@ -127,10 +127,10 @@ def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own(
 
 def test_the_papers_claims_stand_on_the_page_where_they_are_given(study):
     table = many_ends()
-    assert "Beside the paper" not in study_page(study, table, (), 0)
+    assert "Comparison with the paper" not in study_page(study, table, (), 0)
     compared = compare(replace(study, reproduces="binder2025"), table)
     page = study_page(study, table, (), 0, compared)
-    assert "Beside the paper" in page
+    assert "Comparison with the paper" in page
     assert "claims of Binder, Costi, Izzo, Seidl (Biomimetics 11(1):9, 2025, doi 10.3390/biomimetics11010009)" in page
     for claim in compared.claims:
         assert html.escape(claim.claim) in page

@@ -88,12 +88,12 @@ def folder_drawings(folder: Path) -> dict[str, Drawing]:
         raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
     drawings: dict[str, Drawing] = {}
     for kind in kinds_in(folder):
-        found = presentation(kind)
-        if found.read is None:
+        shown = presentation(kind)
+        if shown.read is None:
             raise InputError(
-                f"{folder}: the figures of {found.copied}; they are in its folder {COPIES}, or pass the result itself"
+                f"{folder}: the figures of {shown.copied}; they are in its folder {COPIES}, or pass the result itself"
             )
-        drawings |= found.read(folder)
+        drawings |= shown.read(folder)
     if not drawings:
         names = ", ".join(kind.data for kind in KINDS)
         raise InputError(f"{folder}: need a folder that forficula wrote, with one of {names} in it")
@@ -145,17 +145,17 @@ def write_page(result: object, path: Path, *, engine: bool = True) -> None:
             return
         result = as_record(folder)
     kind = result_kind(result)
-    found = presentation(kind)
-    if found.page is not None:
-        found.page(result, path, engine)
+    shown = presentation(kind)
+    if shown.page is not None:
+        shown.page(result, path, engine)
         return
-    if found.write is None:
+    if shown.write is None:
         raise InputError(f"a {kind.name} has its page in the folder that its command writes")
-    with TemporaryDirectory() as place:
-        found.write(result, Path(place))
-        if not (Path(place) / _PAGE).is_file():
+    with TemporaryDirectory() as folder_name:
+        shown.write(result, Path(folder_name))
+        if not (Path(folder_name) / _PAGE).is_file():
             raise InputError(f"{kind.name}: no page of their own; they are on the page of a run")
-        write_bytes(path, (Path(place) / _PAGE).read_bytes())
+        write_bytes(path, (Path(folder_name) / _PAGE).read_bytes())
 
 
 def read_dataset(path: Path) -> Dataset:

@@ -27,9 +27,9 @@ def identify_progress() -> Iterator[
     console = Console(stderr=True, highlight=False, quiet=is_quiet())
     start, last = monotonic(), [monotonic()]
 
-    def samples(done: int, total: int, found: Sequence[Sample]) -> None:
-        most = max((sum(each.met for each in sample.findings) for sample in found), default=0)
-        facts = max((len(sample.findings) for sample in found), default=0)
+    def samples(done: int, total: int, results: Sequence[Sample]) -> None:
+        most = max((sum(each.met for each in sample.findings) for sample in results), default=0)
+        facts = max((len(sample.findings) for sample in results), default=0)
         left = (monotonic() - start) / done * (total - done)
         console.print(
             f"{done} of {total} samples, about {left:.0f} s left; the best meets {most} of {facts} facts",

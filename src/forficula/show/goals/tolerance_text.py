@@ -97,7 +97,7 @@ def _reaches(tolerance: Tolerance) -> Table:
     """Return the factors that fail alone, the nearest failure first, and the number of those that do not."""
     table = _table("", "value", "fails below", "in tolerances", "fails above", "in tolerances")
     nearest = [
-        min((reach.fails for reach in ways if reach.fails is not None), default=np.inf) for ways in tolerance.reaches
+        min((reach.fails for reach in pair if reach.fails is not None), default=np.inf) for pair in tolerance.reaches
     ]
     for factor in np.argsort(nearest, kind="stable").tolist():
         if not np.isfinite(nearest[factor]):

@@ -55,7 +55,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         width: width of the figure, inch.
 
     Raises:
-        InputError: the panels have no way or several doings to fold.
+        InputError: the panels have no way or several ways to fold.
     """
     path = fold_path_of(landscape)
     pulling, stretched = springy_parts(landscape.structure), sheet_parts(landscape.structure)
@@ -105,7 +105,7 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
 
 
 def _mark_saddles(axes: Axes, path: FoldPath, factor: float) -> None:
-    """Mark the energy maxima along the fold, if forward are any."""
+    """Mark the energy maxima along the fold, if there are any."""
     if saddles := [state for state in path.states if not state.stable]:
         places = np.degrees([saddle.coordinate for saddle in saddles])
         heights = [factor * saddle.energy for saddle in saddles]

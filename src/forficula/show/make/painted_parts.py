@@ -47,16 +47,16 @@ def placed_parts(parts: PartSet, angle: float, away: float = 0.0) -> list[Placed
 
     Straps are taut or bow away from their hinge. Rods at the ground are straight, because nothing turns there.
     """
-    poses, ways = poses_at(parts, angle), apart(parts)
+    poses, shifts = poses_at(parts, angle), apart(parts)
     _, looks = part_looks(parts)
     straps = iter(parts.straps)
     placed = []
-    for part, look, way in zip(parts.parts, looks, ways, strict=True):
+    for part, look, shift in zip(parts.parts, looks, shifts, strict=True):
         if part.kind == "strap":
-            mesh = _strap_mesh(parts, next(straps), poses, away * way)
+            mesh = _strap_mesh(parts, next(straps), poses, away * shift)
         else:
             mesh, pose = part_mesh(part, parts.joints), STILL if part.body is None else poses[part.body]
-            mesh = _moved(mesh, pose.of(mesh.points + away * way))
+            mesh = _moved(mesh, pose.of(mesh.points + away * shift))
         placed.append(PlacedPart(part=part, look=look, mesh=mesh))
     return placed
 
@@ -73,9 +73,9 @@ def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> Pai
         own[: each.mesh.stops] = to_rgb(STOP_COLOUR)
         axes = np.column_stack([view.right, view.up, view.towards])
         facing = np.maximum(normals @ axes @ lamp, 0.0)
-        seen = normals @ view.towards > 0
-        triangles.append(_on_picture(corners[seen], view))
-        shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[seen])
+        visible = normals @ view.towards > 0
+        triangles.append(_on_picture(corners[visible], view))
+        shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[visible])
         quads, dark = ribbons(each.mesh.points[each.mesh.edges], view, _EDGE, _THIN, _NEARER)
         triangles.append(_on_picture(quads[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), view))
         shades.append(np.repeat(dark, 2, axis=0))
@@ -90,7 +90,7 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
     return PartMesh(points=points, triangles=mesh.triangles, stops=mesh.stops, edges=mesh.edges)
 
 
-def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], way: Array) -> PartMesh:
+def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], shift: Array) -> PartMesh:
     """Return all straps of a tendon, bent, with their eyes; slack straps bow away from the hinge."""
     joint = next(each for each in parts.joints if each.tendon == place.tendon)
     axis = poses[joint.proximal.body].rotation @ joint.frame[:, 1]
@@ -102,7 +102,7 @@ def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMoti
             meshes.append(_eye(place, middle, poses[body].rotation @ across))
     first = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1].tolist()
     return PartMesh(
-        points=np.concatenate([mesh.points for mesh in meshes]) + way,
+        points=np.concatenate([mesh.points for mesh in meshes]) + shift,
         triangles=np.concatenate([mesh.triangles + at for mesh, at in zip(meshes, first, strict=True)]),
         stops=0,
         edges=np.concatenate([mesh.edges + at for mesh, at in zip(meshes, first, strict=True)]),

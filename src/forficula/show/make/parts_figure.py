@@ -143,10 +143,10 @@ def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
     for each in taken:
         corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
         areas = triangle_normals(corners) @ view.towards
-        seen = np.maximum(areas, 0.0)
-        if seen.sum() > most:
-            middle = np.average(corners.mean(axis=1), axis=0, weights=seen)
-            best, most = view.project(middle), float(seen.sum())
+        visible = np.maximum(areas, 0.0)
+        if visible.sum() > most:
+            middle = np.average(corners.mean(axis=1), axis=0, weights=visible)
+            best, most = view.project(middle), float(visible.sum())
     return best
 
 

@@ -65,8 +65,8 @@ def _shown(numbers: Sequence[int]) -> list[int]:
 
 
 def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
-    for way, (colour, style) in WAYS.items():
-        branches: list[CycleBranch] = [getattr(cycle, way) for cycle in cycles]
+    for name, (colour, style) in WAYS.items():
+        branches: list[CycleBranch] = [getattr(cycle, name) for cycle in cycles]
         if len(branches) > 1:
             for branch in branches:
                 axes.plot(100 * branch.strain, branch.stress / factor, color=colour, lw=0.5, alpha=0.35)
@@ -101,7 +101,7 @@ def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
     """Draw the legend in the area of an unused panel, or below."""
     what = ", median of the specimens" if many else ""
     handles = [
-        Line2D([], [], color=colour, ls=style, lw=1.6, label=way + what) for way, (colour, style) in WAYS.items()
+        Line2D([], [], color=colour, ls=style, lw=1.6, label=name + what) for name, (colour, style) in WAYS.items()
     ]
     if many:
         handles.append(Line2D([], [], color="0.5", lw=0.6, label="each specimen"))

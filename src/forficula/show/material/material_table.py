@@ -106,10 +106,10 @@ def _moduli(material: Characterisation) -> list[RenderableType]:
     classes: dict[tuple[float, float], dict[str, ModulusClass]] = {}
     for each in material.pooled:
         classes.setdefault((each.from_strain, each.to_strain), {})[each.way] = each
-    for (low, high), ways in sorted(classes.items()):
+    for (low, high), by_branch in sorted(classes.items()):
         cells = [
-            _quartiles(getattr(ways[way], kind), factor) if way in ways else _NONE
-            for way in ("loading", "unloading")
+            _quartiles(getattr(by_branch[branch], kind), factor) if branch in by_branch else _NONE
+            for branch in ("loading", "unloading")
             for kind in ("secant_modulus", "local_modulus")
         ]
         table.add_row(f"{100 * low:g} to {100 * high:g}", *cells)

@@ -54,8 +54,8 @@ def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
         kinds: tuple[Kind, Kind] = ("secant_modulus", "local_modulus")
         for axes, kind in zip(panels, kinds, strict=True):
             _draw_band(axes, material)
-            for way in _LOOKS:
-                _draw_boxes(axes, material, way, kind)
+            for branch in _LOOKS:
+                _draw_boxes(axes, material, branch, kind)
             axes.set_ylabel(_NAMES[kind])
             axes.axhline(0, color="0.6", lw=0.5, zorder=1)
         _scale(panels[0], material)
@@ -76,12 +76,12 @@ def _draw_band(axes: Axes, material: Characterisation) -> None:
     axes.axhspan(low, high, color=_BAND, zorder=0, lw=0)
 
 
-def _draw_boxes(axes: Axes, material: Characterisation, way: str, kind: Kind) -> None:
+def _draw_boxes(axes: Axes, material: Characterisation, branch: str, kind: Kind) -> None:
     """Draw one box for each class: quartiles and median over specimens and cycles, whiskers to the extremes."""
-    face, edge, hatch = _LOOKS[way]
-    side = -_GAP if way == "loading" else _GAP
+    face, edge, hatch = _LOOKS[branch]
+    side = -_GAP if branch == "loading" else _GAP
     boxes, places = [], []
-    for entry in (each for each in material.pooled if each.way == way):
+    for entry in (each for each in material.pooled if each.way == branch):
         values = _single_values(material, entry, kind)
         quartiles = getattr(entry, kind)
         boxes.append(
@@ -150,8 +150,8 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     size = f"{show_quantity(length, LENGTH)} and {show_quantity(area, AREA).replace('^2', '²')}"
     handles = [
-        Patch(facecolor=face, edgecolor=edge, hatch=hatch, lw=0.8, label=way)
-        for way, (face, edge, hatch) in _LOOKS.items()
+        Patch(facecolor=face, edgecolor=edge, hatch=hatch, lw=0.8, label=branch)
+        for branch, (face, edge, hatch) in _LOOKS.items()
     ]
     band = f"{low:.3g} to {high:.3g} MPa, required for 10 to 60 N/cm at {size}"
     handles.append(Patch(facecolor=_BAND, edgecolor=_BAND_INK, lw=0.4, label=band))
@@ -167,9 +167,9 @@ def _legend(figure: Figure, material: Characterisation) -> None:
 def _text(material: Characterisation) -> str:
     """Describe the secant moduli."""
     medians_by_branch = []
-    for way in _LOOKS:
-        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == way]
-        medians_by_branch.append(f"when {way} {min(medians):.3g} to {max(medians):.3g} MPa")
+    for branch in _LOOKS:
+        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == branch]
+        medians_by_branch.append(f"when {branch} {min(medians):.3g} to {max(medians):.3g} MPa")
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     return (
         f"Moduli of {material.name} by class of strain. Median secant moduli {' and '.join(medians_by_branch)};"

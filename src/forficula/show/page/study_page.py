@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 # bytes that runs leave to the engine on a page that contains it; the engine takes 3.5 MB
 _ENGINE = 2_900_000
-_AGREES = {True: "yes", False: "no", None: "cannot tell"}
+_AGREES = {True: "yes", False: "no", None: "undecided"}
 
 
 def write_study_page(
@@ -87,7 +87,7 @@ def study_page(
             '<main class="study"><div id="explorer"></div>\n',
             section("Choices side by side", _choices(results), name="choices"),
             section("All points", points_table(data), name="points"),
-            section("Beside the paper", _comparison(compared), name="comparison"),
+            section("Comparison with the paper", _comparison(compared), name="comparison"),
             section("The study", *_about(study), name="about"),
             "</main>",
         )

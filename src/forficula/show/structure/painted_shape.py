@@ -66,7 +66,7 @@ class PaintedShape:
     Attributes:
         triangles: m in the picture, and towards the eye, (triangle, corner, 3); of equally close ones the last is
             visible.
-            one is seen.
+            one is visible.
         colours: red, green, blue, 0 to 1, (triangle, 3).
     """
 
@@ -260,8 +260,8 @@ def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
         [_unit(spokes[:-1] + spokes[1:]), *np.broadcast_to([-along, along], (_SIDES, 2, *along.shape)).swapaxes(0, 1)]
     )
     bright = outwards.reshape(-1, 3) @ view.towards
-    seen = bright > 0
-    return quads[seen], (_DULL + _LUSTRE * bright[seen, np.newaxis] ** 4) * to_rgb(BAR)
+    visible = bright > 0
+    return quads[visible], (_DULL + _LUSTRE * bright[visible, np.newaxis] ** 4) * to_rgb(BAR)
 
 
 def ribbons(

@@ -46,8 +46,8 @@ def rasterise(triangles: Array, colours: Array, size: tuple[int, int], samples: 
     total = np.zeros((height, width), dtype=np.uint64)
     for row in range(samples):
         for column in range(samples):
-            seen = nearest[row::samples, column::samples]
-            total += packed[np.where(seen < 0, len(colours), seen & _NAMES)]
+            keys = nearest[row::samples, column::samples]
+            total += packed[np.where(keys < 0, len(colours), keys & _NAMES)]
     summed = total.view(np.uint16).reshape(height, width, 4)
     counted = summed[..., 3:] // 255
     summed[..., :3] //= np.maximum(counted, 1)

@@ -55,8 +55,8 @@ def live_data(
     if why := why_not_portable(model):
         return {"refused": why}
     arrays, protocol = PackedArrays(), stepped_protocol(model)
-    found = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
-    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in found if each is not None]
+    candidates = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
+    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in candidates if each is not None]
     if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
         return {"refused": f"{listed(missing)} cannot be changed in a compiled model"}
     data = {
@@ -119,8 +119,8 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "brakes": model.brakes.tolist(),
         "brakeWays": [
             {"control": control, "motor": int(model.brakes[control])}
-            | {"way": [[dof, float(way[dof])] for dof in np.flatnonzero(way).tolist()]}
-            for control, way in enumerate(model.ways)
+            | {"way": [[dof, float(direction[dof])] for dof in np.flatnonzero(direction).tolist()]}
+            for control, direction in enumerate(model.ways)
             if model.brakes[control] >= 0
         ],
         "motors": [
@@ -252,7 +252,7 @@ def _bounds(values: Any) -> list[float | None]:
 def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any] | None]:
     """Return sliders for the strengths of the protocol's drives."""
     used = {number for stage in protocol.stages for number in stage.drives}
-    found = []
+    sliders: list[dict[str, Any] | None] = []
     for number in sorted(used):
         each = protocol.drives[number]
         strength, quantity = each.drive.strength, key_quantity(each.drive.key, type(model.design))
@@ -261,8 +261,8 @@ def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any]
         most = _MOST_STRENGTH * strength
         low, high = sorted((0.0, most))
         data = _slider(model.design, each.drive.key, quantity.unit, strength, low, high)
-        found.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
-    return found
+        sliders.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
+    return sliders
 
 
 def _knob_data(design: Design, knob: Knob) -> dict[str, Any] | None:

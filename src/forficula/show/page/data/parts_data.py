@@ -42,14 +42,14 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
     """
     arrays = PackedArrays()
     looks, own = part_looks(parts)
-    ways = apart(parts)
+    shifts = apart(parts)
     same: dict[str, int] = {}
     data = []
     masses = part_masses(parts)
-    for part, look, way in zip(parts.parts, own, ways, strict=True):
+    for part, look, shift in zip(parts.parts, own, shifts, strict=True):
         place = same.get(part.kind, 0)
         same[part.kind] = place + 1
-        data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": way.tolist()})
+        data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": shift.tolist()})
     return {
         "kind": "parts",
         "name": parts.design.name,

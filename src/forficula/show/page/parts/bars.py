@@ -16,7 +16,7 @@ class ShareBar:
     Attributes:
         start: value at which the bar begins.
         end: value at which the bar ends; it is cut at the end of the scale.
-        low: lower end of the interval whisker `end`; equal to `end` without an interval.
+        low: lower end of the interval about `end`; equal to `end` without an interval.
         high: upper end of that interval.
         kind: how the bar looks: "first", "second", "good", "bad" or "open" (without a definite end).
     """
