@@ -129,7 +129,7 @@ def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
         "mountain (dash-dotted crease)",
         "valley (dashed crease)",
         "facet",
-        "supported vertex",
+        "support",
         "tendon, coloured by stored energy",
     ]
     data = clip_data(clip)

@@ -44,7 +44,7 @@ def called(surveyed):
 def test_climbs_are_called_by_what_their_transitions_do(called):
     texts = [text.get_text() for axes in draw_fold_path(called).axes for text in axes.texts]
     assert any(text.startswith("closing requires") and text.endswith("on every petal") for text in texts)
-    assert any(text.startswith("blooming takes") for text in texts)
+    assert any(text.startswith("blooming requires") for text in texts)
     assert not any("folding" in text or "opening" in text for text in texts)
 
 

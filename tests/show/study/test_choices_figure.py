@@ -129,8 +129,8 @@ def test_wings_that_open_again_are_marked_where_opening_was_asked_for():
 
 
 def test_the_papers_count_is_a_line_where_the_study_names_the_paper_whatever_it_is_called():
-    assert "the paper: 32" in legend(drawn(draw_choices(planted().assign_attrs(reproduces="binder2025"))))
-    assert "the paper: 32" not in legend(drawn(draw_choices(planted("binder2025-choices"))))
+    assert "paper: 32" in legend(drawn(draw_choices(planted().assign_attrs(reproduces="binder2025"))))
+    assert "paper: 32" not in legend(drawn(draw_choices(planted("binder2025-choices"))))
 
 
 def test_single_wings_have_their_numbers_or_why_there_are_none():

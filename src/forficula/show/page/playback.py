@@ -325,7 +325,7 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
         for region, name in enumerate(clip.mesh.names):
             entries.setdefault(f"region {region}", name)
         if len(clip.mesh.joints):
-            entries.setdefault("joint", "supported vertex" if clip.mesh.held else "hinge")
+            entries.setdefault("joint", "support" if clip.mesh.held else "hinge")
         if len(clip.mesh.base):
             entries.setdefault("base", "fixed")
         if clip.structure.tendons:

@@ -59,7 +59,7 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
 def package_text(name: str, time: float, package: Package) -> str:
     """Return a sentence about the package of a state at a time, s."""
     return (
-        f"Package: {name} ({show_value(time, 's')}) it is {_size(package.height)} high and {_size(package.width)} by"
+        f"Package when {name} (at {show_value(time, 's')}): {_size(package.height)} high, {_size(package.width)} by"
         f" {_size(package.length)}, {100 * package.area_ratio:.3g} % of the area at the start."
     )
 

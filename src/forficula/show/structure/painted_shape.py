@@ -190,7 +190,7 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     if shape.tendons:
         handles.append(Line2D([], [], color=tendon_colour, lw=width, label="tendon"))  # type: ignore[arg-type]
     if len(shape.held):
-        handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=1.5 * width, label="supported vertex"))
+        handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=1.5 * width, label="support"))
     return handles
 
 

@@ -43,7 +43,7 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         _number(axes, structure, factor, turn)
         if held := list(held_corners(structure)):
             axes.plot(*(factor * points[held, :2]).T, "s", color=BAR, ms=3.5, zorder=3)
-            handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="supported vertex"))
+            handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="support"))
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
