@@ -99,7 +99,7 @@ DRAWN_BEFORE = (
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_a_legend_that_is_wider_than_its_figure_gets_fewer_columns_and_then_more_lines(width):
+def test_a_wide_legend_gets_fewer_columns_and_then_wrapped_words(width):
     for names in (["short"] * 3, ["of a length that is no longer short"] * 5, ["longer than a page is wide " * 6]):
         with figure_style():
             figure = Figure(figsize=(width, 3), layout="constrained")

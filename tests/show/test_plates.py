@@ -171,7 +171,7 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     assert not any("membrane" in line for line in lines)
 
 
-def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
+def test_a_wide_table_of_states_continues_below(plates_runs):
     record, outcome = plates_runs["whole"]
     missed = replace(outcome, holds=outcome.holds | {"closed": False})
     later = replace(
@@ -187,7 +187,7 @@ def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
     assert sum(line.startswith("sum") for line in lines) == 3
 
 
-def test_what_has_no_membrane_is_not_told_to_take_a_softer_one(plates_runs):
+def test_advice_does_not_mention_a_membrane_that_does_not_exist(plates_runs):
     record, _ = plates_runs["whole"]
     advice = measure(replace(record, diverged_at=0.5)).advice
     assert advice == 'Take a shorter timestep: protocol.timestep = "auto" chooses one.'
@@ -201,13 +201,13 @@ def test_names_that_differ_in_their_numbers_share_their_word():
     assert (counted(["vein 0"], "hinge"), counted(["a", "b"], "hinge")) == ("1 vein", "2 hinges")
 
 
-def test_what_is_called_alike_stands_in_one_row():
+def test_equal_names_share_a_row():
     rows, places = aligned([["vein 0", "vein 1"], ["vein 1", "vein 1", "cap"]])
     assert rows == ["vein 0", "vein 1", "vein 1", "cap"]
     assert places == [[0, 1], [1, 2, 3]]
 
 
-def test_a_named_design_of_plates_leaves_what_every_run_does(letter_run, no_figures, tmp_path):  # noqa: ARG001
+def test_a_run_of_a_named_design_of_plates_writes_all_files(letter_run, no_figures, tmp_path):  # noqa: ARG001
     record, outcome = letter_run, measure(letter_run)
     write_run(record, outcome, tmp_path, engine=False, copies=(".svg", ".pdf"))
     assert outcome.verdict is Verdict.REACHED

@@ -93,7 +93,7 @@ def _seen(painted):
     return picture[picture[:, 3] == 255]
 
 
-def test_many_creases_are_told_by_their_smallest_their_medians_and_their_largest():
+def test_many_creases_are_summarised_by_smallest_median_and_largest_angle():
     record, outcome = sheet_run("miura with a tendon")
     structure = record.structure
     creases = measure_of(structure, "creases")
@@ -114,7 +114,7 @@ def test_many_creases_are_told_by_their_smallest_their_medians_and_their_largest
     assert all(len(mark_readings(clip, clip.readings[0], mark)[0]) == 4 for mark in clip.marks)
 
 
-def test_the_energy_balance_tells_creases_from_bars():
+def test_the_energy_balance_separates_creases_from_bars():
     record, outcome = sheet_run("tower")
     told = dict(balance_rows(record.structure, outcome.energy_balance))
     assert any(label.endswith("change of crease energy") for label in told)
@@ -122,7 +122,7 @@ def test_the_energy_balance_tells_creases_from_bars():
     assert words_of(run_drawings(record, outcome)["energy"](PAGE_WIDTH))[:3] == ["creases", "bars", "kinetic"]
 
 
-def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
+def test_the_page_shows_facets_creases_by_assignment_and_supports():
     record, outcome = sheet_run("miura with a tendon")
     clip = make_clip(record, outcome)
     assert [entry["text"] for entry in legend_data([clip])] == [
@@ -139,7 +139,7 @@ def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
     assert "<td>edge" in strength_table(record)
 
 
-def test_the_terminal_tells_in_few_lines(capsys):
+def test_the_terminal_output_of_a_sheet_is_short(capsys):
     record, outcome = sheet_run("miura with a tendon")
     print_outcome("sheet", outcome)
     print_strength(record)

@@ -158,7 +158,7 @@ def test_a_film_that_is_stopped_leaves_nothing(tmp_path, reference_run, name):
     assert not list(tmp_path.iterdir())
 
 
-def test_what_ffmpeg_cannot_write_is_told_in_its_words_and_nothing_is_left(tmp_path, reference_run, monkeypatch):
+def test_errors_of_ffmpeg_are_reported_and_no_file_is_left(tmp_path, reference_run, monkeypatch):
     broken = tmp_path / "ffmpeg"
     broken.write_text("#!/bin/sh\necho 'Unknown encoder libx264' >&2\nexit 1\n")
     broken.chmod(0o755)

@@ -50,7 +50,7 @@ def cycling(reference):
     )
 
 
-def test_the_figure_shows_what_was_not_seen_and_where_the_wing_stops(cycling):
+def test_the_figure_marks_extrapolated_cycles_and_the_first_failure(cycling):
     figure = draw_cycling(cycling)
     FigureCanvasAgg(figure).draw()
     assert [axes.get_ylabel() for axes in figure.axes] == [
@@ -106,7 +106,7 @@ def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cyclin
     assert "record.nc" in files_in(tmp_path / "run")
 
 
-def test_the_page_of_a_run_tells_of_its_cycles(cycling, tmp_path, reference_run):
+def test_the_page_of_a_run_has_a_section_on_cycles(cycling, tmp_path, reference_run):
     ff.page(reference_run, tmp_path / "report.html")
     alone = (tmp_path / "report.html").read_text("utf-8")
     write_cycling(cycling, tmp_path)

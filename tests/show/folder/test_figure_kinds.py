@@ -91,7 +91,7 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
 
 @pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize(("tendons", "kinds"), [(True, ["levels", "rests", "tendon"]), (False, ["rests"])])
-def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, surveyed, tendons, kinds):
+def test_a_landscape_without_a_unique_fold_offers_the_figure_of_equilibria(tmp_path, surveyed, tendons, kinds):
     write_landscape(surveyed("plates" if tendons else "plates without tendons"), tmp_path / "out")
     assert sorted(folder_drawings(tmp_path / "out")) == kinds
 
@@ -208,7 +208,7 @@ def test_an_unknown_figure_is_refused_with_the_nearest_and_all(folders, tmp_path
     ("name", "what"),
     [("nowhere", "got no such folder"), ("file", "got a file"), ("empty", "with one of record.nc, .*table.nc in")],
 )
-def test_a_folder_that_is_none_of_ours_is_refused(tmp_path, name, what):
+def test_a_folder_that_forficula_did_not_write_is_refused(tmp_path, name, what):
     (tmp_path / "empty").mkdir()
     write_text(tmp_path / "file", "")
     with pytest.raises(InputError, match=f"{name}: need a folder that forficula wrote, {what}"):

@@ -38,7 +38,7 @@ def test_a_landscape_leaves_its_files_and_the_design_gives_the_same_again(survey
     assert content["simulation"]["peak_speed_rad_per_s"] < predicted["final_speed_rad_per_s"]
 
 
-def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surveyed, letter_run, tmp_path):
+def test_the_folder_of_plates_has_equilibria_and_hinges_in_their_own_senses(surveyed, letter_run, tmp_path):
     landscape = surveyed("plates")
     write_landscape(landscape, tmp_path / "there", letter_run)
     assert sorted(path.name for path in (tmp_path / "there").iterdir()) == sorted({*FILES, "rests.png"} - {"wing.png"})
@@ -83,7 +83,7 @@ def test_a_barrier_beside_straight_has_its_angle(surveyed, tmp_path):
 @pytest.mark.parametrize(
     "name", ["without rest length", "without hub", "without overbend", "slack", "without stiffness", "beyond the stop"]
 )
-def test_what_does_not_exist_is_null_and_said_in_a_sentence(surveyed, tmp_path, name):
+def test_missing_values_are_null_and_explained_by_a_sentence(surveyed, tmp_path, name):
     write_landscape(surveyed(name), tmp_path)
     content = read(tmp_path)
     assert content["simulation"] is None
@@ -101,7 +101,7 @@ def test_a_simulation_that_diverged_is_named_and_the_rest_is_written(surveyed, t
     assert (tmp_path / "tendon.png").exists()
 
 
-def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path, no_figures):  # noqa: ARG001
+def test_all_files_of_a_landscape_are_written_or_none(surveyed, tmp_path, no_figures):  # noqa: ARG001
     landscape = surveyed("reference")
     blocked = tmp_path / "blocked"
     (blocked / "wing.png").mkdir(parents=True)

@@ -89,12 +89,12 @@ def test_the_simulated_tendon_lies_on_the_closed_form_folding_and_opening(survey
         assert np.ptp(points.get_xdata()) > 120
 
 
-def test_a_simulation_that_is_not_there_is_not_in_the_legend(surveyed):
+def test_a_missing_simulation_is_not_in_the_legend(surveyed):
     legend = draw_tendon(surveyed("reference")).legends[0]
     assert not [text.get_text() for text in legend.get_texts() if "simulated" in text.get_text()]
 
 
-def test_what_is_not_there_is_said_in_a_sentence_in_its_place(surveyed):
+def test_a_missing_barrier_is_explained_by_a_sentence(surveyed):
     assert "slack at every angle" in texts(draw_tendon(surveyed("slack")))
     assert "slack at every angle" in texts(draw_fold_path(surveyed("slack")))
     assert "no stiffness" in texts(draw_tendon(surveyed("without stiffness")))
@@ -179,7 +179,7 @@ def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     assert top.get_ylabel() == "stored energy (mJ)"
 
 
-def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed, letter_run):
+def test_a_simulated_hinge_with_a_spring_is_on_the_line_of_the_sum(surveyed, letter_run):
     landscape = surveyed("plates")
     figure = draw_tendon(landscape, letter_run)
     both = labelled(figure, "tendon and")
@@ -192,7 +192,7 @@ def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed, lett
     assert all("back bend" in text for text in words)
 
 
-def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed):
+def test_equilibria_of_plates_are_drawn_with_stored_energies_and_angles(surveyed):
     landscape = surveyed("plates")
     top, bottom = draw_rests(landscape).axes
     assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened\n(as flat)"]
@@ -213,7 +213,7 @@ def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
     assert (top.get_ylim(), np.ptp(bottom.get_ylim())) == ((0, 1), pytest.approx(1))
 
 
-def test_what_is_not_there_is_not_drawn(surveyed):
+def test_figures_without_contents_are_left_out(surveyed):
     assert list(landscape_drawings(surveyed("reference"))) == ["tendon", "wing", "levels"]
     assert list(landscape_drawings(surveyed("plates"))) == ["tendon", "rests", "levels"]
     with pytest.raises(InputError, match="letter-fold: has no one way in which rigid panels fold"):

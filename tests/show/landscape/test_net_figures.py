@@ -48,7 +48,7 @@ def test_barriers_are_left_out_where_there_is_one_state():
     assert list(landscape_drawings(stiff)) == ["states", "modes", "courses"]
 
 
-def test_the_table_tells_states_barriers_drives_and_loads(landscape):
+def test_the_table_has_states_barriers_drives_and_loads(landscape):
     text = printed(landscape)
     assert "pyramid: 2 stable states were found: up, down" in text
     assert "up to down" in text

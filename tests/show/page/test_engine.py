@@ -81,7 +81,7 @@ def outcomes(answered):
     return [answer["outcome"] for answer in answered["answers"]]
 
 
-def test_the_engine_is_the_published_one_and_its_hash_stands_in_the_script_that_starts_it():
+def test_the_engine_is_the_published_one_and_its_script_contains_its_hash():
     stamp = built("engine.js").partition("\n")[0]
     program = gzip.decompress((BUILT / "engine.wasm.gz").read_bytes())
     assert f"engine.wasm {hashlib.sha256(program).hexdigest()} " in stamp
@@ -100,7 +100,7 @@ def test_the_reference_folds_and_opens_in_a_page_as_it_is_recorded(run_in_page):
     check_as_recorded(found, record)
 
 
-def test_what_is_asked_of_a_page_is_of_the_design_but_for_the_values_that_are_asked(run_in_page):
+def test_a_page_simulates_the_design_with_only_the_requested_values_changed(run_in_page):
     """Whatever a reader has changed meanwhile, as while a map is refined."""
     stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
     design = with_timestep(load_design("binder2025", {"protocol.stages": stages}))
@@ -109,7 +109,7 @@ def test_what_is_asked_of_a_page_is_of_the_design_but_for_the_values_that_are_as
 
 
 @pytest.mark.parametrize("name", ["binder2025-coupled", "binder2025-joint", "letter-fold"])
-def test_other_structures_that_a_page_can_move_go_as_they_are_recorded(run_in_page, name):
+def test_other_structures_move_in_a_page_as_recorded(run_in_page, name):
     record = run(load_design(name))
     (found,) = outcomes(run_in_page(record.design, [{}]))
     check_as_recorded(found, record)
@@ -139,7 +139,7 @@ to = "vertex 3"
 @pytest.mark.parametrize(
     "pattern", [miura(2), vertex([60, 95, 120, 85], "VVVM", fold="25 deg")], ids=["Miura sheet", "degree-4 vertex"]
 )
-def test_plates_that_close_loops_go_as_they_are_recorded_with_any_stiffness_and_rest_angle(run_in_page, pattern):
+def test_plates_in_loops_move_in_a_page_as_recorded(run_in_page, pattern):
     """Their steps are those of Runge and Kutta, and speed takes of their torques."""
     stages = [{"name": "fold", "drive": "fold", "limit": "0.1 s"}]
     design = plates(pattern, crease=LOOPS, more=TURNED, stages=stages, step="0.1 ms")
@@ -154,7 +154,7 @@ def test_plates_that_close_loops_go_as_they_are_recorded_with_any_stiffness_and_
         assert found["stages"][0]["work_J"] != 0
 
 
-def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_page):
+def test_loops_that_come_apart_are_untrusted_in_a_page(run_in_page):
     """With steps that welds cannot follow."""
     stages = [{"name": "swing", "limit": "0.2 s"}]
     stiff = LOOPS.replace("1e-3", "2e-2").replace("1e-5", "0")
@@ -167,7 +167,7 @@ def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_
     check_as_recorded(found, record)
 
 
-def test_work_of_torques_that_speed_takes_of_is_that_of_the_record(run_in_page):
+def test_work_of_torques_that_depend_on_speed_is_that_of_the_record(run_in_page):
     """As of servos, which do a small part of what the same torques would do to the end."""
     stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
     keys = {"protocol.no_load_speed": "3000 deg/s", "protocol.stages": stages}
@@ -198,7 +198,7 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
         assert time == (None if took.time is None else pytest.approx(took.time, abs=TIME))
 
 
-def test_what_the_engine_would_move_otherwise_is_refused_with_a_reason():
+def test_structures_that_the_engine_simulates_differently_are_refused_with_a_reason():
     for name, why in (
         ("miura-sheet", "its creases are no joints"),
         ("binder2025-built", "air or water"),
@@ -209,7 +209,7 @@ def test_what_the_engine_would_move_otherwise_is_refused_with_a_reason():
         assert why in refused["refused"]
 
 
-def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, monkeypatch):
+def test_an_engine_with_another_model_layout_is_refused(run_in_page, monkeypatch):
     """As one of another version might: a control, for else numbers would go to the wrong places without a word."""
     design = with_timestep(load_design("binder2025"))
     live = live_of(design)
@@ -223,7 +223,7 @@ def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, mon
     }
 
 
-def test_text_alone_would_fold_otherwise_for_older_engines_stretch_membranes_otherwise(run_in_page, monkeypatch):
+def test_numbers_are_needed_because_older_engines_stretch_membranes_differently(run_in_page, monkeypatch):
     """What makes the numbers necessary: with the source alone the wing takes an eighth longer."""
     design = with_timestep(load_design("binder2025"))
     live = live_of(design) | {"numbers": {}}

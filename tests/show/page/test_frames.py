@@ -27,7 +27,7 @@ def snap():
     return time, points
 
 
-def test_rest_takes_few_rows_and_a_snap_all_of_its_own(snap):
+def test_few_frames_are_kept_at_rest_and_all_frames_of_a_snap(snap):
     rows = kept_frames(*snap, moments=[], most=1000, tolerance=1e-9)
     assert set(range(500, 511)) <= set(rows)
     assert len(rows) <= 13
@@ -47,7 +47,7 @@ def test_straight_motion_needs_only_its_corners():
     st.sampled_from([0.0, 1e-3, 0.1]),
     st.integers(0, 1000),
 )
-def test_what_is_left_out_is_within_the_tolerance_or_the_rows_are_as_many_as_asked(
+def test_omitted_frames_are_within_the_tolerance_unless_the_number_of_frames_is_reached(
     count, most, moments, tolerance, seed
 ):
     random = np.random.default_rng(seed)
@@ -62,7 +62,7 @@ def test_what_is_left_out_is_within_the_tolerance_or_the_rows_are_as_many_as_ask
     assert len(rows) <= max(most, len(moments) + 2)
 
 
-def test_more_rows_never_draw_the_wing_worse(short_run):
+def test_more_frames_never_increase_the_error(short_run):
     points = short_run.series["point_position"]
     rows = [kept_frames(short_run.time, points, [], most=most, tolerance=0.0) for most in (10, 30, 100)]
     errors = [furthest(short_run.time, points, each) for each in rows]

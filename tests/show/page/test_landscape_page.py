@@ -50,14 +50,14 @@ def test_every_tendon_that_was_simulated_is_on_the_curve_of_statics(curves, shor
         assert np.isfinite(apart).mean() > 0.3
 
 
-def test_between_its_places_a_line_is_as_round_as_the_closed_form(curves, surveyed):
+def test_interpolated_lines_follow_the_closed_form(curves, surveyed):
     landscape, line = surveyed("reference"), curves[0].lines[0]
     own = landscape.tendons[1]
     exact = own.stored_energy(own.sense * line.angle)
     assert np.abs(line.energy - exact).max() < 1e-6 * exact.max()
 
 
-def test_at_rest_the_wing_is_on_the_curve_along_its_fold_and_in_the_snap_its_membrane_takes_it_off(curves, short_run):
+def test_a_run_is_on_the_curve_at_rest_and_leaves_it_during_the_snap(curves, short_run):
     curve, ends = curves[1], [end.end for end in short_run.stages]
     apart = np.abs(curve.balls[0].energy - on_line(curve.balls[0], curve.lines[0]))
     rows = np.searchsorted(short_run.time, [ends[2], ends[-1]]) - 1
@@ -65,7 +65,7 @@ def test_at_rest_the_wing_is_on_the_curve_along_its_fold_and_in_the_snap_its_mem
     assert np.nanmax(apart) == pytest.approx(short_run.series["membrane_energy"].max(), rel=0.2)
 
 
-def test_weight_is_counted_from_where_statics_counts_it():
+def test_gravitational_energy_has_the_reference_level_of_statics():
     still = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}
     design = load_design("binder2025", {"protocol.gravity": "9.81 m/s^2", "protocol.stages": [still]})
     record = run(design)
@@ -99,7 +99,7 @@ def test_every_landscape_with_a_curve_has_its_states_on_it(surveyed, name):
         curve_data(curve)
 
 
-def test_a_run_that_diverged_is_told_and_not_played(surveyed, short_run, tmp_path):
+def test_a_diverged_run_is_reported_and_not_played(surveyed, short_run, tmp_path):
     page = landscape_page(surveyed("reference"), tmp_path, {}, replace(short_run, diverged_at=0.01))
     assert data_of(page)["kind"] == "curves"
     assert "Run of this design" not in page
@@ -137,7 +137,7 @@ def balls(page, curve=0):
     return np.array(page.evaluate(script, curve))
 
 
-def test_the_balls_are_where_the_run_is_when_its_clock_goes_on(opened, curves, short_run):
+def test_the_balls_follow_the_clock(opened, curves, short_run):
     for row in np.linspace(0, len(short_run.time) - 1, 4).astype(int):
         opened.page.evaluate("(moment) => { forficula.clock.seek(moment); }", float(short_run.time[row]))
         opened.settle()
@@ -151,7 +151,7 @@ def test_the_balls_are_where_the_run_is_when_its_clock_goes_on(opened, curves, s
     assert opened.messages == []
 
 
-def test_where_the_curve_is_pressed_the_clock_goes_to_when_the_run_was_there(opened):
+def test_pressing_a_curve_moves_the_clock_to_the_nearest_time(opened):
     page = opened.page
     for angle, energy in ((-30.0, 0.12), (-170.0, 0.0)):
         script = "([x, y]) => { const { chart } = forficula.curves[0], box = chart.over.getBoundingClientRect();"

@@ -91,7 +91,7 @@ def simulated(recorded):
     return functools.cache(lambda changes: run(with_values(recorded[0].design, dict(changes))))
 
 
-def test_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
+def test_sliders_give_the_outcomes_of_the_package(wing, simulated):
     verdicts = set()
     wing.pace(4)
     for shares in SETTINGS_OF_SLIDERS:
@@ -120,12 +120,12 @@ def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
 
 
 @pytest.mark.usefixtures("one_wing")
-def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
+def test_there_are_no_console_messages_and_no_requests(shown):
     assert shown.messages == []
     assert [url for url in shown.requests if not url.startswith(("file:", "data:", "blob:"))] == []
 
 
-def test_what_the_engine_would_move_otherwise_is_told_with_the_reason(show, tmp_path):
+def test_a_structure_that_the_engine_cannot_simulate_is_reported_with_the_reason(show, tmp_path):
     keys = {"protocol.stages": [SETTLE], "protocol.timestep": "0.2 ms"}
     write_wing(tmp_path / "report.html", keys, "binder2025-built")
     page = show(tmp_path / "report.html", **SMALL)

@@ -36,7 +36,7 @@ def test_only_the_packed_script_may_run_and_nothing_may_be_fetched():
     assert re.findall(r'<(?:script|link|img|iframe)[^>]*(?:src|href)="(?!data:)', page) == []
 
 
-def test_numbers_that_are_none_are_refused_for_the_page_would_not_be_read():
+def test_nan_and_infinity_are_refused_in_page_data():
     with pytest.raises(ValueError, match="not JSON compliant"):
         page_html("wing", "", {"value": float("nan")})
 
@@ -55,7 +55,7 @@ def test_the_packed_script_is_that_of_its_sources():
         assert digest.hexdigest() in built(name).partition("\n")[0], f"{name} is stale: run make page"
 
 
-def test_the_licences_of_what_is_packed_stand_beside_it():
+def test_the_licences_of_packed_code_are_included():
     licences = built("LICENSES.txt")
     for words in ("three", "Copyright © 2010", "uplot", "Copyright (c) 2022 Leon Sorokin"):
         assert words in licences
@@ -103,7 +103,7 @@ def luminance(colour):
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the style are not there")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_colours_stand_out_from_what_they_stand_on_by_day_and_by_night(scheme):
+def test_colours_have_sufficient_contrast_in_light_and_dark_pages(scheme):
     light, dark = re.findall(r":root \{(.*?)\}", (WEB / "src" / "page.css").read_text("utf-8"), re.S)
     colours = dict(re.findall(r"--([\w-]+): (#\w{6});", light + dark * (scheme == "dark")))
     for pairs, least in ((LETTERS, 4.5), (MARKS, 3.0)):

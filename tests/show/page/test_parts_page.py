@@ -129,7 +129,7 @@ def test_the_recorded_run_moves_bars_as_the_simulator_did(opened, parts, short_r
             assert np.abs(built[own] @ turn.T + way - there).max() < 1e-5, (row, part.name)
 
 
-def test_taken_apart_every_part_is_as_far_away_as_it_is_told(opened, parts):
+def test_in_the_exploded_view_every_part_has_its_displacement(opened, parts):
     slider = opened.page.get_by_label("take apart")
     slider.focus()
     slider.press("End")
@@ -160,7 +160,7 @@ def test_the_keyboard_turns_joints_degree_by_degree_and_from_stop_to_stop(opened
     slider.press(" ")
 
 
-def test_what_is_hidden_is_not_drawn_and_a_press_tells_what_a_part_is(opened, parts):
+def test_hidden_parts_are_not_drawn_and_pressing_a_part_describes_it(opened, parts):
     page = opened.page
     seen = "forficula.shape.group.children.filter(each => each.isMesh && each.visible).length"
     assert page.evaluate(seen) == len(parts.parts)
@@ -185,7 +185,7 @@ def test_what_is_hidden_is_not_drawn_and_a_press_tells_what_a_part_is(opened, pa
     assert page.get_by_role("button", name="hub").get_attribute("aria-pressed") == "true"
 
 
-def test_checks_are_told_in_words_what_fails_first(opened):
+def test_checks_are_described_in_words_and_failures_come_first(opened):
     page = opened.page
     rows = page.locator("#checks tbody tr").all_inner_texts()
     assert [row.split("\t")[1:] for row in rows] == [
@@ -199,7 +199,7 @@ def test_checks_are_told_in_words_what_fails_first(opened):
     assert links == ["stl/proximal0.stl", "a%20b.csv"]
 
 
-def test_on_a_telephone_nothing_is_wider_than_the_page_and_nothing_was_said_or_asked_for(opened):
+def test_the_page_fits_a_phone_without_console_messages_or_requests(opened):
     for scheme, width in itertools.product(("light", "dark"), (390, 1280)):
         opened.show(width, 844, scheme)
         assert opened.page.evaluate("document.documentElement.scrollWidth") == width

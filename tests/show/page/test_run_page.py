@@ -220,7 +220,7 @@ def test_from_every_side_the_wing_fills_the_picture_and_stays_in_it_all_through_
         assert reaches.max(axis=1).min() > 0.5
 
 
-def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
+def test_without_following_the_camera_is_fixed(opened):
     page = opened.page
     places = []
     follow = page.get_by_role("button", name="follow: keep the picture filled during the motion")
@@ -340,7 +340,7 @@ def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, sho
     assert (time(page), page.evaluate(eye)) == before
 
 
-def test_who_hears_the_page_is_told_what_the_picture_and_the_plots_show_and_where_the_clock_is(opened):
+def test_screen_readers_hear_the_picture_the_plots_and_the_time(opened):
     page = opened.page
     assert "3 veins" in page.locator("canvas").first.get_attribute("aria-label")
     for plot in page.locator(".chart").all():
@@ -374,7 +374,7 @@ def test_dark_windows_get_light_text_on_dark_ground(opened):
     assert pixels(page).mean() < 120
 
 
-def test_where_a_browser_forces_its_own_colours_what_is_chosen_is_still_seen(opened):
+def test_selected_elements_are_visible_with_forced_colours(opened):
     page = opened.page
     page.emulate_media(forced_colors="active")
     widths = page.evaluate(
@@ -398,7 +398,7 @@ def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_m
     [(1280, 1000, "light"), (1280, 1000, "dark"), (360, 600, "light")],
     ids=["light", "dark", "phone"],
 )
-def test_the_wing_plots_and_a_legend_are_shown_none_over_another(opened, width, height, scheme):
+def test_the_wing_plots_and_legend_do_not_overlap(opened, width, height, scheme):
     opened.show(width, height, scheme)
     for state in (0, 1):
         go_to(opened, state)
@@ -415,7 +415,7 @@ def test_the_wing_plots_and_a_legend_are_shown_none_over_another(opened, width, 
         ("document.querySelector('.plots').style.marginTop = '-500px'", "one thing lies on another"),
     ],
 )
-def test_a_page_that_does_not_show_them_is_seen_to_do_so(opened, fault, what):
+def test_the_overlap_check_detects_missing_elements(opened, fault, what):
     """A control: without it the checks of what is shown could not fail."""
     opened.show(1280, 1000)
     go_to(opened, 1)
@@ -440,7 +440,7 @@ def test_downloaded_the_design_repeats_the_run(opened, short_run, tmp_path):
     assert "forficula run design.toml" in opened.page.locator("#repeat").inner_text()
 
 
-def test_what_is_said_aloud_is_not_said_in_every_frame(opened):
+def test_announcements_are_not_made_in_every_frame(opened):
     live = opened.page.locator("[aria-live], [role=status], output")
     assert [each.get_attribute("class") for each in live.all()] == ["spoken"]
 

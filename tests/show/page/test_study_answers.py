@@ -24,7 +24,7 @@ def answering(watch_all, searched, tmp_path_factory):
     return watch_all(path)
 
 
-def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_study_says(answering, table):
+def test_a_cell_without_a_run_is_simulated_on_request_with_the_study_s_outcome(answering, table):
     page = answering.page
     assert "This run was not kept" in page.locator("#run").inner_text()
     page.get_by_role("button", name="Simulate it here").click()
@@ -42,7 +42,7 @@ def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_stud
     assert answering.messages == []
 
 
-def test_of_cells_that_are_pressed_in_quick_succession_only_the_last_one_is_waited_for(answering):
+def test_only_the_last_of_several_requests_is_answered(answering):
     """Those before it are not begun."""
     page = answering.page
     page.evaluate(

@@ -74,7 +74,7 @@ def test_every_run_says_which_point_it_is_what_it_did_and_where_it_lies(study, k
     assert "opened again" in run["text"]
 
 
-def test_the_table_on_the_page_has_a_row_a_point_with_the_numbers_of_the_file(study):
+def test_the_table_on_the_page_has_one_row_for_each_point_with_the_numbers_of_the_file(study):
     table = many_ends()
     found = rows(study_page(study, table, (), 0))
     expected = list(csv.DictReader(io.StringIO(table_csv(study, table))))
@@ -93,7 +93,7 @@ def test_the_file_to_download_is_the_file_of_the_folder(study):
     assert data(study_page(study, table, (), 0))["csv"] == table_csv(study, table)
 
 
-def test_of_many_points_there_is_a_map_and_a_pointer_to_the_file(study_file):
+def test_a_study_with_many_points_has_a_map_and_a_reference_to_the_file(study_file):
     factors = '"tendon.stiffness" = "1..61 N/cm step 1"\n"tendon.rest_length" = "0..49 mm step 1"'
     study = load_study(study_file(factors, 'ask = "least-torques"'))
     table = planted(TWO)
@@ -114,7 +114,7 @@ def test_the_sentence_counts_what_folds_and_opens(study, study_file):
     assert study_sentence(load_study(study_file(GRID)), plain) == "12 points: 3 fold, 0 fold and open again."
 
 
-def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own():
+def test_the_last_factor_varies_fastest_and_drawn_points_have_their_own_values():
     factors = [{"values": [1, 2, 3]}, {"values": [1, 2, 3, 4]}]
     assert [places({"sampled": False, "factors": factors}, point) for point in (0, 1, 4, 11)] == [
         [0, 0],
@@ -125,7 +125,7 @@ def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own(
     assert places({"sampled": True, "factors": factors}, 2) == [2, 2]
 
 
-def test_the_papers_claims_stand_on_the_page_where_they_are_given(study):
+def test_the_page_lists_the_claims_of_the_paper_if_there_are_any(study):
     table = many_ends()
     assert "Comparison with the paper" not in study_page(study, table, (), 0)
     compared = compare(replace(study, reproduces="binder2025"), table)
@@ -153,7 +153,7 @@ def test_drawn_points_and_plain_runs_have_a_page_too(study_file):
     assert "12 values drawn" in page
 
 
-def test_choices_stand_side_by_side_with_what_folds_at_each(study_file):
+def test_choices_are_listed_with_the_number_of_wings_that_fold(study_file):
     dampings = '"hinge.damping" = ["1e-4 N m s/rad", "1e-2 N m s/rad"]\n"vein.diameter" = ["3 mm", "10 mm"]'
     grid = '[grid]\n"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm"]'
     head = 'vary = "one-at-a-time"\nask = "least-torques"'

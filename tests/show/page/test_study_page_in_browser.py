@@ -165,7 +165,7 @@ def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part
             assert np.linalg.norm(tips[:, None] - drawn[None], axis=2).min(axis=1).max() < EXACT
 
 
-def test_of_points_that_came_furthest_the_page_opens_the_run_that_folds_with_the_least_torque(one_page, small):
+def test_the_page_opens_the_most_successful_run_with_the_least_torque(one_page, small):
     page = one_page.page
     page.reload()
     until(page, "window.forficula !== undefined")
@@ -186,7 +186,7 @@ def open_folding(page, point):
         button.click()
 
 
-def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, small):
+def test_the_view_is_kept_from_cell_to_cell(opened, small):
     page = opened.page
     first, second = sorted({point for point, _ in small.kept})[:2]
     cell(page, first).click()
@@ -359,7 +359,7 @@ def test_the_table_that_is_downloaded_is_the_one_of_the_folder(opened, small):
     assert download.value.path().read_text("utf-8") == small.text
 
 
-def test_a_run_that_is_left_gives_back_its_graphics_memory(opened, small):
+def test_closing_a_run_frees_its_graphics_memory(opened, small):
     page = opened.page
     points = [point for point, part in small.kept if part == "folding"]
     cell(page, points[0]).click()
@@ -430,7 +430,7 @@ def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page)
     assert watched.messages == []
 
 
-def test_the_structure_plots_and_a_legend_are_shown_none_over_another(opened):
+def test_the_structure_plots_and_legend_do_not_overlap(opened):
     opened.show(1280, 1000)
     open_folding(opened.page, 2)
     opened.page.evaluate(

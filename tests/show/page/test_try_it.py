@@ -43,7 +43,7 @@ def begin_again(opened, shares=None):
     assert opened.live.do("Start again") == "Settled."
 
 
-def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, recorded):
+def test_a_page_with_the_engine_is_small_and_starts_it_only_on_request(watch, context, recorded):
     assert recorded[-1].stat().st_size < MOST
     others = len(context.pages)
     opened = watch(recorded[-1])
@@ -53,7 +53,7 @@ def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_aske
     assert opened.page.workers == []
 
 
-def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
+def test_folding_is_reported_before_rest(trial):
     begin_again(trial)
     trial.page.get_by_label("speed").last.select_option("1/20")
     trial.live.press("Fold")
@@ -65,7 +65,7 @@ def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
     assert re.fullmatch(r"The wing folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
 
 
-def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its_design_file(trial):
+def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(trial):
     """Which has the values that stand there in the end, from its start."""
     note = trial.page.locator(".trial .note").first
     begin_again(trial, {"tendon.stiffness": 0.7})
@@ -92,7 +92,7 @@ def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its
     assert "which no run of a design file does" in note.inner_text()
 
 
-def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page):
+def test_a_diverged_simulation_stays_diverged_until_a_restart(watch, diverging_page):
     """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
@@ -110,7 +110,7 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
         assert live.do("Fold").startswith("Diverged at t = ")
 
 
-def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, recorded):
+def test_settings_are_saved_as_a_design_file(trial, recorded):
     begin_again(trial, {"tendon.stiffness": 0.7, "protocol.fold_torque": 0.5})
     changes = trial.live.changes
     assert set(changes) == {"tendon.stiffness", "protocol.fold_torque"}
@@ -120,7 +120,7 @@ def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, recorded):
     assert design_from_text(text).hash == with_values(recorded[0].design, changes).hash
 
 
-def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
+def test_sliders_mark_the_values_of_the_run_and_can_be_reset(trial):
     begin_again(trial, {"tendon.stiffness": 0.9})
     slider = trial.page.locator(".slider", has_text="Tendon stiffness")
     assert "changed" in slider.get_attribute("class")
@@ -131,7 +131,7 @@ def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
     assert mark["x"] + 1 == pytest.approx(thumb["x"] + 8 + share * (thumb["width"] - 16), abs=1.5)
 
 
-def test_a_tip_that_is_pushed_moves_and_comes_back_when_it_is_left(trial):
+def test_a_pushed_tip_returns_when_it_is_released(trial):
     begin_again(trial)
     page = trial.page
     page.locator("#try canvas").scroll_into_view_if_needed()

@@ -41,7 +41,7 @@ def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(
     assert sentence.endswith(" of work), and stayed open.")
 
 
-def test_what_failed_is_told_with_its_torque(told):
+def test_a_failure_is_reported_with_its_torque(told):
     stuck = told("stuck at -40.0 deg", holds={"folded": False, "opened": False})
     assert stuck == "wing: stuck at -40.0 deg, with 50 N cm on every proximal joint."
     shut = told("did not open", holds={"opened": False})
@@ -57,7 +57,7 @@ def sprung_back(angle):
 
 
 @pytest.mark.parametrize("angle", [3.0, -178.0])
-def test_a_stage_without_a_state_makes_no_claim_and_the_angles_when_released_are_told(angle):
+def test_without_a_named_state_the_angles_after_release_are_reported_without_a_claim(angle):
     outcome = sprung_back(angle)
     sentence = outcome_sentence("wing", outcome)
     went = f"went from -170.0 deg to {angle:.1f} deg when released (largest of distal angle)"
@@ -80,7 +80,7 @@ def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_fold
     assert "folded in" not in sentence
 
 
-def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
+def test_remarks_have_advice_swinging_states_and_the_energy_residual(short_run, short_outcome):
     states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
     states["flat"] = replace(states["flat"], swings=False)
     odd = replace(short_outcome, status="did not open", advise=lambda: Advice(text="Raise it."), states=states)
@@ -98,13 +98,13 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     assert sentence.startswith("wing: not to be trusted: the energy balance misses ")
 
 
-def test_a_wing_that_never_rests_is_told(short_run, short_outcome):
+def test_a_wing_that_never_rests_is_reported(short_run, short_outcome):
     ends = [replace(end, goal_time=None) if end.stage.until == "rest" else end for end in short_run.stages]
     remarks = outcome_remarks(replace(short_run, stages=tuple(ends)), short_outcome)
     assert 'In the stage "release folded" the wing did not come to rest within 100 ms.' in remarks
 
 
-def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
+def test_plots_are_described_by_the_values_in_the_states(short_run, short_outcome):
     clip = make_clip(short_run, short_outcome)
     angles = [np.degrees(state.readings["distal_angle"].mean) for state in short_outcome.states.values()]
     text = reading_text(clip.readings[0], angles, clip)
@@ -117,7 +117,7 @@ def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
     assert f"kinetic {readable(short_run.kinetic_peak[1], 'J')}" in energy_text(clip)
 
 
-def test_a_structure_is_told_by_what_it_is_or_by_its_parts(short_run):
+def test_a_structure_is_described_by_its_text_or_by_its_parts(short_run):
     start = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, "
     assert structure_text(short_run.structure).startswith(start)
     nameless = replace(short_run.structure, appearance=replace(short_run.structure.appearance, text=""))

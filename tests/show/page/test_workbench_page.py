@@ -203,7 +203,7 @@ def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     assert len(bench.design().tendons) == 3
 
 
-def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench):
+def test_a_bad_value_is_reported_beside_its_key_and_the_last_working_model_is_kept(bench):
     before = bench.design().hash
     bench.put("pattern.hub_radius", "-3 cm")
     field = bench.field("pattern.hub_radius")
@@ -222,7 +222,7 @@ def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench)
     assert bench.design().pattern.hub_radius == pytest.approx(0.016)
 
 
-def test_values_that_are_allowed_together_alone_are_taken_once_both_are_there(bench):
+def test_values_that_are_only_allowed_together_are_accepted_together(bench):
     bench.put("protocol.initial_overbend", "4 deg")
     assert "last good model" in bench.alert()
     bench.put("hinge.overbend", "5 deg")
@@ -259,7 +259,7 @@ def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
     assert page.locator("h1").inner_text() == "door"
 
 
-def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench):
+def test_a_landscape_can_be_awaited_or_stopped(bench):
     page = bench.page
     page.get_by_role("tab", name="Landscape").click()
     bench.press("Compute it")
@@ -280,7 +280,7 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     assert said == "This result belongs to the design before its last change."
 
 
-def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
+def test_building_can_be_stopped_and_the_last_working_model_is_kept(bench):
     bench.page.locator("#which-design").select_option("miura-sheet")
     bench.settled()
     before = bench.design()
@@ -296,7 +296,7 @@ def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(ben
     assert bench.design().pattern.columns == 3
 
 
-def test_the_design_file_is_written_by_hand(bench):
+def test_the_design_file_can_be_edited(bench):
     page = bench.page
     page.get_by_role("tab", name="File").click()
     area = page.get_by_label("The design file")
@@ -314,7 +314,7 @@ def test_the_design_file_is_written_by_hand(bench):
     assert bench.design().vein.diameter == pytest.approx(4e-3)
 
 
-def test_a_tip_is_pushed_by_keys_and_comes_back_when_they_are_left(bench):
+def test_keys_push_a_tip_which_returns_when_they_are_released(bench):
     page = bench.page
     page.get_by_text("Push without a pointer").click()
     page.locator(".push-keys select").first.select_option("tip 1")
@@ -349,7 +349,7 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
     assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
 
 
-def test_the_keyboard_reaches_every_field_and_it_is_for_readers_of_every_kind(connected, address):
+def test_every_field_is_accessible_by_keyboard_and_screen_reader(connected, address):
     # of its own: keys go on from where a page was last pressed
     opened = Bench(connected, address)
     page = opened.page

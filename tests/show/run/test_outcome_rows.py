@@ -40,14 +40,14 @@ def uncertain(reference, reference_outcome):
     return held_against(reference_outcome, [half], reference)
 
 
-def test_lengths_and_energies_of_states_have_twice_their_difference_to_half_the_timestep_behind_them(uncertain):
+def test_states_have_uncertainties_of_twice_the_difference_to_half_the_timestep(uncertain):
     rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]}, uncertain.confirmation)
     assert [row[2] for row in rows.parts] == ["10.91 ± 0.44"] * 3
     assert [row[3] for row in rows.parts] == ["0.1827", "0.183 ± 0.004", "0.183 ± 0.004"]
     assert rows.sums[-1] == "0.548 ± 0.007"
 
 
-def test_without_second_runs_no_number_has_anything_behind_it(uncertain):
+def test_without_second_runs_numbers_have_no_uncertainty(uncertain):
     rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]})
     assert [row[2:] for row in rows.parts] == [["10.91", "0.1827"]] * 3
     assert rows.sums[-1] == "0.548"

@@ -56,7 +56,7 @@ def test_the_motion_is_close_up_in_time_and_angle(weak, drawings):
     assert high - low <= max(0.1, 1.4 * np.ptp(ring))
 
 
-def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak, drawings):
+def test_the_acting_torque_is_drawn_with_the_least_slow_torque(weak, drawings):
     figure = drawings["angles"](7.1)
     place = next(place for place, axes in enumerate(figure.axes) if axes.get_ylabel() == "torque (N cm)")
     drawn = lines(figure.axes[place + 1])  # of the stage, in ms
@@ -76,7 +76,7 @@ def test_without_a_sufficient_torque_the_legend_says_so(weak):
     assert "least slow torque" not in told
 
 
-def test_the_advice_stands_beside_the_verdict(weak, drawings):
+def test_the_figure_has_the_verdict_and_the_advice(weak, drawings):
     outcome = measure(weak)
     for kind in ("angles", "energy", "folding"):
         heading = drawings[kind](3.5).get_suptitle().replace("\n", " ")

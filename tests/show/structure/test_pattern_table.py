@@ -56,5 +56,5 @@ def test_a_strip_is_a_tree_and_remarks_on_its_file_stand_at_the_end():
 
 
 @pytest.mark.parametrize("letters", ["UUUU", "FFFF"])
-def test_of_creases_without_a_sense_nothing_is_said_of_folding_in_it(letters):
+def test_creases_without_an_assignment_have_no_sentence_about_their_sense(letters):
     assert "sense" not in shown(star([0, 45, 165, 300], letters))

@@ -46,7 +46,7 @@ def test_an_edge_shares_a_pixel_by_its_samples():
     assert not picture[:, 21:].any()
 
 
-def test_of_what_is_as_near_the_last_is_seen():
+def test_the_last_of_equally_near_triangles_is_visible():
     both = np.concatenate([square([1, 1, 1, 1])] * 2)
     assert np.all(rasterise(both, np.repeat([RED, BLUE], 2, axis=0), (40, 40)) == [0, 0, 255, 255])
 

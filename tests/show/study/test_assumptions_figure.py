@@ -22,7 +22,7 @@ def marks(axes, row):
     return [(line.get_marker(), line.get_color(), line.get_xdata()[0]) for line in lines]
 
 
-def test_a_dot_is_by_how_much_a_time_changes_and_a_triangle_says_that_it_fails():
+def test_dots_show_changes_of_times_and_triangles_show_failures():
     time, work = draw_assumptions(ASSUMED).axes
     ((marker, _, change),) = marks(time, 0)
     assert (marker, change) == ("o", pytest.approx(100 * (0.3206 / 0.2206 - 1)))
@@ -66,7 +66,7 @@ def test_a_design_that_drives_nothing_and_one_that_fails_are_drawn():
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_the_folder_has_the_table_twice_the_figure_and_a_page(tmp_path):
+def test_the_folder_has_tables_the_figure_and_a_page(tmp_path):
     unreliable = replace(ASSUMED.runs[0], verdict=Verdict.DIVERGED, effect=Effect.UNKNOWN)
     found = replace(ASSUMED, runs=(*ASSUMED.runs, unreliable))
     write_assumptions(found, tmp_path)

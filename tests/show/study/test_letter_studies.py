@@ -70,7 +70,7 @@ def words(data):
     return {each["word"]: each["sign"] for each in data["study"]["words"]}
 
 
-def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(studied, tmp_path):
+def test_a_search_finds_torques_that_close_and_open_a_letter(studied, tmp_path):
     search = f'[search]\n{CLOSE}\nopen_torques = ["1 N cm", "3 N cm"]'
     study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
@@ -106,7 +106,7 @@ def test_a_least_value_of_any_unit_has_its_figures_and_page(studied, tmp_path):
     assert (found["unit"], found["values"]) == ("N m/rad/m", [0.01, 0.01])
 
 
-def test_a_least_value_of_a_later_transition_is_told_of_that_one(studied, tmp_path):
+def test_a_least_value_of_a_later_transition_is_reported_for_that_transition(studied, tmp_path):
     search = '[search]\nkey = "drive.open.value"\nvalues = ["-0.2 N cm", "-3 N cm"]\nstate = "opened"'
     study, table = studied(5, f'ask = "least-value"\n[factors]\n{STIFFNESS}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}

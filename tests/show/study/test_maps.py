@@ -221,7 +221,7 @@ def opening(axes):
     return next(panel for title, panel in axes.items() if title.startswith("least unfold torque"))
 
 
-def test_each_value_stands_in_its_cell_in_the_unit_for_people():
+def test_each_cell_contains_its_value_in_display_units():
     table = many_ends()
     axes = panels(draw_torque_maps(table))
     for title, name in (("least fold torque", "least_fold_torque"), ("least unfold torque", "least_unfold_torque")):
@@ -281,7 +281,7 @@ def test_a_wing_whose_release_failed_is_marked_by_that_whatever_the_large_torque
     assert legend(draw_status_map(planted(TWO, status))) == ["folded and opened", "did not stay folded"]
 
 
-def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_wing_that_did_not_fold():
+def test_untrusted_runs_are_marked_in_every_map_and_not_counted_as_failures():
     table = doubtful()
     for figure in (draw_torque_maps(table), draw_work_maps(table), draw_energy_maps(table), draw_status_map(table)):
         assert colours(draw(figure)) > 10
@@ -296,14 +296,14 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
     assert set(legend(figure)) == {"diverged", "not to be trusted", "still folding", "did not fold"}
 
 
-def test_a_sample_that_is_not_to_be_trusted_is_not_a_dot_as_values_are():
+def test_an_untrusted_sample_is_not_drawn_as_a_value():
     axes = panels(draw_torque_maps(sampled(doubtful())))["least fold torque"]
     markers = [line.get_marker() for line in axes.lines]
     assert len(set(markers)) == len(markers) == 4
     assert not {"o", "8", "."} & set(markers)
 
 
-def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
+def test_untrusted_torques_are_marked_beside_trusted_ones():
     table = planted(TWO)
     table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan
     table["fold_outcome_by_torque"][0, 1, 2] = "not to be trusted"
@@ -313,7 +313,7 @@ def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
     assert marked(panels(figure)["tendon stiffness 10 N/cm"]) == [1, 1]
 
 
-def test_a_reference_not_to_be_trusted_has_the_hatch_of_that_whatever_the_torque():
+def test_an_untrusted_reference_run_has_its_hatch_at_every_torque():
     table = planted(TWO)
     table["least_unfold_torque"][0, 3] = table["least_unfold_torque"][1, 3] = np.nan
     for place, word in (((0, 3), "not to be trusted"), ((1, 3), "diverged")):
@@ -340,7 +340,7 @@ def test_each_outcome_of_a_run_is_in_the_legend_once():
     assert sum(len(item.get_paths()) for item in figure.axes[0].collections) == 12
 
 
-def test_the_first_factor_goes_up_and_the_second_across_unless_asked():
+def test_the_first_factor_is_vertical_and_the_second_horizontal_by_default():
     axes = panels(draw_torque_maps(planted(TWO)))["least fold torque"]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("tendon rest length (cm)", "tendon stiffness (N/cm)")
     assert [text.get_text() for text in axes.get_xticklabels()] == ["0", "3", "6", "9"]
@@ -410,7 +410,7 @@ def test_energies_have_the_colours_that_all_energies_have_and_nothing_else_has(t
         assert {each is ENERGY_COLOURS for each in drawn} == {draw is not draw_torque_maps}
 
 
-def test_fold_times_have_a_panel_a_value_of_the_first_factor():
+def test_fold_times_have_one_panel_for_each_value_of_the_first_factor():
     table = many_ends()
     figure = draw_first_times(table)
     titles = [f"tendon stiffness {value} N/cm" for value in (10, 20, 30)]
@@ -427,7 +427,7 @@ def test_fold_times_have_a_panel_a_value_of_the_first_factor():
     assert list(panels(turned)) == [f"tendon rest length {value} cm" for value in (0, 3, 6, 9)]
 
 
-def test_what_cannot_be_drawn_is_refused_by_name():
+def test_unknown_factors_are_refused_by_name():
     table = planted(TWO)
     with pytest.raises(InputError, match=r"hub\.radius: need a factor of the study, one of tendon_stiffness"):
         draw_torque_maps(table, x="hub.radius")
