@@ -1,4 +1,4 @@
-"""In a notebook results show themselves: a sentence, tables with units, a figure, a run that plays."""
+"""Results in notebooks: a sentence, tables with units, a figure, a run that plays."""
 
 import pytest
 import xarray
@@ -44,7 +44,7 @@ def results(design, record, surveyed, tmp_path_factory):
 
 
 def _answers(design, folder):
-    """A goal and observations, and what came of them."""
+    """A goal and observations with their results."""
     goal = goal_of(
         {
             "name": "light",

@@ -1,4 +1,4 @@
-"""A structure without veins is drawn by everything that draws a run, and what it lacks is left out."""
+"""A structure without veins is drawn by everything that draws runs, and missing parts are left out."""
 
 import re
 from dataclasses import replace
@@ -25,14 +25,14 @@ from tests.show.plates import PARTS, WIDTH
 
 
 def texts(figure):
-    """Every text of a figure but those of ticks."""
+    """Return every text of a figure except those of ticks."""
     found = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label)]
     found += [axes.get_ylabel() for axes in figure.axes]
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
     return found + [text.get_text() for legend in legends for text in legend.get_texts()]
 
 
-# the figures in which each stands otherwise than in those of the whole
+# figures that differ from those of the complete structure
 CHANGED = {
     "whole": ("pattern", "angles", "energy", "folding", "package"),
     "with a pattern": ("pattern",),
@@ -42,7 +42,7 @@ CHANGED = {
 }
 
 
-# the whole is drawn as wide as a page, too; what lacks something has more room there
+# the complete structure is also drawn at page width; others have more space there
 @pytest.mark.parametrize(("name", "width"), [*((name, COLUMN_WIDTH) for name in PARTS), ("whole", PAGE_WIDTH)])
 def test_every_figure_is_drawn_at_any_width_and_all_its_words_can_be_read(plates_runs, name, width):
     drawings = run_drawings(*plates_runs[name])
@@ -58,7 +58,7 @@ def test_the_plates_are_drawn_where_they_are(plates_runs):
     shape = shape_of(record.structure)
     assert shape.regions == ("base", "flap")
     assert shape.solid == (True, True)
-    # two of four corners, one cut into three triangles; none beside the polygon that is not convex
+    # two with four corners, one divided into three triangles; none beside the polygon that is not convex
     assert [len(face) for face in shape.faces] == [4, 4, 3, 3, 3]
     for time in (0.0, 0.09, 0.33):
         surface = surface_at(record, shape, time)
@@ -90,14 +90,14 @@ def test_hundreds_of_panels_are_drawn_so_that_their_words_can_be_read(long_strip
         check_words(figure, width)
     (legend,) = [legend for axes in figures["angles"].axes if (legend := axes.get_legend())]
     assert [text.get_text() for text in legend.get_texts()] == ["crease (199), median"]
-    # no line: no higher than a tenth of it is long
+    # not a line: at least a tenth as high as long
     box = figures["pattern"].axes[0].get_window_extent()
     assert 0.08 < box.height / box.width < 0.2
 
 
 @pytest.fixture(scope="module")
 def long_strip():
-    """Runs of a few steps of 200 panels."""
+    """Runs of a few timesteps with 200 panels."""
 
     @cache
     def of_panels(length):
@@ -158,10 +158,10 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     with console.capture() as capture:
         console.print(outcome_table("plates", outcome))
     told = [line.rstrip() for line in capture.get().splitlines()]
-    # the first of each: states that do not fit go on beneath
+    # the first of each: states that do not fit continue below
     lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
     assert {"crease 1", "crease 2", "mouth", "pull", "sum", "closing", "opening"} <= set(lines)
-    # angles, and the springs' energies, which the sum includes, too
+    # angles, and the springs' energies, which are part of the sum
     assert [float(cell) for cell in lines["crease 1"].split()[2:]][::2] == [-3.0, 172.0]
     stored = outcome.states["closed"]
     energy = 1e3 * (stored.tendon_energy.sum() + stored.hinge_energy.sum())

@@ -1,4 +1,4 @@
-"""What is told of a study while it runs: runs done, their rate, the time left, and what became of them."""
+"""Progress of a study: runs done, their rate, the time left, and their outcomes."""
 
 import io
 from time import sleep
@@ -23,7 +23,7 @@ def clock(monkeypatch):
 
 @pytest.fixture
 def screen(monkeypatch):
-    """What a terminal, or a file in place of one, is sent."""
+    """Return what is written to a terminal, or to a file in place of one."""
 
     def show(*, is_terminal, width=110):
         sent = io.StringIO()
@@ -49,7 +49,7 @@ def test_the_rate_excludes_runs_of_earlier_sessions(screen, clock):
         for done in (1001, 1002):
             clock[0] += 6
             told(done, 1200, FOLDED)
-    # 2 runs in 12 s, and 198 to go
+    # 2 runs in 12 s, and 198 left
     assert sent.getvalue() == "1002 of 1200 runs, 0.167 runs/s, 20 min left: 2 folded\n"
 
 

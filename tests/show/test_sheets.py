@@ -1,4 +1,4 @@
-"""Sheets whose facets bend are drawn by everything that draws a run: facets, creases by how they fold, what is held."""
+"""Sheets whose facets bend are drawn by everything that draws runs: facets, creases by fold angle, supports."""
 
 import re
 
@@ -24,12 +24,12 @@ from tests.show.sheets import SHEETS, sheet_run
 
 
 def words_of(figure):
-    """Every text in the legends of a figure."""
+    """Return every text in the legends of a figure."""
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
     return [text.get_text() for legend in legends for text in legend.get_texts()]
 
 
-# a page has room for all words but where there are most of them
+# page-wide figures have space for all words except for the one with the most
 @pytest.mark.parametrize(
     ("name", "width"),
     [*((name, COLUMN_WIDTH) for name in SHEETS), ("miura with a tendon", PAGE_WIDTH), ("single vertex", PAGE_WIDTH)],
@@ -86,7 +86,7 @@ def test_a_facet_is_seen_from_its_back_where_it_is_turned():
 
 
 def _seen(painted):
-    """The colours of the pixels in which anything is seen."""
+    """Return the colours of the pixels that are not empty."""
     low, high = painted.corners
     pixel = float(np.ptp([low, high], axis=0).max()) / 100
     picture = painted.picture(low, pixel, (100, 100)).reshape(-1, 4).astype(float)

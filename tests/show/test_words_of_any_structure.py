@@ -1,4 +1,4 @@
-"""Sentences call a structure what it is called, and its transitions what they do: nothing else is a wing that opens."""
+"""Sentences name structures and transitions by their own words: no other structure is a wing that opens."""
 
 from __future__ import annotations
 

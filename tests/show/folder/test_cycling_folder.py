@@ -38,7 +38,7 @@ STUCK = {"status": "stuck at -80.0 deg", "folded": False, "opened": False, "fold
 
 @pytest.fixture
 def cycling(reference):
-    """Six cycles that the tests saw in part, the last two of which fail."""
+    """Six cycles, some of them covered by tests, the last two of which fail."""
     runs = (*(run(cycle) for cycle in range(1, 5)), *(run(cycle, **STUCK) for cycle in (5, 6)))
     return Cycling(
         design=reference,
@@ -117,7 +117,7 @@ def test_the_page_of_a_run_has_a_section_on_cycles(cycling, tmp_path, reference_
     assert "<p>Up to cycle 4.</p>" in section
     assert "<li>[2] to 4 seen.</li>" in section
     assert section.count("<small>extrapolated</small>") == 3
-    # what did not fold and open
+    # cycles that did not fold and open
     assert section.count("<mark>stuck at −80.0 deg</mark>") == 2
     assert "<td>1 (0.9 to 1.1)</td><td>1 %</td><td>50 ms</td><td>1 J</td><td>70</td>" in section
 

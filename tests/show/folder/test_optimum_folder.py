@@ -1,4 +1,4 @@
-"""What a search leaves: all of it, or what was there before."""
+"""Files of an optimisation: all are written, or earlier ones are kept."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What a tolerance leaves: figures that say what they show, a table, text, and the same figures again from its file."""
+"""Results of a tolerance analysis: figures with descriptions, a table, text, and the same figures from the file."""
 
 import json
 from dataclasses import replace

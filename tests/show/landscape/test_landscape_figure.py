@@ -15,7 +15,7 @@ from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from tests.show.legible import check_words
 
-# the reference is drawn where its words are read at every width
+# the reference is drawn by tests of words at every width
 NAMES = (
     "small",
     "without rest length",
@@ -84,7 +84,7 @@ def test_the_simulated_tendon_lies_on_the_closed_form_folding_and_opening(survey
         points = labelled(figure, name)
         angle = np.radians(points.get_xdata())
         inside = (angle > -math.pi) & (angle < math.pi)
-        # the engine's tendon is the same spring; rounding is all that tells them apart
+        # the engine's tendon is the same spring, so only rounding errors differ
         assert points.get_ydata()[inside] == pytest.approx(hinge.energy(angle[inside]), abs=1e-9)
         assert np.ptp(points.get_xdata()) > 120
 
@@ -168,12 +168,12 @@ def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     top, bottom = figure.axes
     tendon, spring, both = (labelled(figure, name) for name in ("tendon (", "spring of", "tendon and"))
     assert both.get_ydata() == pytest.approx(tendon.get_ydata() + spring.get_ydata())
-    # it folds to positive angles, and its spring of 0.02 N m/rad/m by 21 cm rests flat
+    # it folds to positive angles, and its spring (0.02 N m/rad/m times 21 cm) is at rest when flat
     angle = np.radians(spring.get_xdata())
     assert (math.degrees(angle.min()), math.degrees(angle.max())) == pytest.approx((-3, 175))
     assert spring.get_ydata() == pytest.approx(1e3 * 0.02 * 0.21 / 2 * angle**2)
     moment = next(line for line in bottom.lines if line.get_color() == both.get_color() and len(line.get_xdata()) > 60)
-    # the moment is in N cm and opens where positive, which is d energy / d angle of what folds to positive angles
+    # the moment is in N cm and opens where positive: d energy / d angle for a hinge that folds to positive angles
     fall = np.trapezoid(moment.get_ydata() / 100, np.radians(moment.get_xdata()))
     assert both.get_ydata()[-1] - both.get_ydata()[0] == pytest.approx(1e3 * fall, rel=3e-3)
     assert top.get_ylabel() == "stored energy (mJ)"

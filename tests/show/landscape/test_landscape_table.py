@@ -22,10 +22,10 @@ def line(text, start):
 
 def test_prediction_and_simulation_are_side_by_side(surveyed, reference_run):
     text = printed(surveyed("reference"), reference_run)
-    # ideal, of the wing, simulated; the wing is slower than its hinge alone
+    # ideal, wing, simulated; the simulated wing is slower than its hinge alone
     times = [float(word) for word in line(text, "from 1.0° past straight to 150.0°").split()[-6::2]]
     assert 30 < times[0] < times[1] < times[2] < 80
-    # stops yield: it passes 180 deg
+    # stops yield, so it passes 180 deg
     assert len(line(text, "from 1.0° past straight to 180.0°").split()) > 6
     assert "The simulated wing: folded and opened." in text
     assert "sampled every 1 ms" in text
@@ -91,7 +91,7 @@ def test_a_vein_without_a_tendon_is_skipped(surveyed):
     text = printed(surveyed("own tendons"))
     assert "first hinge of the wing" in text
     assert "second hinge" not in text
-    # what holds for one tendon only is said with its name
+    # remarks about one tendon name it
     assert "Vein 2: the tendon is slack from" in text
 
 
@@ -112,7 +112,7 @@ def test_plates_are_listed_with_their_equilibria_and_torques(surveyed, letter_ru
     assert "105.6°" in line(text, "structure, closed")
     assert line(text, "crease 0 (left) of the structure, −3.0° to straight").split()[-2:] == ["53.17", "µJ"]
     assert line(text, "that make it get closed, on the creases").split()[-2:] == ["N", "cm"]
-    # springs have no closed form, so only the run times the hinge
+    # a hinge with a spring has no closed form, so only the run has a time
     assert "ideal hinge" not in text
     assert line(text, "from 1.0° past straight to 90.0°").split()[-1] == "s"
     assert "The simulated structure: closed and opened." in text

@@ -59,7 +59,7 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
         for placed in placed_parts(joint, angle):
             corners = placed.mesh.points[placed.mesh.triangles[: placed.mesh.stops]]
             normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-            # to which side of the axis they are
+            # side of the axis
             off = (corners.mean(axis=1) - layout.origin) @ (np.eye(3) - np.outer(axis, axis))
             halves.append([each / np.linalg.norm(each, axis=1)[:, None] for each in (normals, off)])
         (one, here), (other, there) = (each for each in halves if len(each[0]))
@@ -87,7 +87,7 @@ def test_values_have_the_units_of_drawings():
 
 
 def test_masses_of_straps_are_those_of_their_printed_layers(joint):
-    """Of the mesh's volume and the density, times the share that whole layers print: 2.4 of 2.5 mm."""
+    """Volume of the mesh times the density, times the share that whole layers print: 2.4 of 2.5 mm."""
     (strap,) = (part for part in joint.parts if part.kind == "strap")
     mass = 2.4 / 2.5 * 1150 * strap.volume
     (row,) = (row for row in bill_of(joint) if row.part == strap.name)

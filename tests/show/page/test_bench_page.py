@@ -1,4 +1,4 @@
-"""The page of a design whose structure a reader moves, in a browser with the network cut."""
+"""Page of a design whose structure a reader moves, in a browser without network."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SECONDS = 60
 
 @pytest.fixture(scope="module")
 def bench(watch_all, tmp_path_factory):
-    """The page that the command line writes of a sheet of three panels."""
+    """The page that the command line writes for a sheet of three panels."""
     path = tmp_path_factory.mktemp("bench") / "letter.html"
     main(["open", "letter-fold", "--set", "tendon.0.stiffness=0.6 N/cm", "--out", str(path)])
     opened = watch_all(path)

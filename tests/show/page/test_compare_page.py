@@ -1,4 +1,4 @@
-"""Runs side by side, and what is refused."""
+"""Page of several runs, and refused arguments."""
 
 import os
 
@@ -14,7 +14,7 @@ from tests.show.page.appearance import check_shown
 
 @pytest.fixture(scope="module")
 def folders(short_run, slow_run, tmp_path_factory):
-    """Two runs as they lie in folders: a quick and a slow one."""
+    """Folders of two runs: a fast and a slow one."""
     above = tmp_path_factory.mktemp("runs")
     for name, record in (("quick", short_run), ("slow", slow_run)):
         (above / name).mkdir()

@@ -17,7 +17,7 @@ def test_a_named_design_differs_in_nothing_from_itself(reference):
 
 
 def test_explanations_of_sections_do_not_depend_on_docstrings():
-    # which PYTHONOPTIMIZE=2 takes away
+    # PYTHONOPTIMIZE=2 removes docstrings
     parts = list(_subclasses(Section))
     assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "FacetSection"} <= {
         part.__name__ for part in parts

@@ -1,4 +1,4 @@
-"""Where arrows of drives stand, and rods of what is held fast: of any structure, by what it is built of."""
+"""Positions of arrows of drives and of rods along fixed parts, for any structure."""
 
 import numpy as np
 import pytest

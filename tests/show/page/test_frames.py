@@ -7,7 +7,7 @@ from forficula.show.page.playback import kept_frames
 
 
 def drawn_between(time, points, rows):
-    """The points at all times, where only those of some rows are kept."""
+    """Return the points at all times, interpolated between some rows."""
     flat = points.reshape(len(time), -1)
     columns = [np.interp(time, time[rows], column[rows]) for column in flat.T]
     return np.stack(columns, axis=1).reshape(points.shape)
@@ -19,7 +19,7 @@ def furthest(time, points, rows):
 
 @pytest.fixture
 def snap():
-    """A point that rests, snaps within 10 ms and rests again; another that never moves."""
+    """A point that rests, snaps within 10 ms and rests again; another one that never moves."""
     time = np.linspace(0, 1, 1001)
     height = 0.1 * np.clip((time - 0.5) / 0.01, 0, 1) ** 2
     points = np.zeros((1001, 2, 3))
@@ -74,7 +74,7 @@ def test_more_frames_never_increase_the_error(short_run):
 def test_rows_that_are_not_finite_are_left_out(snap):
     time, points = snap
     points[990:] = np.nan
-    points[0] = 1e300  # finite, but not as a float of four bytes
+    points[0] = 1e300  # finite, but not as a 4-byte float
     rows = kept_frames(time, points, [1.0], most=1000, tolerance=1e-9)
     assert rows.min() == 1
     assert rows.max() == 989

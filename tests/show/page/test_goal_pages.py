@@ -1,4 +1,4 @@
-"""Pages of goals hold what was asked, what came out, and nothing that a text could smuggle in."""
+"""Pages of goals contain the question, the result, and no text that acts as HTML."""
 
 import html
 import json
@@ -39,14 +39,14 @@ def data(page):
 
 
 def cells(page, caption):
-    """The texts of a table's rows, without notes."""
+    """Return the texts of a table's rows, without notes."""
     found = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
     rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", found)]
     return [[html.unescape(re.sub(r"<small>.*?</small>|<[^>]+>", "", cell)) for cell in row] for row in rows]
 
 
 def values(page, name):
-    """A column of what the script has, by a factor's key or a quantity's name."""
+    """Return a column of the script's data, by a factor's key or a quantity's name."""
     study = data(page)["study"]
     named = [each for each in study["factors"] if each["key"] == name]
     return np.array((named or [each for each in study["quantities"] if each["name"] == name])[0]["values"], dtype=float)

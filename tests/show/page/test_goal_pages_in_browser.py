@@ -1,4 +1,4 @@
-"""Pages of goals, in a browser with the network cut."""
+"""Pages of goals, in a browser without network."""
 
 import csv
 import io
@@ -32,7 +32,7 @@ def identify(pages_of_goals):
 
 
 def as_it_opens(opened):
-    """Nothing asked of the axes, the window at its first size."""
+    """Without selected ranges, in a window of the initial size."""
     page = opened.page
     page.set_default_timeout(10_000)
     opened.show()
@@ -57,7 +57,7 @@ def choose(page, label, option):
 
 
 def shown(page):
-    """Numbers of the rows that the table shows."""
+    """Return the numbers of the rows that the table displays."""
     return [int(text) for text in page.locator("#points tbody tr:not([hidden]) th").all_inner_texts()]
 
 
@@ -100,7 +100,7 @@ def test_pressing_a_line_opens_its_point(optimise, goals):
     box = page.locator(".lines .drawn").bounding_box()
     rest = tried.table["tendon_rest_length"].values
     point = int(np.argmax(rest))
-    # on the first axis, a little below its end
+    # on the first axis, slightly below its end
     axis = page.locator(".lines svg path.axis").first.evaluate(
         "each => { const { x, y, height } = each.getBBox(); return [x, y, height]; }"
     )
@@ -120,7 +120,7 @@ def test_handles_filter_the_lines_the_plane_and_the_table(optimise, goals):
     assert shown(page) == (within + 1).tolist()
     assert page.locator(".scatter .out").count() == len(mass) - len(within)
     assert f"{len(within)} of {len(mass)} designs" in page.locator(".lines [role=status]").inner_text()
-    # it keeps the keys, and the other end stays where it is
+    # it keeps the focus, and the other end does not move
     assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "most mass"
     assert handle(page, "most mass").get_attribute("aria-valuenow") == "80"
     assert handle(page, "least mass").get_attribute("aria-valuenow") == "0"
@@ -131,7 +131,7 @@ def test_handles_filter_the_lines_the_plane_and_the_table(optimise, goals):
 
 
 def ends(page, name):
-    """Middle of an axis, and where it ends below and above, in the window."""
+    """Return the centre of an axis, and its lower and upper ends, in the window."""
     page.locator(".lines .drawn").scroll_into_view_if_needed()
     least, most = (handle(page, f"{end} {name}").bounding_box() for end in ("least", "most"))
     return least["x"] + least["width"] / 2, least["y"], most["y"] + most["height"]

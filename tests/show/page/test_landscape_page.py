@@ -1,4 +1,4 @@
-"""The page of a landscape: curves of energy, and where a run is on them."""
+"""Page of a landscape: energy curves, and the position of a run on them."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ from tests.show.page.test_page import HOSTILE, data_of
 
 
 def posed_points(structure, angles):
-    """Where the structure's points are at angles of its hinges, m, (point, 3), and its pose."""
+    """Return the positions of the structure's points at hinge angles, m, (point, 3), and its pose."""
     tree = tree_of(structure)
     at = pose(tree, angles[np.newaxis])
     carried = carried_points(
@@ -29,7 +29,7 @@ def posed_points(structure, angles):
 
 
 def on_line(course, line):
-    """Energies of a line at the angles of a course, J, nan beyond its ends."""
+    """Return the energies of a line at the angles of a course, J, nan beyond its ends."""
     order = np.argsort(line.angle)
     return np.interp(course.angle, line.angle[order], line.energy[order], left=np.nan, right=np.nan)
 
@@ -45,7 +45,7 @@ def test_every_tendon_that_was_simulated_is_on_the_curve_of_statics(curves, shor
     for ball in curve.balls:
         assert len(ball.angle) == len(short_run.time)
         apart = np.abs(ball.energy - on_line(ball, curve.lines[0]))
-        # 1e-4 of 0.18 J; beyond its stops the run goes by some hundredths of a degree
+        # 1e-4 of 0.18 J; the run exceeds its stops by some hundredths of a degree
         assert np.nanmax(apart) < 2e-5
         assert np.isfinite(apart).mean() > 0.3
 
@@ -127,7 +127,7 @@ def opened(watch_all, pages):
 
 
 def balls(page, curve=0):
-    """Where balls are drawn, and where they should be, pixels, (ball, 2)."""
+    """Return where balls are drawn, and where they should be, pixels, (ball, 2)."""
     script = """(number) => {
         const { chart, now } = forficula.curves[number], box = chart.over.getBoundingClientRect();
         const drawn = [...chart.over.querySelectorAll(".ball")].map((ball) => {
@@ -143,7 +143,7 @@ def test_the_balls_follow_the_clock(opened, curves, short_run):
         opened.settle()
         now = np.array(opened.page.evaluate("forficula.curves[0].now"))
         for (angle, energy), ball in zip(now, curves[0].balls, strict=True):
-            # what lies between two frames is in proportion
+            # interpolated between frames
             assert angle == pytest.approx(np.degrees(ball.angle[row]), abs=0.2)
             assert energy == pytest.approx(ball.energy[row], abs=2e-4)
         drawn, wanted = balls(opened.page)
@@ -216,7 +216,7 @@ def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the
         opened.settle()
         vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
         points, _ = posed_points(structure, path.angles[place])
-        # every drawn end of a bar is where the kinematics has it
+        # every drawn end of a bar agrees with the kinematics
         ends = np.array([points[point] for bar in structure.bars for point in bar.points])
         away = np.linalg.norm(ends[:, None] - np.reshape(vertices, (-1, 3)), axis=2).min(axis=1)
         assert away.max() < 1e-6

@@ -19,7 +19,7 @@ from tests.show.plates import PARTS
 
 @pytest.fixture(autouse=True)
 def without_warnings(monkeypatch):
-    """No file describes the plates, and nothing builds them again."""
+    """Without a file that describes the plates, and without code that builds them again."""
     for name in ("structure_warnings", "timestep_warnings", "run_warnings"):
         monkeypatch.setattr(page_of_a_run, name, lambda *_: [])
 

@@ -1,4 +1,4 @@
-"""Pages of results that are figures and tables."""
+"""Pages of results that consist of figures and tables."""
 
 import re
 
@@ -18,7 +18,7 @@ HOSTILE = '</section></main><script>alert("1")</script>'
 
 @pytest.fixture
 def shown():
-    """What a terminal shows: a verdict, a table under a line in italics, one with a title, and sentences."""
+    """Terminal output: a verdict, a table under a line in italics, a table with a title, and sentences."""
     first, second = Table(), Table(title="Titled")
     first.add_column("", justify="left")
     first.add_column(Text(f"value {HOSTILE}"))

@@ -1,4 +1,4 @@
-"""Data of a study's page: every number and every reason is where the table has it."""
+"""Data of a study's page: every number and every reason agrees with the table."""
 
 import json
 import math
@@ -24,7 +24,7 @@ distribution = "uniform"
 low = "0 cm"
 high = "9 cm"
 """
-# SI to the unit that stands beside the numbers
+# factors from SI to the displayed units
 FACTORS = {"N cm": 100, "mN cm": 1e5, "s": 1, "ms": 1000, "J": 1, "mJ": 1000}
 
 
@@ -54,7 +54,7 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
 
 
 def test_quantities_say_of_which_transition_they_are(study):
-    """By its number, so that a page knows which kept run they come from; None of none."""
+    """By index, so that a page can relate kept runs to quantities; None for quantities without transition."""
     table = many_ends()
     table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}
     for state in ("flat", "folded", "opened"):

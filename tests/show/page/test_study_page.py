@@ -1,4 +1,4 @@
-"""The page of a study holds its numbers, its runs within bounds, and nothing that a text could smuggle in."""
+"""The page of a study has its numbers, a limited size of its runs, and no text that acts as HTML."""
 
 import csv
 import html
@@ -28,7 +28,7 @@ def study(study_file):
 
 @pytest.fixture
 def kept(reference_run, reference_outcome):
-    """A kept run at a point."""
+    """Return a kept run at a point."""
 
     def keep(point, part="opening"):
         folder = f"runs/{point + 1}-{part}"
@@ -42,7 +42,7 @@ def data(page):
 
 
 def rows(page):
-    """The texts of the table of all points."""
+    """Return the texts of the table of all points."""
     body = re.search(r"<caption>One row for each point[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
     return [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
 
@@ -168,7 +168,7 @@ def test_choices_are_listed_with_the_number_of_wings_that_fold(study_file):
         ["vein diameter 5 mm, as in binder2025", "4"],
         ["vein diameter 10 mm", "3"],
     ]
-    # maps are over the grid, and begin at the base
+    # maps show the grid, and begin with the base design
     shown = data(page)["study"]
     assert [factor["key"] for factor in shown["factors"]] == ["choice", "tendon.stiffness", "tendon.rest_length"]
     assert (shown["axes"], shown["cuts"]) == ([1, 2, 0], [0, 1, 1])

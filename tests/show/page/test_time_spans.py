@@ -28,7 +28,7 @@ def test_compared_runs_are_aligned_at_the_start_of_folding_and_of_each_stage(cli
     assert (whole.name, whole.origins) == ("whole runs", starts[0])
     assert (folding.origins, unfolding.origins) == (starts[0], starts[1])
     assert starts[1][0] != starts[1][1]
-    # both settle as long: lined up at their own starts they would look the same
+    # runs that settle equally long would look the same aligned at their own starts
     assert rest == []
     for clip, origin in zip(clips, unfolding.origins, strict=True):
         goal = clip.stages[3].goal_time - origin

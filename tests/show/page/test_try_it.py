@@ -11,12 +11,12 @@ from tests.show.page.live_wing import SMALL, LiveWing, write_wing
 from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
-WINDOW = {"width": 500, "height": 500}  # pixels, which are soon drawn
+WINDOW = {"width": 500, "height": 500}  # pixels of a window that is drawn quickly
 
 
 @pytest.fixture(scope="module")
 def diverging_page(tmp_path_factory):
-    """Of a design whose steps are too long for it, driven or not."""
+    """The page of a design whose timestep is too long, with or without drives."""
     path = tmp_path_factory.mktemp("diverging") / "report.html"
     write_wing(path, {"protocol.timestep": "3 ms"})
     return path
@@ -38,7 +38,7 @@ def trial(one_page):
 
 
 def begin_again(opened, shares=None):
-    """The wing settled again with sliders at these shares of their ranges, by key, the others as in the run."""
+    """Let the wing settle again with sliders at shares of their ranges, by key, and others as in the run."""
     opened.live.slide(shares)
     assert opened.live.do("Start again") == "Settled."
 
@@ -66,7 +66,7 @@ def test_folding_is_reported_before_rest(trial):
 
 
 def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(trial):
-    """Which has the values that stand there in the end, from its start."""
+    """The file has the final values, from the start."""
     note = trial.page.locator(".trial .note").first
     begin_again(trial, {"tendon.stiffness": 0.7})
     trial.live.do("Whole protocol")
@@ -81,7 +81,7 @@ def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(tri
     assert "which no run of a design file does" in note.inner_text()
     begin_again(trial)
     assert note.inner_text() == ""
-    # a torque that does not act yet changes nothing of what was
+    # a torque that does not act yet does not change the motion so far
     trial.live.put("protocol.fold_torque", 0.5)
     assert trial.live.do("Fold").startswith("The wing folded in")
     assert note.inner_text() == ""
@@ -93,7 +93,7 @@ def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(tri
 
 
 def test_a_diverged_simulation_stays_diverged_until_a_restart(watch, diverging_page):
-    """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
+    """Release, changes and pushes have no effect, and the simulator still replies."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"

@@ -23,7 +23,7 @@ from tests.analysis.test_outcome import ENDS, REFERENCE, planted
 
 @pytest.fixture
 def told(short_outcome):
-    """The sentence on a short run whose outcome is another one in part."""
+    """Return the sentence about a short run with a partly changed outcome."""
 
     def tell(status=short_outcome.status, **changed):
         both = {name: {**getattr(short_outcome, name), **value} for name, value in changed.items()}
@@ -51,7 +51,7 @@ def test_a_failure_is_reported_with_its_torque(told):
 
 
 def sprung_back(angle):
-    """A wing folded to -170 deg whose release, which ends in no state, leaves it at an angle, deg."""
+    """A wing folded to -170 deg whose release, without a named state, leaves it at an angle, deg."""
     named = with_values(REFERENCE, {"protocol.stages.1.state": "folded"})
     return measure(planted((0.3, 0.4, 0.6), (0, -170, angle), ends=ENDS[:3], design=named))
 
@@ -72,7 +72,7 @@ def test_a_release_that_ends_in_the_state_is_claimed_and_needs_no_further_senten
 
 
 def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_folding():
-    """As of binder2025-joint, which is pushed to -20 deg and then snaps."""
+    """Like binder2025-joint, which is pushed to -20 deg and then snaps."""
     pushed = with_values(REFERENCE, {"protocol.stages.1.until": "distal_angle < -20 deg"})
     outcome = measure(planted((0.3, 0.4, 0.6), (0, -21, -170), ends=ENDS[:3], design=pushed))
     sentence = outcome_sentence("wing", outcome)
@@ -113,7 +113,7 @@ def test_plots_are_described_by_the_values_in_the_states(short_run, short_outcom
     assert text.count("°") >= 3
     assert [text.find(name) > 0 for name in ("flat", "folded", "opened")] == [True, True, True]
     assert "0 J folded" in energy_text(clip)
-    # which the record knows of every step, and the frames do not
+    # the record knows it for every step, the frames do not
     assert f"kinetic {readable(short_run.kinetic_peak[1], 'J')}" in energy_text(clip)
 
 

@@ -32,7 +32,7 @@ def pixels(figure):
     return np.asarray(canvas.buffer_rgba())[..., :3]
 
 
-# the reference is drawn where its words are read
+# the reference is drawn in tests of words
 @pytest.mark.parametrize("name", ["settled", "not folded", "diverged"])
 def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
     record = runs[name]
@@ -88,7 +88,7 @@ def test_the_three_states_are_marked_where_they_are(runs):
 
 @pytest.fixture(scope="module")
 def small():
-    """A wing of 10 mm, as large as an earwig's, run."""
+    """A run of a wing of 10 mm, the size of an earwig's."""
     return run(scale_design(load_design("binder2025"), 1 / 22))
 
 
@@ -123,7 +123,7 @@ def test_pictures_between_states_are_at_thirds_of_the_angle(runs):
     titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes]
     times = [fold.start + 1e-3 * float(title.split()[2]) for title in titles if title.startswith("fold + ")]
     rows = (record.time >= fold.start) & (record.time <= fold.end)
-    # ring hinges and the motors' turn by different angles: of each the share of its own furthest
+    # ring hinges and driven hinges turn by different angles: each as a share of its own maximum
     turned = np.abs(record.series["hinge_angle"][rows] - record.series["hinge_angle"][rows][0])
     groups = [measure_of(record.structure, "ring").hinges, record.structure.motors[0].hinges]
     shares = (

@@ -16,7 +16,7 @@ def sheet(size, fold=0.0):
 
 
 def shaken(size):
-    """A sheet of which every third vertex inside has moved."""
+    """A sheet with every third interior vertex displaced."""
     draw, pattern = np.random.default_rng(0), sheet(size)
     coords, moved = pattern.vertices_coords.copy(), interior_vertices(pattern)[::3]
     coords[moved, :2] += 1e-3 * draw.normal(size=(len(moved), 2))
@@ -43,7 +43,7 @@ def labels(figure):
     return [text.get_text() for text, _ in words(figure)]
 
 
-# a page has room for all words but where it is low, or where there are most of them: see below
+# page-wide figures have space for all words unless they are low or have the most words: see below
 @pytest.mark.parametrize(
     ("name", "width"),
     [*((name, COLUMN_WIDTH) for name in SHEETS), ("strip", PAGE_WIDTH)],

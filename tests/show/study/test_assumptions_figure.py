@@ -1,4 +1,4 @@
-"""Assumptions as a figure, a table and a page: what each changes, by colour and by symbol."""
+"""Assumptions as a figure, a table and a page: effects by colour and by symbol."""
 
 import csv
 from dataclasses import replace
@@ -17,7 +17,7 @@ from tests.assumptions import ASSUMED
 
 
 def marks(axes, row):
-    """Marker, colour and position across of what is drawn in a row without a line."""
+    """Return marker, colour and horizontal position of the marks in a row."""
     lines = [line for line in axes.lines if line.get_linestyle() == "None" and line.get_ydata()[0] == row]
     return [(line.get_marker(), line.get_color(), line.get_xdata()[0]) for line in lines]
 
@@ -29,7 +29,7 @@ def test_dots_show_changes_of_times_and_triangles_show_failures():
     ((marker, colour, _),) = marks(time, 1)
     assert marker == ">"
     assert same_color(colour, VERMILION)
-    # the work of a stage that failed is that of another motion
+    # the work of a stage that failed belongs to another motion
     assert [mark[0] for mark in marks(work, 1)] == [">"]
 
 

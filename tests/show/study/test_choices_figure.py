@@ -1,4 +1,4 @@
-"""Choices side by side, of planted tables: every bar is as long as the table counts, and what is not known is seen."""
+"""Choices of planted tables: bars have the lengths of the counts, and undecided points are visible."""
 
 import numpy as np
 import pytest
@@ -13,13 +13,13 @@ from tests.show.tables import transitions_of_reference
 
 DAMPING = [1e-3, 1e-4, 1e-2, 1e-3, 1e-3]
 DIAMETER = [0.005, 0.005, 0.005, 0.003, 0.01]
-FOLDS = [4, 6, 0, 2, 3]  # of six wings at each choice
-# in the order in which they stand, from the top
+FOLDS = [4, 6, 0, 2, 3]  # of six wings, for each choice
+# in their order from the top
 BY_ROW = {"1e-4": 6, "1e-3": 4, "1e-2": 0, "3": 2, "5": 4, "10": 3}
 
 
 def planted(name="mine", *, verdict="", outcome="", opens=False):
-    """Five choices of two factors, six tendons each, of which three of the last came to what is given."""
+    """Return five choices of two factors with six tendons each; three of the last have a given outcome."""
     dims = ("choice", "tendon_stiffness", "tendon_rest_length")
     folds = np.array([np.arange(6) < count for count in FOLDS]).reshape(5, 2, 3)
     words = np.where(folds, "folded", "did not fold").astype(object)
@@ -48,7 +48,7 @@ def planted(name="mine", *, verdict="", outcome="", opens=False):
 
 
 def single(table):
-    """The third tendon by itself."""
+    """Return only the third tendon."""
     return table.isel(tendon_stiffness=0, tendon_rest_length=2, drop=True)
 
 
@@ -58,7 +58,7 @@ def drawn(figure):
 
 
 def bars(figure):
-    """Lengths of the bars from the left by row, by the text beside the row."""
+    """Return the lengths of the bars by row, by the text beside the row."""
     axes = figure.axes[0]
     rows = {round(tick.get_position()[1], 6): tick.get_text() for tick in axes.get_yticklabels()}
     lengths = {text: [] for text in rows.values()}
@@ -137,7 +137,7 @@ def test_single_wings_have_results_or_reasons_for_their_absence():
     figure = drawn(draw_choices(single(planted())))
     assert [axes.get_xlabel() for axes in figure.axes] == ["least fold torque (N cm)", "work of folding (J)"]
     dots = [line.get_xdata()[0] for line in figure.axes[1].lines if line.get_marker() == "o"]
-    assert dots == pytest.approx([0.6] * 4)  # of six rows, for the third wing folds where three do
+    assert dots == pytest.approx([0.6] * 4)  # in rows: the third wing folds where three do
     assert words(figure).count("did not fold") == 4
 
 

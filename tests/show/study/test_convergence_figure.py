@@ -22,7 +22,7 @@ VALUES = {TIMESTEP: [5e-3, 4e-4, 3e-4, 2e-4], YOUNGS_MODULUS: [5e5, 1e6], MESH: 
 
 @pytest.fixture(scope="module")
 def studies(reference):
-    """A study by key, one with a diverged run among them, and one in which nothing folds."""
+    """Studies by key, one with a diverged run, and one in which nothing folds."""
     reference = with_values(reference, {"stops.time_constant": 2e-3})
     folding = with_values(reference, {"protocol.stages": STAGES})
     settling = with_values(reference, {"protocol.stages": STAGES[:1]})
@@ -93,6 +93,6 @@ def test_all_files_of_a_convergence_study_are_written_or_none(studies, tmp_path)
     with pytest.raises(InputError, match=r"times\.png"):
         write_convergence(study, blocked)
     assert [path.name for path in blocked.iterdir()] == ["times.png"]
-    with pytest.raises(ValueError, match="zip"):  # a study that cannot be drawn, halfway through the files
+    with pytest.raises(ValueError, match="zip"):  # drawing fails halfway through the files
         write_convergence(replace(study, statuses=()), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

@@ -1,4 +1,4 @@
-"""Maps of planted tables: every value and every reason is where the table has it."""
+"""Maps of planted tables: every value and every reason agrees with the table."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ FLOATS = (
 
 
 NOT_RUN = "not run"
-# how statuses begin, what the page's words and the verdict are
+# beginnings of statuses, with their words and verdicts
 ENDS = {
     "folded and opened": ("folded and opened", "reached"),
     "did not open": ("did not open", "stuck"),
@@ -59,7 +59,7 @@ ENDS = {
 
 
 def end(status):
-    """The word for a status, and the verdict."""
+    """Return the word for a status, and the verdict."""
     if status.startswith("with "):
         torque, rest = status.split(": ", 1)
         word, verdict = end(rest)
@@ -68,7 +68,7 @@ def end(status):
 
 
 def planted(factors, status=None, *, fold_outcome=None, sizes=None):
-    """A search over some factors, in which wings fold and open unless a status says something else."""
+    """Return a search over some factors, in which wings fold and open unless a status says otherwise."""
     coords = {name: COORDS[name][0][: (sizes or {}).get(name)] for name in factors}
     shape = tuple(len(values) for values in coords.values())
     status = np.full(shape, "folded and opened", dtype=object) if status is None else status
@@ -123,7 +123,7 @@ UNTRUSTED = "not to be trusted: the energy balance misses 12 %"
 
 
 def doubtful():
-    """As where a timestep is too long for some wings, and a time limit too short for others."""
+    """As with a timestep that is too long for some wings, and a time limit that is too short for others."""
     status = np.array(
         [
             ["folded and opened", UNTRUSTED, "still moving at -34.0 deg when its time to fold was over", UNTRUSTED],
@@ -152,12 +152,12 @@ def draw(figure):
 
 
 def written(axes):
-    """Numbers in cells by column and row."""
+    """Return the numbers in cells by column and row."""
     return {tuple(map(round, text.get_position())): float(text.get_text()) for text in axes.texts}
 
 
 def marked(axes):
-    """How many cells each reason has, fewest first."""
+    """Return the number of cells for each reason, fewest first."""
     polygons = [
         item for item in axes.collections if isinstance(item, PolyCollection) and not isinstance(item, QuadMesh)
     ]
@@ -188,7 +188,7 @@ TABLES = {
 }
 
 
-# two factors, with every end, are drawn where their words are read
+# maps of two factors with every outcome are drawn in tests of words
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_can_be_drawn(name):
     for drawing in map_drawings(TABLES[name]()).values():
@@ -217,7 +217,7 @@ def test_a_map_over_three_factors_is_drawn_at_every_value_of_the_third_with_how_
 
 
 def opening(axes):
-    """The panel of the least torques that open, whose title names the torque that folds before."""
+    """Return the panel of the least torques that open, whose title names the folding torque."""
     return next(panel for title, panel in axes.items() if title.startswith("least unfold torque"))
 
 
@@ -260,7 +260,7 @@ def test_a_wing_that_sticks_when_folded_for_the_unfolding_says_with_which_torque
 def test_a_wing_that_only_the_large_torque_folds_was_asked_to_open():
     table = many_ends()
     table["reference_outcome"][2, 3] = "folded"
-    # as before, but one more did not open, and one fewer was not tried
+    # as before, except that one more did not open, and one fewer was not tried
     assert marked(opening(panels(draw_torque_maps(table)))) == [1, 1, 3, 4]
 
 
@@ -385,7 +385,7 @@ def test_samples_lie_where_their_factors_say():
     found = table.where(table.least_fold_torque > 0, drop=True)
     places = np.column_stack([100 * found.tendon_stiffness / 1e4, 100 * found.tendon_rest_length])
     drawn = axes.collections[0]
-    # the first factor goes up
+    # the first factor is vertical
     np.testing.assert_allclose(np.asarray(drawn.get_offsets())[:, ::-1], places)
     np.testing.assert_allclose(drawn.get_array(), 100 * found.least_fold_torque)
     assert sum(len(line.get_xdata()) for line in axes.lines) == 7

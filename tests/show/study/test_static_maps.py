@@ -1,4 +1,4 @@
-"""Maps of slowly growing torques, alone and beside a simulation's."""
+"""Maps of least slow torques, alone and compared with a simulation."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_over_one_factor_points_are_drawn(reference):
 
 
 def test_a_wing_that_springs_open_when_released_does_not_resist_opening():
-    """Creases of 0.12 N m/rad/m do not leave the letter closed; where they are soft it is, and takes more to open."""
+    """Creases of 0.12 N m/rad/m do not keep the letter closed; softer ones do, and need more torque to open."""
     letter = load_design("letter-fold", {"drive.open.value": "-1 N cm"})
     table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m", "0.12 N m/rad/m"]}))
     assert legend(draw_static_maps(table)) == {"did not get opened", "did not stay closed"}
