@@ -92,7 +92,7 @@ def test_facts_that_contradict_each_other_are_told_to_exclude_one_another(contra
     assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
-    assert "No sample meets all 2 facts, and by a model fitted between the samples no values do" in said[0]
+    assert "No sample meets all 2 facts, and according to a model fitted between the samples no values do" in said[0]
     assert any(each.startswith("No values meet all facts") for each in said)
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
@@ -120,7 +120,7 @@ def test_samples_that_are_placed_refute_an_exclusion_that_is_an_accident():
     assert drawn.together.values[0, 1] != Together.EXCLUDED
     # though the hidden values meet both
     assert (
-        "No sample meets all 2 facts, but samples are too few to say that no values do" in together_sentences(drawn)[0]
+        "No sample meets all 2 facts, but there are too few samples to exclude other values" in together_sentences(drawn)[0]
     )
     for each in marginals(drawn):
         planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]
