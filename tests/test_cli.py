@@ -160,7 +160,7 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
 
 def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     output = call("landscape", "letter-fold", "--no-simulation", "--out", "there")
-    assert output.out.startswith("letter-fold: rests stably: flat, closed, opened (as flat); ")
+    assert output.out.startswith("letter-fold: stable states: flat, closed, opened (as flat); ")
     assert "simulated" not in output.out + output.err
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
     found = everything_in(in_an_empty_folder / "there")

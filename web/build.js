@@ -1,6 +1,6 @@
 /**
  * Build the scripts and the style of forficula's pages, and their engine, into the package: npm ci && npm run build
- * The same sources give the same bytes; their hash stands in the first line, and a test compares it.
+ * The same sources give the same bytes; the first line contains their hash, which a test compares.
  */
 
 import { createHash } from "node:crypto";
@@ -28,7 +28,7 @@ const sources = [
 const digest = createHash("sha256");
 for (const name of sources) digest.update(`${name}\n${text(name)}`);
 const hash = digest.digest("hex");
-// the engine is taken as it was published: npm ci holds it to the hash in package-lock.json
+// the engine is used as published: npm ci checks it against the hash in package-lock.json
 const engine = readFileSync(join(here, "node_modules", "@mujoco", "mujoco", "mujoco.wasm"));
 const program = createHash("sha256").update(engine).digest("hex");
 const stamps = {
@@ -58,7 +58,7 @@ const result = await build({
 
 mkdirSync(out, { recursive: true });
 for (const file of result.outputFiles) {
-  // a closing tag within the script would end the element that it stands in
+  // a closing tag within the script would close the element that contains the script
   const content = file.text.replaceAll("</script", "<\\/script").replaceAll("</style", "<\\/style");
   const stamp = stamps[basename(file.path)] ?? stamps[extname(file.path)];
   writeFileSync(file.path, stamp + content);

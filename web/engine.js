@@ -1,9 +1,9 @@
 /**
- * The simulator as the pages have it: MuJoCo's own WebAssembly, whose script makes no function from text any more, for
- * that is what a security policy without 'unsafe-eval' refuses.
+ * The simulator of the pages: MuJoCo's own WebAssembly. Its script is changed so that it makes no function from text,
+ * because a security policy without 'unsafe-eval' refuses that.
  */
 
-/** What binds functions of C++ by closures, in place of text that is evaluated: arguments go to the wire one by one. */
+/** Binds functions of C++ by closures, instead of evaluating text: arguments are converted one by one. */
 const INVOKER = `
       var invokerFn = function (...given) {
         checkArgCount(given.length, minArgs, expectedArgCount, humanName, throwBindingError);
@@ -20,7 +20,7 @@ const INVOKER = `
       };
 `;
 
-/** Alike for what C++ calls of JavaScript. */
+/** The same for calls from C++ to JavaScript. */
 const CALLER = `
       var invokerFunction = function (obj, func, destructorsRef, args) {
         var read = [], at = 0;
@@ -33,12 +33,12 @@ const CALLER = `
       };
 `;
 
-// where the script is read again, each once: what stands there, and what comes in its place
+// replacements, each of a text that occurs exactly once
 const CHANGES = [
   ["let [args, invokerFnBody] = createJsInvoker(argTypes, isClassMethodFunc, returns, isAsync);", ""],
   ["var invokerFn = new Function(...args, invokerFnBody)(...closureArgs);", INVOKER],
   ["var invokerFunction = new Function(...params, functionBody)(...args);", CALLER],
-  // it is always in a worker, and its program is always handed to it
+  // the engine always runs in a worker, and its program is always passed to it
   ["var ENVIRONMENT_IS_WEB = typeof window == 'object';", "var ENVIRONMENT_IS_WEB = false;"],
   ["var ENVIRONMENT_IS_WORKER = typeof WorkerGlobalScope != 'undefined';", "var ENVIRONMENT_IS_WORKER = true;"],
   [
@@ -55,14 +55,14 @@ const CHANGES = [
   ["var require = createRequire(import.meta.url);", ""],
 ];
 
-/** The engine's script with these changes; another version of it, which reads otherwise, is refused. */
+/** The engine's script with these changes; throws an error for another version, whose text differs. */
 export function patched(script) {
   for (const [found, put] of CHANGES) {
     const count = script.split(found).length - 1;
-    if (count !== 1) throw new Error(`the engine's script has ${count} times what is to be changed once: ${found}`);
+    if (count !== 1) throw new Error(`the engine's script has ${count} occurrences of a text that must occur once: ${found}`);
     script = script.replace(found, () => put);
   }
-  // what is for Node.js alone is left out of the bundle
+  // code for Node.js is left out of the bundle
   script = script.replaceAll("ENVIRONMENT_IS_NODE", "false");
   if (/new Function\b|\beval\(/.test(script)) throw new Error("the engine's script still makes functions from text");
   return script;

@@ -26,11 +26,11 @@ def elastic_material():
 
 @pytest.fixture(scope="session")
 def lawless_material(tpu_material):
-    """As tpu_material, but the data tell no law."""
+    """A material like tpu_material whose data determine no law."""
     return replace(tpu_material, fit=None, law=None, remarks=("there is no law: too few rows",))
 
 
 @pytest.fixture(scope="session")
 def plates_runs():
-    """Runs of plates with what they are made of in part, and their outcomes, by what is told of these parts."""
+    """Runs of plates that lack some parts, with their outcomes, by a description of the parts."""
     return {name: plates_run(**parts) for name, parts in PARTS.items()}

@@ -1,4 +1,4 @@
-"""Whether the words of a figure can be read: large enough, inside it, and not on one another."""
+"""Check that the words of a figure are legible: large enough, inside the figure, and without overlap."""
 
 import itertools
 from unittest import mock
@@ -13,14 +13,14 @@ from forficula.show.style import description
 
 _FINE = 3
 _BEYOND, _DOTS, _WHITE = 0.5, 72 * _FINE, 0.95  # inch, dots per inch as in `words`, and what is as good as white
-_ROUNDED = 2.0  # pt, as for words: a layout in whole pixels may be off
-SMALLEST = 6.0  # pt, below which journals refuse
-# what is drawn on purpose over something else, or as one word
+_ROUNDED = 2.0  # pt, tolerance for words: a layout in whole pixels may deviate
+SMALLEST = 6.0  # pt, least size that journals accept
+# text that is drawn over something on purpose, or that is one word
 OVER = ("a", "b", "c")
 
 
 def check_words(figure, width):
-    """Check the words of a figure of at most a width, inch, and the text that stands for it; returns the words."""
+    """Check the words of a figure of a largest width, inch, and its description; returns the words."""
     assert figure.get_figwidth() <= width
     boxes, sides = _drawn(figure)
     assert boxes
@@ -51,7 +51,7 @@ def check_inside(figure):
 
 
 def words(figure):
-    """Every text that is drawn, and its box in points from the lower left corner."""
+    """Return every text that is drawn, with its box in points from the lower left corner."""
     return _drawn(figure)[0]
 
 
@@ -66,7 +66,7 @@ def _drawn(figure):
     It is drawn once for both, in a window that shows what lies beyond its edges. A legend of the whole figure would
     stand at the edges of that window, so it is drawn by itself.
     """
-    # finer than points: at one pixel a point letters are rounded to whole ones, and lines of them are longer
+    # finer than points: at one pixel per point letters are rounded, and lines of text are longer
     figure.set_dpi(_DOTS)
     renderer = FigureCanvasAgg(figure).get_renderer()
     _lay_out(figure)
@@ -86,13 +86,13 @@ def _drawn(figure):
 
 
 def _boxes(draw, renderer, margin):
-    """What a drawing returns, and the texts that it draws with their boxes as `words` tells them, less a margin."""
+    """Return the result of a drawing, and the texts that it draws with their boxes, less a margin."""
     boxes, draw_text = {}, Text.draw
     shrink = Affine2D().scale(1 / _FINE).translate(-72 * margin, -72 * margin)
 
     def note(text, *others):
         if text.get_visible() and text.get_text().strip():
-            # ticks are somewhere else once the window is
+            # ticks move once the window is set
             boxes[text] = Text.get_window_extent(text, renderer).transformed(shrink)
         return draw_text(text, *others)
 
@@ -102,13 +102,13 @@ def _boxes(draw, renderer, margin):
 
 
 def _beyond(figure, extents):
-    """How far a box sticks out of a figure to the left, below, to the right and above, inch."""
+    """Return the distances by which a box exceeds a figure to the left, below, to the right and above, inch."""
     (left, bottom, right, top), (width, height) = extents, figure.get_size_inches()
     return [-left, -bottom, right - width, top - height]
 
 
 def _lay_out(figure):
-    """Find the places of axes and words once, and leave them there."""
+    """Compute the positions of axes and words once, and keep them."""
     if (layout := figure.get_layout_engine()) is not None:
         layout.execute(figure)
     figure.set_layout_engine("none")
@@ -134,5 +134,5 @@ def pixels_with_margin(figure):
 
 
 def colours(pixels):
-    """How many a picture has, (row, column, 3 or 4) of bytes; one number a pixel, for rows are slow to sort."""
+    """Count the colours of a picture, (row, column, 3 or 4) of bytes; one number per pixel: rows sort slowly."""
     return np.unique(pixels.astype(np.uint32) @ (1 << 8 * np.arange(pixels.shape[-1], dtype=np.uint32))).size

@@ -1,4 +1,4 @@
-"""Plates in a row, built by hand: a structure without veins, to be drawn by all that draws a run."""
+"""Plates in a row, built by hand: a structure without veins, for tests of everything that draws runs."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ from forficula.structure import (
 )
 
 WIDTH, LENGTH = 0.1, 0.08  # m
-# what a test draws, by what is told of it
+# structures that tests draw, by description
 PARTS = {
     "whole": {},
     "with a pattern": {"pattern": True},
@@ -36,7 +36,7 @@ PARTS = {
     "without motors": {"motors": False},
     "unmeasured": {"measured": False},
 }
-# of each plate, in its own axes; the last one is no convex polygon
+# corners of each plate, in its own axes; the last one is not convex
 CORNERS = (
     ((0.0, 0.0), (LENGTH, 0.0), (LENGTH, WIDTH), (0.0, WIDTH)),
     ((0.0, 0.0), (LENGTH, 0.0), (LENGTH, WIDTH), (0.0, WIDTH)),
@@ -46,7 +46,7 @@ LEAST, MOST = np.radians(-3.0), np.radians(175.0)
 
 
 def plates_structure(*, tendons: bool = True, motors: bool = True, measured: bool = True, pattern: bool = False):
-    """Three plates in a row; without some of its parts, or with a crease pattern."""
+    """Return three plates in a row, without some of their parts, or with a crease pattern."""
     bodies = [
         Body(
             name=f"plate{number}",
@@ -103,7 +103,7 @@ def plates_structure(*, tendons: bool = True, motors: bool = True, measured: boo
 
 
 def _pattern() -> CreasePattern:
-    """The sheet of the plates: a mountain and a valley between them."""
+    """Return the pattern of the plates, with a mountain and a valley between them."""
     outline = [(0.0, 0.0), (0.08, 0.0), (0.16, 0.0), (0.22, 0.0), (0.195, 0.05), (0.22, 0.1), (0.16, 0.1), (0.08, 0.1)]
     places = [(*place, 0.0) for place in [*outline, (0.0, 0.1)]]
     border = [(each, (each + 1) % 9) for each in range(9)]
@@ -185,7 +185,7 @@ FLAT, SHUT = np.radians(-3.0), np.radians((172.0, 160.0))
 
 
 def plates_design(*, motors: bool = True) -> Design:
-    """What is done to the plates: they settle, close, rest, open and rest."""
+    """Return the protocol: the plates settle, close, rest, open and rest."""
     stages = [
         StageSection(name=name, drive=drive, until=until, hold="0 s", time_limit=f"{10 * limit} s")
         for name, drive, until, limit in STAGES[: 5 if motors else 1]
@@ -203,7 +203,7 @@ def plates_design(*, motors: bool = True) -> Design:
 
 
 def plates_run(*, motors: bool = True, **parts: bool) -> tuple[Record, Outcome]:
-    """A run of the plates as a simulation would leave it, their angles as they go in one."""
+    """Return a run of the plates as from a simulation, with angles that follow a formula."""
     structure, design = plates_structure(motors=motors, **parts), plates_design(motors=motors)
     lasts = [limit for *_, limit in STAGES[: len(design.protocol.stages)]]
     ends = np.round(np.cumsum(lasts), 9)
@@ -256,7 +256,7 @@ def plates_run(*, motors: bool = True, **parts: bool) -> tuple[Record, Outcome]:
 
 
 def _angles(time, ends):
-    """From flat to shut and back, with a bounce that dies away, rad, (time, hinge)."""
+    """Return angles from flat to shut and back, with a decaying bounce, rad, (time, hinge)."""
     angles = np.full((len(time), 2), FLAT)
     for start, way, swing in zip(ends[0::2], (1.0, -1.0), (-0.2, 0.05), strict=False):
         since = np.maximum(time - start, 0)
@@ -269,7 +269,7 @@ def _angles(time, ends):
 
 
 def _places(structure, angles):
-    """Where the points are, m, (time, point, 3): plate after plate turned about its side."""
+    """Return the positions of the points, m, (time, point, 3): each plate is turned about its side."""
     places = np.zeros((len(angles), len(structure.points), 3))
     origins, turn = np.zeros((len(angles), 3)), np.zeros(len(angles))
     for body in range(3):

@@ -1,4 +1,4 @@
-"""Sheets whose facets bend, and short runs of them, to be drawn by all that draws a run."""
+"""Sheets whose facets bend, and short runs of them, for tests of everything that draws runs."""
 
 from functools import cache
 
@@ -12,7 +12,7 @@ _TENDON = {"name": "corner", "from": "vertex 0", "to": "vertex 24", "stiffness":
 _QUICK = {"protocol.timestep": "0.04 ms", "protocol.sample_interval": "0.4 ms"}
 _STAGES = {"protocol.stages": [_REST, _FOLD | {"hold": "1 ms"}]}
 _LOOSE = {"support": [], "drive": [], "measure": [], "tendon": [], "protocol.stages": [_REST]}
-# named designs and what is set in them, by what they show
+# named designs with settings, by description
 SHEETS = {
     "miura with a tendon": ("miura-sheet", {"tendon": [_TENDON], "drive.fold.rise": "5 ms"} | _STAGES),
     "membrane": ("miura-sheet", _LOOSE | {"facet.kind": "membrane", "crease.rest_angle": "60 deg"}),
@@ -24,7 +24,7 @@ SHEETS = {
 
 @cache
 def sheet_run(name):
-    """The record of a run, and its outcome."""
+    """Return the record of a run, and its outcome."""
     design, values = SHEETS[name]
     (record,) = simulate([compile_model(load_design(design, _QUICK | values))])
     return record, measure(record)

@@ -1,4 +1,4 @@
-"""What tables that tests plant say of their structure: that of binder2025, as a study of it writes it."""
+"""Attributes of planted tables: those that a study of binder2025 writes."""
 
 from functools import cache
 
@@ -10,7 +10,7 @@ from forficula.study.tables.outcome_kinds import transitions_text
 
 @cache
 def transitions_of_reference(ask: str = "least-torques", *, opens: bool = True) -> dict[str, str]:
-    """Attributes of a table of the reference: its transitions, the state before them, and what it is called.
+    """Return attributes of a table of the reference: its transitions, the state before them, and its noun.
 
     Args:
         ask: "least-torques", or "run" for plain runs.

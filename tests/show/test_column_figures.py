@@ -1,4 +1,4 @@
-"""Every figure at both widths of a journal: all is inside it, and its words are large enough and not on one another."""
+"""Every figure at both widths of a journal: everything is inside, and words are large enough and do not overlap."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ from tests.show.legible import check_inside, check_words
 from tests.show.study.test_convergence_figure import STAGES
 from tests.show.study.test_maps import TWO, many_ends, planted
 
-# it stays where it is
+# stays where it is
 SHORT = {
     "protocol.stages.0.time_limit": "20 ms",
     "protocol.stages.1.time_limit": "0.15 s",
@@ -38,7 +38,7 @@ SHORT = {
 
 
 def simulated(statics):
-    """A search beside statics, which agrees and differs in every way."""
+    """Return a search compared with statics, with agreement and every kind of difference."""
     table = statics.copy(deep=True)
     for name in ("least_fold_torque", "least_unfold_torque"):
         values = table[name].values
@@ -49,7 +49,7 @@ def simulated(statics):
 
 @pytest.fixture(scope="module")
 def drawings(reference, reference_run, reference_outcome, surveyed, tpu_material, elastic_material):
-    """What draws every figure there is, by a name."""
+    """Return the drawings of every figure, by name."""
     over = {"tendon.stiffness": "10..30 N/cm step 10", "tendon.rest_length": "5..9 cm step 1"}
     folding = with_values(reference, {"protocol.stages": STAGES})
     runs = (*(cycle(number) for number in range(1, 5)), cycle(5, **STUCK))
@@ -84,14 +84,14 @@ KINDS = [
     *(f"converge, {kind}" for kind in ("angles", "times")),
     "assumptions, assumptions",
     *(f"failures, {kind}" for kind in ("status", "torques", "works", "energy")),
-    # where nothing fails, and no legend takes room from the numbers
+    # without failures, and without a legend that takes space from the numbers
     *(f"study, {kind}" for kind in ("torques", "energy", "fold_times")),
     "map, map",
     "beside, map",
     *(f"stuck, {kind}" for kind in ("angles", "energy", "folding")),
     "cycling, cycles",
 ]
-# by the same code as another kind, with other words: a page, which has more room for these, is tried with that one
+# drawn by the code of another kind with other words; the page width, which has more space, is tested with that kind
 DRAWN_BEFORE = (
     *("three cycles, cycles", "study, torques", "study, energy", "beside, map"),
     *("stuck, angles", "stuck, energy", "stuck, folding"),
@@ -99,7 +99,7 @@ DRAWN_BEFORE = (
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_a_legend_that_is_wider_than_its_figure_gets_fewer_columns_and_then_more_lines(width):
+def test_a_wide_legend_gets_fewer_columns_and_then_wrapped_words(width):
     for names in (["short"] * 3, ["of a length that is no longer short"] * 5, ["longer than a page is wide " * 6]):
         with figure_style():
             figure = Figure(figsize=(width, 3), layout="constrained")

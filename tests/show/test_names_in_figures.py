@@ -1,4 +1,4 @@
-"""Names that a user gives are shown as they are, whatever they mean to TeX."""
+"""Names given by a user are displayed unchanged, even if they mean something to TeX."""
 
 import pytest
 from matplotlib.text import Text

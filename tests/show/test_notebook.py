@@ -1,4 +1,4 @@
-"""In a notebook results show themselves: a sentence, tables with units, a figure, a run that plays."""
+"""Results in notebooks: a sentence, tables with units, a figure, a run that plays."""
 
 import pytest
 import xarray
@@ -44,7 +44,7 @@ def results(design, record, surveyed, tmp_path_factory):
 
 
 def _answers(design, folder):
-    """A goal and observations, and what came of them."""
+    """A goal and observations with their results."""
     goal = goal_of(
         {
             "name": "light",
@@ -74,13 +74,13 @@ def _answers(design, folder):
         ("record", ("<iframe", "allow-scripts", "letter-fold got closed in")),
         ("outcome", ("letter-fold got closed in", "tendon (cm)", "Energy balance")),
         ("landscape", ("Stable states", "<img", "J</td>")),
-        ("convergence", ("0.5 ms", "the design&#x27;s own", "<img")),
+        ("convergence", ("0.5 ms", "value of the design", "<img")),
         ("assumptions", ("drives rise over 0.2 s", "Does not apply: gravity", "flap: closed; 1 of 2", "<img")),
         ("study", ("2 points of letter-fold", "0.4 N/cm, 0.5 N/cm")),
         ("table", ("<img", "xarray.StudyTable")),
         ("material", ("MPa", "<img")),
         ("law", ("modulus.linear", "MPa")),
-        ("parts", ("<iframe", "binder2025-joint: parts to make", "They are not checked yet")),
+        ("parts", ("<iframe", "binder2025-joint: parts to make", "The parts are not checked yet")),
         ("goal", ("light", "The least mass of binder2025-joint", "tendon.rest_length", "5 cm | 6 cm", "&gt;= 1 N cm")),
         ("optimum", ("light: the least mass of 2 designs", "tendon.rest_length", "<img")),
         ("observations", ("1 fact on letter-fold", "tendon.left.stiffness", "closes", "<td>all</td>")),

@@ -1,4 +1,4 @@
-"""A structure without veins is drawn by everything that draws a run, and what it lacks is left out."""
+"""A structure without veins is drawn by everything that draws runs, and missing parts are left out."""
 
 import re
 from dataclasses import replace
@@ -25,14 +25,14 @@ from tests.show.plates import PARTS, WIDTH
 
 
 def texts(figure):
-    """Every text of a figure but those of ticks."""
+    """Return every text of a figure except those of ticks."""
     found = [text.get_text() for axes in figure.axes for text in (*axes.texts, axes.title, axes.xaxis.label)]
     found += [axes.get_ylabel() for axes in figure.axes]
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
     return found + [text.get_text() for legend in legends for text in legend.get_texts()]
 
 
-# the figures in which each stands otherwise than in those of the whole
+# figures that differ from those of the complete structure
 CHANGED = {
     "whole": ("pattern", "angles", "energy", "folding", "package"),
     "with a pattern": ("pattern",),
@@ -42,7 +42,7 @@ CHANGED = {
 }
 
 
-# the whole is drawn as wide as a page, too; what lacks something has more room there
+# the complete structure is also drawn at page width; others have more space there
 @pytest.mark.parametrize(("name", "width"), [*((name, COLUMN_WIDTH) for name in PARTS), ("whole", PAGE_WIDTH)])
 def test_every_figure_is_drawn_at_any_width_and_all_its_words_can_be_read(plates_runs, name, width):
     drawings = run_drawings(*plates_runs[name])
@@ -58,7 +58,7 @@ def test_the_plates_are_drawn_where_they_are(plates_runs):
     shape = shape_of(record.structure)
     assert shape.regions == ("base", "flap")
     assert shape.solid == (True, True)
-    # two of four corners, one cut into three triangles; none beside the polygon that is not convex
+    # two with four corners, one divided into three triangles; none beside the polygon that is not convex
     assert [len(face) for face in shape.faces] == [4, 4, 3, 3, 3]
     for time in (0.0, 0.09, 0.33):
         surface = surface_at(record, shape, time)
@@ -90,14 +90,14 @@ def test_hundreds_of_panels_are_drawn_so_that_their_words_can_be_read(long_strip
         check_words(figure, width)
     (legend,) = [legend for axes in figures["angles"].axes if (legend := axes.get_legend())]
     assert [text.get_text() for text in legend.get_texts()] == ["crease (199), median"]
-    # no line: no higher than a tenth of it is long
+    # not a line: at least a tenth as high as long
     box = figures["pattern"].axes[0].get_window_extent()
     assert 0.08 < box.height / box.width < 0.2
 
 
 @pytest.fixture(scope="module")
 def long_strip():
-    """Runs of a few steps of 200 panels."""
+    """Runs of a few timesteps with 200 panels."""
 
     @cache
     def of_panels(length):
@@ -119,8 +119,8 @@ def test_what_a_structure_lacks_is_in_no_legend(plates_runs):
         name: set(texts(run_drawings(*plates_runs[name])["energy"](PAGE_WIDTH)))
         for name in ("whole", "without tendons")
     }
-    assert {"tendons", "hinges", "kinetic", "taken by tendons"} <= there["whole"]
-    assert not {"tendons", "taken by tendons", "membrane"} & there["without tendons"]
+    assert {"tendons", "hinges", "kinetic", "dissipated by tendons"} <= there["whole"]
+    assert not {"tendons", "dissipated by tendons", "membrane"} & there["without tendons"]
     assert "done by torques" not in texts(run_drawings(*plates_runs["without motors"])["energy"](PAGE_WIDTH))
     folding = texts(run_drawings(*plates_runs["without tendons"])["folding"](PAGE_WIDTH))
     assert {"base", "flap"} <= set(folding)
@@ -158,20 +158,20 @@ def test_the_table_has_a_row_for_every_hinge_distance_and_tendon(plates_runs):
     with console.capture() as capture:
         console.print(outcome_table("plates", outcome))
     told = [line.rstrip() for line in capture.get().splitlines()]
-    # the first of each: states that do not fit go on beneath
+    # the first of each: states that do not fit continue below
     lines = {line.split("  ")[0].strip(): line for line in reversed(told)}
     assert {"crease 1", "crease 2", "mouth", "pull", "sum", "closing", "opening"} <= set(lines)
-    # angles, and the springs' energies, which the sum includes, too
+    # angles, and the springs' energies, which are part of the sum
     assert [float(cell) for cell in lines["crease 1"].split()[2:]][::2] == [-3.0, 172.0]
     stored = outcome.states["closed"]
     energy = 1e3 * (stored.tendon_energy.sum() + stored.hinge_energy.sum())
     assert f"{energy:.4g}" in lines["sum"].split()
     assert "+ change of hinge energy" in lines
-    assert "+ taken by stops" in lines
+    assert "+ dissipated by stops" in lines
     assert not any("membrane" in line for line in lines)
 
 
-def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
+def test_a_wide_table_of_states_continues_below(plates_runs):
     record, outcome = plates_runs["whole"]
     missed = replace(outcome, holds=outcome.holds | {"closed": False})
     later = replace(
@@ -187,7 +187,7 @@ def test_a_table_of_states_that_is_too_wide_goes_on_beneath(plates_runs):
     assert sum(line.startswith("sum") for line in lines) == 3
 
 
-def test_what_has_no_membrane_is_not_told_to_take_a_softer_one(plates_runs):
+def test_advice_does_not_mention_a_membrane_that_does_not_exist(plates_runs):
     record, _ = plates_runs["whole"]
     advice = measure(replace(record, diverged_at=0.5)).advice
     assert advice == 'Take a shorter timestep: protocol.timestep = "auto" chooses one.'
@@ -201,13 +201,13 @@ def test_names_that_differ_in_their_numbers_share_their_word():
     assert (counted(["vein 0"], "hinge"), counted(["a", "b"], "hinge")) == ("1 vein", "2 hinges")
 
 
-def test_what_is_called_alike_stands_in_one_row():
+def test_equal_names_share_a_row():
     rows, places = aligned([["vein 0", "vein 1"], ["vein 1", "vein 1", "cap"]])
     assert rows == ["vein 0", "vein 1", "vein 1", "cap"]
     assert places == [[0, 1], [1, 2, 3]]
 
 
-def test_a_named_design_of_plates_leaves_what_every_run_does(letter_run, no_figures, tmp_path):  # noqa: ARG001
+def test_a_run_of_a_named_design_of_plates_writes_all_files(letter_run, no_figures, tmp_path):  # noqa: ARG001
     record, outcome = letter_run, measure(letter_run)
     write_run(record, outcome, tmp_path, engine=False, copies=(".svg", ".pdf"))
     assert outcome.verdict is Verdict.REACHED

@@ -1,4 +1,4 @@
-"""What is told of a study while it runs: runs done, their rate, the time left, and what became of them."""
+"""Progress of a study: runs done, their rate, the time left, and their outcomes."""
 
 import io
 from time import sleep
@@ -23,7 +23,7 @@ def clock(monkeypatch):
 
 @pytest.fixture
 def screen(monkeypatch):
-    """What a terminal, or a file in place of one, is sent."""
+    """Return what is written to a terminal, or to a file in place of one."""
 
     def show(*, is_terminal, width=110):
         sent = io.StringIO()
@@ -34,7 +34,7 @@ def screen(monkeypatch):
     return show
 
 
-def test_a_line_every_ten_seconds_says_how_many_how_fast_how_long_and_what_became_of_them(screen, clock):
+def test_a_line_every_ten_seconds_has_counts_rate_time_left_and_outcomes(screen, clock):
     sent = screen(is_terminal=False)
     with progress.study_progress() as told:
         for number, row in enumerate([FOLDED, STUCK, FOLDED, DIVERGED, FOLDED], start=1):
@@ -43,13 +43,13 @@ def test_a_line_every_ten_seconds_says_how_many_how_fast_how_long_and_what_becam
     assert sent.getvalue() == "3 of 20 runs, 0.25 runs/s, 68 s left: 2 folded, 1 stuck on the way\n"
 
 
-def test_the_rate_is_that_of_the_runs_of_this_time_not_of_those_that_were_there(screen, clock):
+def test_the_rate_excludes_runs_of_earlier_sessions(screen, clock):
     sent = screen(is_terminal=False)
     with progress.study_progress() as told:
         for done in (1001, 1002):
             clock[0] += 6
             told(done, 1200, FOLDED)
-    # 2 runs in 12 s, and 198 to go
+    # 2 runs in 12 s, and 198 left
     assert sent.getvalue() == "1002 of 1200 runs, 0.167 runs/s, 20 min left: 2 folded\n"
 
 
@@ -82,7 +82,7 @@ def test_a_narrow_terminal_keeps_every_count(screen, clock):
         assert count in " ".join(sent.getvalue().split())
 
 
-def test_what_takes_long_is_said_and_what_does_not_is_not(monkeypatch, capsys):
+def test_only_long_steps_are_announced(monkeypatch, capsys):
     monkeypatch.setattr(progress, "_PATIENCE", 0.05)
     with progress.waiting("working out a number"):
         sleep(0.2)

@@ -1,4 +1,4 @@
-"""Sheets whose facets bend are drawn by everything that draws a run: facets, creases by how they fold, what is held."""
+"""Sheets whose facets bend are drawn by everything that draws runs: facets, creases by fold angle, supports."""
 
 import re
 
@@ -24,12 +24,12 @@ from tests.show.sheets import SHEETS, sheet_run
 
 
 def words_of(figure):
-    """Every text in the legends of a figure."""
+    """Return every text in the legends of a figure."""
     legends = [*figure.legends, *(legend for axes in figure.axes if (legend := axes.get_legend()))]
     return [text.get_text() for legend in legends for text in legend.get_texts()]
 
 
-# a page has room for all words but where there are most of them
+# page-wide figures have space for all words except for the one with the most
 @pytest.mark.parametrize(
     ("name", "width"),
     [*((name, COLUMN_WIDTH) for name in SHEETS), ("miura with a tendon", PAGE_WIDTH), ("single vertex", PAGE_WIDTH)],
@@ -86,14 +86,14 @@ def test_a_facet_is_seen_from_its_back_where_it_is_turned():
 
 
 def _seen(painted):
-    """The colours of the pixels in which anything is seen."""
+    """Return the colours of the pixels that are not empty."""
     low, high = painted.corners
     pixel = float(np.ptp([low, high], axis=0).max()) / 100
     picture = painted.picture(low, pixel, (100, 100)).reshape(-1, 4).astype(float)
     return picture[picture[:, 3] == 255]
 
 
-def test_many_creases_are_told_by_their_smallest_their_medians_and_their_largest():
+def test_many_creases_are_summarised_by_smallest_median_and_largest_angle():
     record, outcome = sheet_run("miura with a tendon")
     structure = record.structure
     creases = measure_of(structure, "creases")
@@ -114,7 +114,7 @@ def test_many_creases_are_told_by_their_smallest_their_medians_and_their_largest
     assert all(len(mark_readings(clip, clip.readings[0], mark)[0]) == 4 for mark in clip.marks)
 
 
-def test_the_energy_balance_tells_creases_from_bars():
+def test_the_energy_balance_separates_creases_from_bars():
     record, outcome = sheet_run("tower")
     told = dict(balance_rows(record.structure, outcome.energy_balance))
     assert any(label.endswith("change of crease energy") for label in told)
@@ -122,15 +122,15 @@ def test_the_energy_balance_tells_creases_from_bars():
     assert words_of(run_drawings(record, outcome)["energy"](PAGE_WIDTH))[:3] == ["creases", "bars", "kinetic"]
 
 
-def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
+def test_the_page_shows_facets_creases_by_assignment_and_supports():
     record, outcome = sheet_run("miura with a tendon")
     clip = make_clip(record, outcome)
     assert [entry["text"] for entry in legend_data([clip])] == [
         "mountain (dash-dotted crease)",
         "valley (dashed crease)",
         "facet",
-        "held vertex",
-        "tendon, energy stored",
+        "support",
+        "tendon, coloured by stored energy",
     ]
     data = clip_data(clip)
     assert len(data["triangles"]) == 3 * 2 * 16
@@ -139,7 +139,7 @@ def test_the_page_shows_facets_creases_by_their_sense_and_what_is_held():
     assert "<td>edge" in strength_table(record)
 
 
-def test_the_terminal_tells_in_few_lines(capsys):
+def test_the_terminal_output_of_a_sheet_is_short(capsys):
     record, outcome = sheet_run("miura with a tendon")
     print_outcome("sheet", outcome)
     print_strength(record)

@@ -1,4 +1,4 @@
-"""Figures as files: what a journal accepts, the same bytes each time, and a text for those who do not see them."""
+"""Figures as files: acceptable to journals, the same bytes each time, with a description."""
 
 import os
 import re
@@ -92,7 +92,7 @@ def test_an_svg_is_as_wide_as_a_column_and_says_what_it_shows(tmp_path):
     space = "{http://www.w3.org/2000/svg}"
     assert root.findtext(f"{space}title") == "Energy & moment <of> a hinge"
     assert root.findtext(f"{space}desc") == TEXT
-    # letters are outlines: a font that a reader lacks would change their widths
+    # letters are outlines: a missing font would change their widths
     assert root.find(f".//{space}text") is None
 
 
@@ -140,7 +140,7 @@ def test_figures_films_and_pages_show_a_quantity_in_the_same_colours(name, colou
 
 
 def test_the_colours_of_quantities_are_chosen_in_one_place():
-    """Another module that takes a map of colours by its name could draw an energy in any."""
+    """Another module that selects a colour map by name could draw an energy in any colours."""
     chosen = re.compile(r"colormaps|get_cmap|cmap=\s*[\"']|[\"'](viridis|cividis|plasma|inferno|magma)[\"']")
     found = {path.name for path in (PLACE / "src").rglob("*.py") if chosen.search(path.read_text("utf-8"))}
     assert found == {"style.py"}

@@ -1,4 +1,4 @@
-"""Sentences call a structure what it is called, and its transitions what they do: nothing else is a wing that opens."""
+"""Sentences name structures and transitions by their own words: no other structure is a wing that opens."""
 
 from __future__ import annotations
 
@@ -41,28 +41,28 @@ def called(surveyed):
     )
 
 
-def test_climbs_are_called_by_what_their_transitions_do(called):
+def test_torques_along_the_fold_are_named_after_transitions(called):
     texts = [text.get_text() for axes in draw_fold_path(called).axes for text in axes.texts]
-    assert any(text.startswith("closing takes") and text.endswith("on every petal") for text in texts)
-    assert any(text.startswith("blooming takes") for text in texts)
+    assert any(text.startswith("closing requires") and text.endswith("on every petal") for text in texts)
+    assert any(text.startswith("blooming requires") for text in texts)
     assert not any("folding" in text or "opening" in text for text in texts)
 
 
-def test_a_state_that_there_is_not_is_one_of_what_it_is(called):
+def test_an_unknown_state_is_refused_with_the_structure_s_noun(called):
     with pytest.raises(InputError, match="need a stable state of the flower"):
         ff.barrier(called, "flat", "nowhere")
 
 
-def test_structures_side_by_side_are_called_what_they_are():
+def test_an_ensemble_s_error_uses_the_structure_s_noun():
     letters = [ff.load_design("letter-fold", {"pattern.width": width}) for width in ("20 cm", "21 cm")]
     with pytest.raises(InputError, match=r"need structures that differ in their tendons only, got another pattern"):
         ensemble_of(letters)
 
 
-def test_a_table_carries_the_word():
+def test_a_study_table_stores_the_structure_s_noun():
     assert whole_of(xarray.Dataset(attrs={"whole": "flower"})) == "flower"
     assert maps_text("", ["a", "b"], [], [], whole="flower").startswith(
-        "Map of what became of every flower over a and b"
+        "Map of the outcome of every flower over a and b"
     )
 
 
@@ -72,7 +72,7 @@ def test_a_static_map_counts_structures(capsys):
     assert "wing" not in capsys.readouterr().out
 
 
-def test_what_is_built_first_has_no_other_name(capsys):
+def test_the_first_structure_has_no_other_name(capsys):
     with run_progress() as progress:
         progress("settle", 0.1, 1.0)
     assert "wing" not in capsys.readouterr().err

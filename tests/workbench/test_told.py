@@ -59,5 +59,5 @@ def test_a_pattern_with_a_vertex_that_does_not_fold_flat_says_so():
         "edges_vertices": [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]],
         "edges_assignment": ["V", "M", "M", "M", "B", "B", "B", "B"]}"""
     asked = Asked(files=(SentFile(name="odd.fold", text=text),))
-    assert "1 of 1 inner vertices do not fold flat" in pattern_told(asked, LETTER)["said"]
+    assert "1 of 1 interior vertices do not fold flat" in pattern_told(asked, LETTER)["said"]
     assert "do not fold flat" not in pattern_told(Asked(), LETTER)["said"]

@@ -1,8 +1,8 @@
-/** Arrays that a page keeps deflated, one after the other: whole numbers as differences, column by column. */
+/** Compressed arrays of a page, one after the other: whole numbers as differences, column by column. */
 
 import { unpack } from "./clip.js";
 
-/** All arrays of a page; `take` finds one by what the page has of it. */
+/** Inflate all arrays of a page; `take` returns one by its position in them. */
 export async function readArrays(text) {
   const packed = new Blob([unpack(text, Uint8Array)]).stream();
   const buffer = await new Response(packed.pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
@@ -19,7 +19,7 @@ export async function readArrays(text) {
   return take;
 }
 
-/** Add up differences; they ran over where they were negative, and so does the sum. */
+/** Add up differences. Negative ones wrapped around as unsigned numbers, and the sum wraps back. */
 function summed(steps, rows, columns) {
   const Kind = steps.constructor;
   const total = new Kind(1);

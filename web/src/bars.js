@@ -1,8 +1,8 @@
-/** Round bars between two places, many of a kind drawn at once. */
+/** Round bars between two points, drawn by the hundred at once. */
 
 import { MeshLambertMaterial } from "three";
 
-/** A material of things that are drawn where they are, but in front of what is less than so much nearer, m. */
+/** A material that is drawn in front of anything less than a distance nearer, m. */
 export function barMaterial(nearer) {
   const material = new MeshLambertMaterial();
   if (nearer === 0) return material;
@@ -11,15 +11,15 @@ export function barMaterial(nearer) {
       "#include <project_vertex>",
       `#include <project_vertex>
       vec4 pulled = vec4(mvPosition.xyz - normalize(mvPosition.xyz) * ${nearer.toExponential()}, 1.0);
-      vec4 there = projectionMatrix * pulled;
-      gl_Position.z = there.z / there.w * gl_Position.w;`,
+      vec4 nearPosition = projectionMatrix * pulled;
+      gl_Position.z = nearPosition.z / nearPosition.w * gl_Position.w;`,
     );
   };
   material.customProgramCacheKey = () => `nearer ${nearer}`;
   return material;
 }
 
-/** Write the matrix that takes a bar of radius and length 1 along y to one between two vertices. */
+/** Write the matrix that maps a bar of radius and length 1 along y to a bar between two vertices. */
 export function placeTube(vertices, first, second, radius, matrix, at) {
   let x = vertices[second] - vertices[first];
   let y = vertices[second + 1] - vertices[first + 1];
@@ -28,7 +28,7 @@ export function placeTube(vertices, first, second, radius, matrix, at) {
   x /= length;
   y /= length;
   z /= length;
-  // any direction across will do: the bar is round
+  // any direction across the axis: the bar is round
   const flat = Math.abs(z) < 0.9;
   let [acrossX, acrossY, acrossZ] = flat ? [y, -x, 0] : [0, z, -y];
   const size = Math.hypot(acrossX, acrossY, acrossZ);

@@ -1,9 +1,9 @@
-/** What the page of a workbench asks its server, which alone reads, builds and surveys designs. */
+/** Requests of a workbench's page to its server, which alone reads, builds and surveys designs. */
 
 const HEADERS = { "Content-Type": "application/json" };
-const LARGEST = 19e6; // bytes of what the server takes, with some room
+const LARGEST = 19e6; // bytes of a request, slightly below the server's limit
 
-/** What the server says to a design, {refused} where that cannot be; throws an AbortError where the signal ends it. */
+/** Send a request about a design; returns the reply, or {refused} on failure; throws an AbortError if aborted. */
 export async function ask(what, asked, signal) {
   const body = JSON.stringify(asked);
   if (body.length > LARGEST) return { refused: `need files of at most ${LARGEST / 1e6} MB in all` };
@@ -16,7 +16,7 @@ export async function ask(what, asked, signal) {
   }
 }
 
-/** The same of what takes longer: `hear` is told what is being done; returns the last line, {done} or {refused}. */
+/** Send a request that takes longer: `hear` receives each step; returns the last line, {done} or {refused}. */
 export async function follow(what, asked, signal, hear) {
   let rest = "";
   let last = { refused: GONE };

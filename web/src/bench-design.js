@@ -1,20 +1,20 @@
-/** The design of a workbench: what was opened and which keys were set, and what the server says to a change of it. */
+/** The design of a workbench: the design that was opened, the keys that were set, and the server's replies. */
 
 import { ask } from "./bench-ask.js";
 
-const KEPT = `forficula ${location.pathname}`; // under which a reload finds what was changed
+const KEPT = `forficula ${location.pathname}`; // key of the session storage, which survives a reload
 
 /**
- * A design that is opened, changed and built, one after another.
+ * A design that is opened, changed and built, one request after another.
  *
- * shows: {says, told, model}: says what is being done and what was refused, shows the design and its keys, and its
- * structure, which is waited for. It has `asked`, what the server is asked of it; `base`, what was told of it as it was
- * opened; `told`, as it is; and `rejected`, texts of keys that were refused, each with why.
+ * shows: {says, told, model}: displays what is being done and what was refused, the design with its keys, and its
+ * structure (awaited). The design has `asked`, the request; `base`, the reply for the design as opened; `told`, the
+ * present reply; and `rejected`, texts of keys that were refused, with reasons.
  */
 export function makeDesign(shows) {
   const design = { asked: null, base: null, told: null, rejected: new Map() };
 
-  /** Open a design in the place of another; returns why that one stays, "" where it does not. */
+  /** Open a design in place of another; returns the reason if it is refused, otherwise "". */
   design.open = async (where, settings) => {
     const name = where.files[0]?.name || where.design || "the design";
     shows.says.wait(`Opening ${name}`);
@@ -26,7 +26,7 @@ export function makeDesign(shows) {
     return why;
   };
 
-  /** Build what is asked and show it; returns why that cannot be, "" where it is done. */
+  /** Build a request and display it; returns the reason if that is impossible, otherwise "". */
   async function build(wanted, base) {
     const began = performance.now();
     const stopping = new AbortController();
@@ -42,12 +42,12 @@ export function makeDesign(shows) {
       shows.says.done(`Built in ${((performance.now() - began) / 1000).toFixed(1)} s.`);
     } catch (error) {
       if (error.name !== "AbortError") throw error;
-      return "building it was stopped";
+      return "building was stopped";
     }
     return "";
   }
 
-  /** Change a key, with those that wait for another to be changed, or alone; what is refused is told beside it. */
+  /** Change a key, together with refused changes or alone; a refusal is displayed beside the key. */
   design.change = async (key, text) => {
     const { asked, rejected } = design;
     const others = [...rejected].filter(([other]) => other !== key).map(([other, its]) => [other, its.text]);
@@ -63,12 +63,12 @@ export function makeDesign(shows) {
     }
     if (why) {
       rejected.set(key, { text, why });
-      shows.says.refuse(`${why} \u2013 the last good model stays`);
+      shows.says.refuse(`${why} \u2013 the last working model is kept`);
     } else if (same(alone, asked.settings)) shows.says.done("");
     tell(design.told);
   };
 
-  /** Take over values that were changed while it moves: nothing is built again. */
+  /** Record values that were changed during the simulation; nothing is built again. */
   design.slide = async (changed) => {
     const settings = put(design.asked.settings, Object.entries(changed));
     const told = await ask("design", { ...design.asked, settings });
@@ -77,7 +77,7 @@ export function makeDesign(shows) {
     return tell(told);
   };
 
-  /** Settings with some in their place; what is as the design has it, or empty, is none. */
+  /** Merge changes into settings; empty texts and the values of the opened design are removed. */
   function put(settings, changes) {
     const changed = { ...settings };
     for (const [key, text] of changes) {
@@ -98,12 +98,12 @@ export function makeDesign(shows) {
 
 const same = (one, other) => JSON.stringify(Object.entries(one).sort()) === JSON.stringify(Object.entries(other).sort());
 
-/** What was asked before the page was loaded again, or null. */
+/** The request before the page was reloaded, or null. */
 export function keptDesign() {
   return JSON.parse(sessionStorage.getItem(KEPT) ?? "null");
 }
 
-/** Keep it, where the browser has room. */
+/** Store the request, if the browser has space. */
 function keep(asked) {
   try {
     sessionStorage.setItem(KEPT, JSON.stringify(asked));

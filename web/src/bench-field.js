@@ -1,19 +1,19 @@
-/** One key of a design: its value to be changed, and beside it what it means, what it may be, and what is wrong. */
+/** Input field of one key: its value, meaning and allowed values, and the reason for a refusal. */
 
 import { make } from "./elements.js";
 import { capital } from "./format.js";
 
-const LONG = 40; // letters from which on a value has several lines
+const LONG = 40; // letters above which a value gets several lines
 let counted = 0;
 
-/** A field of a key; `changed` is told the new text, "" where the value of the design itself is to count again. */
+/** Make the field of a key; `changed` receives the new text, "" to restore the value of the design. */
 export function makeField(fact, changed) {
   const name = `key-${++counted}`;
   const last = fact.key.split(".").at(-1).replaceAll("_", " ");
   const input = makeInput(fact, name);
   const home = make("button", { type: "button", className: "home", hidden: true }, "undo");
   const wrong = make("p", { className: "wrong", id: `${name}-wrong` });
-  let was = ""; // what was last shown or asked: what is typed beyond it is left alone
+  let was = ""; // last text displayed or sent: text typed since is left alone
   const notes = make("p", { className: "note", id: `${name}-notes` });
   const element = make(
     "div",
@@ -33,7 +33,7 @@ export function makeField(fact, changed) {
     input.focus();
   });
   home.setAttribute("aria-label", `undo the change of ${last}`);
-  /** Show what the design has, whether that was changed, and what it had. */
+  /** Display the present value, whether it was changed, and the previous value. */
   function show(now, setting, base) {
     if (document.activeElement !== input || input.value.trim() === was) input.value = setting ?? now.value;
     was = input.value.trim();
@@ -47,7 +47,7 @@ export function makeField(fact, changed) {
     notes.replaceChildren(capital(now.meaning), make("span", { className: "may" }, may));
   }
 
-  /** Say what is wrong with a text that stays there to be mended; "" where nothing is. */
+  /** Display the reason for refusing a text, which stays in the field; "" to clear the reason. */
   function reject(why, text) {
     if (text !== undefined) input.value = was = text;
     wrong.textContent = why;
@@ -73,7 +73,7 @@ function makeInput({ key, value, words, onlyWords, default: left }, id) {
   return input;
 }
 
-/** What a browser offers where other texts may stand, too. */
+/** The list of suggestions for a field that also takes other texts. */
 function lists({ words, onlyWords, value }, name) {
   if (onlyWords || !words.length || value.length > LONG) return [];
   return [make("datalist", { id: `${name}-words` }, ...words.map((value) => make("option", { value })))];

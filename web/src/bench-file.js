@@ -1,12 +1,12 @@
-/** A workbench's design as a file: to be read, taken away, and written by hand. */
+/** A workbench's design as a file: to read, to download, and to edit. */
 
 import { make } from "./elements.js";
 
-/** build: told the text of a file that is to be opened in the place of the design. */
+/** build: receives the text of a file to open in place of the design. */
 export function makeFile(build) {
   const text = make("textarea", { id: "file-text", className: "file", rows: 24, spellcheck: false, "aria-describedby": "file-note" });
-  const button = make("button", { type: "button" }, "Build what stands here");
-  const note = "Stages, tendons and whole sections are added and taken away here; what is built counts as a file of its own.";
+  const button = make("button", { type: "button" }, "Build this text");
+  const note = "Add or remove stages, tendons and whole sections here. The result counts as a new design file.";
   const element = make(
     "div",
     {},
@@ -19,14 +19,14 @@ export function makeFile(build) {
   let last = "";
   return {
     element,
-    /** Show a design's file; what was written by hand stays where that is the one that was shown. */
+    /** Display a design's file; edited text stays as long as the same file is displayed. */
     show(told) {
       if (told.text !== last) text.value = last = told.text;
     },
   };
 }
 
-/** Text as an address that is downloaded. */
+/** Return text as an address to download. */
 export function asAddress(text, kind) {
   let letters = "";
   for (const byte of new TextEncoder().encode(text)) letters += String.fromCharCode(byte);

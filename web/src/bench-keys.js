@@ -1,12 +1,12 @@
-/** All keys of a design, in its sections, to be found and changed. */
+/** All keys of a design, by section, to search and change. */
 
 import { makeField } from "./bench-field.js";
 import { make } from "./elements.js";
 import { capital } from "./format.js";
 
-const FIRST = ["pattern", "tendon"]; // sections that are open to begin with
+const FIRST = ["pattern", "tendon"]; // sections that are open at the start
 
-/** The keys of designs; `changed` is told a key and its text. */
+/** Make the list of a design's keys; `changed` receives a key and its text. */
 export function makeKeys(changed) {
   const search = make("input", { type: "search", id: "find-key", spellcheck: false, placeholder: "stiffness, length, torque \u2026" });
   const count = make("p", { className: "note", role: "status" });
@@ -25,21 +25,21 @@ export function makeKeys(changed) {
 
   function find() {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    let found = 0;
+    let matches = 0;
     for (const { fact, element: row } of fields.values()) {
       const text = `${fact.key.replaceAll("_", " ")} ${fact.key} ${fact.meaning}`.toLowerCase();
       row.hidden = !words.every((word) => text.includes(word));
-      found += row.hidden ? 0 : 1;
+      matches += row.hidden ? 0 : 1;
     }
     for (const group of groups) {
       group.element.hidden = group.fields.every((field) => field.element.hidden);
       for (const { heading, fields: own } of group.parts) heading.hidden = own.every((field) => field.element.hidden);
       if (words.length && !group.element.hidden) group.element.open = true;
     }
-    count.textContent = words.length ? `${found} of ${fields.size} keys` : `${fields.size} keys; a value with its unit, as in a design file`;
+    count.textContent = words.length ? `${matches} of ${fields.size} keys` : `${fields.size} keys; enter values with units, as in a design file`;
   }
 
-  /** Show a design's keys, with those that were set, and what they were. */
+  /** Display a design's keys, those that were set, and their previous values. */
   function show(told, settings, base) {
     const before = new Map(base.keys.map((fact) => [fact.key, fact]));
     if (!sameKeys(told.keys, fields)) build(told);
@@ -59,7 +59,7 @@ export function makeKeys(changed) {
     if (focused) fields.get(focused)?.input.focus();
   }
 
-  /** Say beside a key why its text was refused. */
+  /** Display beside a key why its text was refused. */
   function reject(key, text, why) {
     const field = fields.get(key);
     if (!field) return;
@@ -76,7 +76,7 @@ function sameKeys(facts, fields) {
   return facts.length === keys.length && facts.every((fact, place) => alike(fact, keys[place]));
 }
 
-/** The keys of a section under its name; those of entries of lists under theirs. */
+/** The keys of a section under its name; keys in entries of lists have headings of their own. */
 function makeGroup(name, told, all) {
   const inside = told.keys.filter(({ key }) => (key.includes(".") ? key.split(".")[0] : "") === name);
   const fields = inside.map(({ key }) => all.get(key));
@@ -100,7 +100,7 @@ function makeGroup(name, told, all) {
 
   function tell(settings) {
     const changed = inside.filter(({ key }) => key in settings).length;
-    summary.replaceChildren(name ? capital(name) : "What it is called", ...(changed ? [make("small", {}, ` ${changed} changed`)] : []));
+    summary.replaceChildren(name ? capital(name) : "Name", ...(changed ? [make("small", {}, ` ${changed} changed`)] : []));
   }
 
   return { name, element, fields, parts: parts.filter(({ heading }) => heading), tell };

@@ -1,8 +1,8 @@
-/** Which design a workbench has: a named one, or files that are dropped on the page or chosen. */
+/** Choice of the workbench's design: a named one, or files that are dropped on the page or selected. */
 
 import { make } from "./elements.js";
 
-/** open: told {design} or {files, unit}. */
+/** open: receives {design} or {files, unit}. */
 export function makeOpening(designs, opened, open) {
   const given = make("option", { value: "" }, opened);
   const named = designs.filter(({ name }) => name !== opened).map(({ name, shows }) => make("option", { value: name, title: shows }, name));
@@ -16,7 +16,7 @@ export function makeOpening(designs, opened, open) {
     { className: "opening choices" },
     make("label", { htmlFor: "which-design" }, "design ", choice),
     make("span", { className: "choosing" }, files, drop),
-    make("label", { htmlFor: "which-unit", title: "of a FOLD file or drawing that names none" }, "unit of a drawing ", unit),
+    make("label", { htmlFor: "which-unit", title: "for a FOLD file or a drawing without a unit" }, "unit of a drawing ", unit),
     make("p", { className: "note" }, hint),
   );
   choice.addEventListener("change", () => open({ design: choice.value, files: [], unit: "" }));
@@ -29,8 +29,8 @@ export function makeOpening(designs, opened, open) {
   });
   let last = null;
 
-  async function take(found) {
-    const read = await Promise.all(found.map(async (file) => ({ name: file.name, text: await file.text() })));
+  async function take(chosen) {
+    const read = await Promise.all(chosen.map(async (file) => ({ name: file.name, text: await file.text() })));
     last = inOrder(read);
     await open({ design: "", files: last, unit: unit.value.trim() });
   }
@@ -38,7 +38,7 @@ export function makeOpening(designs, opened, open) {
   listenToDrops(take);
   return {
     element,
-    /** Say what is open now. */
+    /** Display the design that is open now. */
     show({ design, files: sent }) {
       choice.querySelector(".sent")?.remove();
       if (sent.length) choice.append(make("option", { value: sent[0].name, className: "sent" }, sent[0].name));
@@ -48,7 +48,7 @@ export function makeOpening(designs, opened, open) {
   };
 }
 
-/** The design first: a design file that no other names, or what there is. */
+/** Put the design first: a design file that no other file names, or the only file. */
 function inOrder(files) {
   const designs = files.filter(({ name }) => /\.toml$/i.test(name));
   const first = designs.find(({ name }) => !designs.some((other) => other.name !== name && other.text.includes(name))) ?? files[0];

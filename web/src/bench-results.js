@@ -1,9 +1,9 @@
-/** What the package finds for a workbench and takes a while: asked for, waited for or stopped, and shown as its page. */
+/** Results that the package computes for a workbench: requested, awaited or stopped, and displayed as their page. */
 
 import { follow } from "./bench-ask.js";
 import { make } from "./elements.js";
 
-/** what: "landscape" or "run"; text: what it finds, in a sentence; asked: gives what is asked of the server now. */
+/** what: "landscape" or "run"; text: a sentence about the result; asked: returns the present request. */
 export function makeResults(what, { button: words, text, title }, asked) {
   const start = make("button", { type: "button", className: "try" }, words);
   const stop = make("button", { type: "button", hidden: true }, "Stop");
@@ -20,11 +20,11 @@ export function makeResults(what, { button: words, text, title }, asked) {
     doing = new AbortController();
     start.disabled = true;
     stop.hidden = false;
-    said.textContent = "Beginning \u2026";
+    said.textContent = "Starting \u2026";
     let found = false;
     try {
       const reply = await follow(what, wanted, doing.signal, (step) => (said.textContent = `${step} \u2026`));
-      if (reply.refused) said.textContent = `There is none: ${reply.refused}.`;
+      if (reply.refused) said.textContent = `No result: ${reply.refused}.`;
       else show(reply.done, wanted, (performance.now() - began) / 1000);
       found = !reply.refused;
     } catch {
@@ -39,14 +39,14 @@ export function makeResults(what, { button: words, text, title }, asked) {
   function show(address, wanted, seconds) {
     shown = JSON.stringify(wanted);
     said.textContent = `Done in ${seconds.toFixed(seconds < 10 ? 1 : 0)} s.`;
-    const alone = make("a", { href: address, target: "_blank", rel: "noopener" }, "In a window of its own");
+    const alone = make("a", { href: address, target: "_blank", rel: "noopener" }, "Open in a new window");
     const frame = make("iframe", { src: address, title, sandbox: "allow-scripts allow-downloads" });
     place.replaceChildren(make("p", {}, alone), frame);
   }
 
-  /** Say so where the design has changed since. */
+  /** Display a note if the design has changed since. */
   function changed() {
-    if (shown !== null && !doing && shown !== JSON.stringify(asked())) said.textContent = "This is of the design before its last change.";
+    if (shown !== null && !doing && shown !== JSON.stringify(asked())) said.textContent = "This result belongs to the design before its last change.";
   }
 
   start.addEventListener("click", find);

@@ -1,11 +1,11 @@
-/** What a workbench says of itself, and the design that it hands out. */
+/** Messages of a workbench, and the download of its design. */
 
 import { asAddress } from "./bench-file.js";
 import { make } from "./elements.js";
 
-const PATIENCE = 1500; // ms from which on a building can be stopped
+const PATIENCE = 1500; // ms after which building can be stopped
 
-/** What is being done, and what was refused. */
+/** Messages about work in progress and about refusals. */
 export function makeSays() {
   const said = make("p", { role: "status" });
   const wrong = make("p", { className: "wrong", role: "alert" });
@@ -33,7 +33,7 @@ export function makeSays() {
   };
 }
 
-/** The design to be taken away: its file, and the command that runs it. */
+/** The design to download, and the command that runs it. */
 export function makeTaking() {
   const link = make("a", { className: "button" }, "Download the design");
   const command = make("code");

@@ -1,15 +1,15 @@
-/** The crease pattern of a workbench's design, as the package draws it. */
+/** The crease pattern of a workbench's design, drawn by the package. */
 
 import { ask } from "./bench-ask.js";
 import { asAddress } from "./bench-file.js";
 import { make } from "./elements.js";
 
-/** asked: gives what is asked of the server now. */
+/** asked: returns the present request. */
 export function makeSheet(asked) {
   const element = make("div");
   let drawn = null;
 
-  /** Draw what is asked now, unless that is what is seen. */
+  /** Draw the pattern, unless it is displayed already. */
   async function seen() {
     const wanted = asked();
     if (!wanted) return;

@@ -1,8 +1,8 @@
-/** What sliders have changed, handed on once they are at rest. */
+/** Changes by sliders, passed on once the sliders are at rest. */
 
 const REST = 250; // ms
 
-/** done: told texts by key. */
+/** done: receives texts by key. */
 export function makeSlid(done) {
   let settings = {};
   let timer = 0;
@@ -21,7 +21,7 @@ export function makeSlid(done) {
       clearTimeout(timer);
       timer = setTimeout(hand, REST);
     },
-    /** Hand on at once what there is. */
+    /** Pass on pending changes at once. */
     hand,
   };
 }

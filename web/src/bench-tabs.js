@@ -1,8 +1,8 @@
-/** Views of which one is seen, chosen by tabs, as keyboards and readers of screens know them. */
+/** Views selected by tabs, accessible by keyboard and screen reader. */
 
 import { make } from "./elements.js";
 
-/** views: [{name, title, element, seen}]; `seen` is called whenever a view comes into sight. */
+/** views: [{name, title, element, seen}]; `seen` is called whenever a view becomes visible. */
 export function makeTabs(views, label) {
   const tabs = views.map(({ name, title, element }, place) => {
     element.id = `view-${name}`;

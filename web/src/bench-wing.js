@@ -1,4 +1,4 @@
-/** The structure of a workbench, live; where the engine in the page would move it otherwise, as it starts, and why. */
+/** The structure of a workbench, simulated live; at its start, with the reason, if the page cannot simulate it. */
 
 import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
@@ -8,7 +8,7 @@ import { mountStill } from "./player.js";
 import { makePoseClock } from "./pose-clock.js";
 import { makePanel } from "./try-panel.js";
 
-/** set: told the key and the text of a value that was changed while it moves; run: asks for a run by the package. */
+/** set: receives the key and the text of a value that was changed during the simulation; run: requests a run. */
 export function makeWing(set, run) {
   const element = make("div");
   const wing = { element, panel: null, refused: "", engine: null };
@@ -22,7 +22,7 @@ export function makeWing(set, run) {
     wing.panel = still = null;
   }
 
-  /** Show a model in the place of another; as it is looked at stays. */
+  /** Display a model in place of another; the view is kept. */
   wing.show = async ({ bench, live, warnings }) => {
     const clip = readClip(bench.clips[0]);
     wing.refused = live.refused ?? "";
@@ -46,7 +46,7 @@ export function makeWing(set, run) {
     showStill(clip, bench, warnings);
   };
 
-  /** The engine, which is started once and takes one structure after another. */
+  /** Start the engine once; it takes one structure after another. */
   async function take(text, hear) {
     if (wing.engine) return wing.engine.take(text, hear);
     wing.engine = await startEngine(text, hear);
@@ -54,14 +54,14 @@ export function makeWing(set, run) {
   }
 
   function showStill(clip, bench, warnings) {
-    const why = make("p", { className: "note" }, `It stands where it starts. This ${bench.whole} is not moved in a page: ${wing.refused}. The package moves it:`);
+    const why = make("p", { className: "note" }, `The picture shows the start. A page cannot simulate this ${bench.whole}: ${wing.refused}. The package can:`);
     const button = make("button", { type: "button" }, "Run it");
     button.addEventListener("click", run);
     const picture = make("div");
     element.replaceChildren(make("div", { className: "offer" }, why, button), picture, ...toKnow(warnings));
     const begun = look ?? { ...firstLook(), following: false };
-    const { stage } = mountStill(picture, [clip], makePoseClock(clip), { ...bench, text: `${bench.shape}, where it starts.` }, begun);
-    picture.setAttribute("aria-label", `the ${bench.whole} where it starts`);
+    const { stage } = mountStill(picture, [clip], makePoseClock(clip), { ...bench, text: `${bench.shape}, at its start.` }, begun);
+    picture.setAttribute("aria-label", `the ${bench.whole} at its start`);
     still = stage;
     look = stage?.eye.look ?? look;
   }

@@ -1,27 +1,27 @@
-/** Where the structures are seen from: one camera for all of them, which follows them as they move. */
+/** Viewpoint of the structures: one camera for all, which follows them as they move. */
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { makeFraming } from "./framing.js";
 
-const FIELD = 28; // deg, upwards
-const ROOM = 1.05; // around what is framed
+const FIELD = 28; // deg, vertical field of view
+const ROOM = 1.05; // distance of the eye, as a multiple of the least one that frames everything
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
 
-// towards the eye; seen from exactly above there would be no up
+// directions towards the eye; exactly above there would be no upward direction
 export const VIEWS = [
   { name: "3-D", text: "obliquely from above", towards: [0.37, -0.695, 0.616] },
   { name: "top", text: "from above", towards: [0, -0.0005, 1] },
-  { name: "side", text: "from the side, level with what lies flat", towards: [0, -1, 0.0001] },
-  { name: "along", text: "from the far end, along the middle", towards: [1, 0, 0.0001] },
+  { name: "side", text: "from the side, along the flat plane", towards: [0, -1, 0.0001] },
+  { name: "along", text: "from the far end, along the centre line", towards: [1, 0, 0.0001] },
 ];
 
 /**
- * A camera that frames what the clips show, turned, moved and zoomed by pointer, wheel and keys.
+ * A camera that frames the clips, and that is turned, moved and zoomed by pointer, wheel and keys.
  *
- * `aim` puts it where it belongs at the clock's time, for all structures or, where each has a scale of its own, for one.
- * `look` holds what a reader has chosen of it; a camera that is made with another's look begins as that one ended.
+ * `aim` positions it for the clock's time: for all structures or, if each has a scale of its own, for one. `look` holds
+ * the reader's choices; a camera made with the look of another one continues with its view.
  */
 export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
   const { size, target } = extent(clips);
@@ -51,7 +51,7 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
     onChange();
   }
 
-  // a reader's hand turns, moves and zooms the camera that is there: keep what it did beside what frames the structures
+  // the reader's choices are kept relative to the view that frames the structures
   controls.addEventListener("change", () => {
     const away = camera.position.clone().sub(controls.target);
     look.closer = away.length() / fitted.distance;
@@ -59,7 +59,7 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
     look.aside.copy(controls.target).sub(fitted.target).divideScalar(fitted.distance);
     changed();
   });
-  // a wheel over the picture scrolls the page, until the picture is chosen
+  // the wheel scrolls the page until the picture is clicked
   const hold = (event) => {
     if (document.activeElement !== canvas && !event.ctrlKey) event.stopImmediatePropagation();
   };
@@ -76,7 +76,7 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
     const turned = look.towards.clone().applyAxisAngle(camera.up, across * TURN);
     const side = new Vector3().crossVectors(camera.up, turned).normalize();
     const lifted = turned.clone().applyAxisAngle(side, -upwards * TURN);
-    // not over the top
+    // not beyond the vertical
     look.towards.copy(Math.abs(lifted.z) < 0.9999 ? lifted : turned);
     changed();
   }
@@ -92,7 +92,7 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
     changed();
   }
 
-  /** Fit the picture's shape. */
+  /** Adapt to the shape of the picture. */
   function resize(aspect, rows) {
     camera.aspect = aspect;
     camera.updateProjectionMatrix();
@@ -105,8 +105,8 @@ export function makeCamera(canvas, clips, clock, onChange, look = firstLook()) {
 }
 
 /**
- * towards: direction to the eye; closer: its distance by that which fits; aside: how far it is moved, by the same;
- * scale: how much further all structures are than fits, where larger ones are shown at another time.
+ * towards: direction to the eye; closer: its distance, relative to the one that fits; aside: its displacement, in the
+ * same unit; scale: distance of all structures, relative to the one that fits, if larger ones are shown at other times.
  */
 export function firstLook() {
   return {
@@ -119,7 +119,7 @@ export function firstLook() {
   };
 }
 
-/** The middle of the box around all that is ever shown, and how far it reaches from there. */
+/** Centre of the box around all positions in time, and its half diagonal. */
 function extent(clips) {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = new Vector3(-Infinity, -Infinity, -Infinity);

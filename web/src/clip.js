@@ -1,14 +1,14 @@
 /**
- * A run that can be played: frames of points that move, numbers that go with them, and what is drawn between them.
- * Lengths are in m, times in s, readings in the unit that stands with them, energies in J.
+ * A run that can be played: frames of moving points, numbers that belong to them, and the shapes between them.
+ * Lengths are in m, times in s, readings in their own unit, energies in J.
  */
 
 import { readEfforts } from "./efforts.js";
 
-/** Name of the energies of the tendons among what a clip tells. */
+/** Name of the tendon energies among the values of a clip. */
 export const TENDONS = "tendon energy";
 
-/** Numbers that the page holds as little-endian bytes in base64, as every browser's machine has them. */
+/** Decode numbers that the page contains as little-endian bytes in base64. */
 export function unpack(text, Kind) {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
@@ -27,13 +27,13 @@ export function readClip(data) {
   const share = Float64Array.from(data.share);
   const now = new Float32Array(width);
 
-  /** Write the points at a time; between two frames they are on a straight way. */
+  /** Write the points at a time, interpolated between frames. */
   function pointsAt(moment, into = now) {
     mix(time, points, width, moment, into);
     return into;
   }
 
-  /** Write the vertices, which lie between the points, at a time. */
+  /** Write the vertices at a time; they lie between the points. */
   function verticesAt(moment, into = new Float32Array(3 * share.length)) {
     return verticesOf(pointsAt(moment), into);
   }
@@ -50,13 +50,13 @@ export function readClip(data) {
     return into;
   }
 
-  /** Readings by their name, in their unit, or the energies of the tendons, J, at a time. */
+  /** Readings by name, in their unit, or the energies of the tendons, J, at a time. */
   function valuesAt(name, moment, into = new Float32Array(tables[name].width)) {
     mix(time, tables[name].values, tables[name].width, moment, into);
     return into;
   }
 
-  /** One of the same over all frames. */
+  /** One of these values over all frames. */
   function line(name, part) {
     const { width, values } = tables[name];
     return Float32Array.from(time, (_, frame) => values[frame * width + part]);
@@ -74,7 +74,7 @@ export function readClip(data) {
 
   return {
     name: data.name,
-    /** How far what is drawn about points may reach, m: rods of what is held fast, and arrows. */
+    /** Distance beyond the points that drawn parts may reach, m: rods along fixed parts, and arrows. */
     reach: Math.max(data.base.radius, efforts?.pushes.length ? 0.12 * data.span_m : 0, ...(efforts?.turns ?? []).map((turn) => 0.4 * turn.radius)),
     mesh: data,
     marks: data.marks,
@@ -98,7 +98,7 @@ export function readClip(data) {
   };
 }
 
-/** Write the row of a table at a time, between two rows in proportion. */
+/** Write the row of a table at a time, interpolated between two rows. */
 function mix(time, rows, width, moment, into) {
   const [frame, part] = placeIn(time, moment);
   const here = frame * width;
@@ -109,7 +109,7 @@ function mix(time, rows, width, moment, into) {
   }
 }
 
-/** The last frame that is not after a time, and how far it is on the way to the next, 0 to 1. */
+/** The last frame that is not after a time, and the position between it and the next, 0 to 1. */
 export function placeIn(time, moment) {
   if (!(moment > time[0])) return [0, 0];
   const last = time.length - 1;

@@ -1,6 +1,6 @@
 /**
- * The one time of a page: what moves, moves with it. A span is a part of the time line; in it every clip has the time
- * of the clock plus its origin.
+ * The common time of a page: everything that moves follows it. A span is a part of the time line; in it every clip has
+ * the time of the clock plus its origin.
  */
 
 import { evenPace } from "./pace.js";
@@ -22,10 +22,10 @@ export function makeClock(clips, spans) {
     return paces.get(span);
   }
 
-  // close up, most of the time something moves
+  // in an enlarged span something moves most of the time
   const stretched = () => speed === "even" && span.whole;
 
-  /** How far along the time line a moment of the span stands, 0 to 1. */
+  /** Position of a moment of the span along the time line, 0 to 1. */
   function shareAt(moment) {
     return stretched() ? pace().wayAt(moment) : (moment - span.start) / (span.end - span.start || 1);
   }
@@ -35,7 +35,7 @@ export function makeClock(clips, spans) {
     return stretched() ? pace().timeAt(share) : span.start + share * (span.end - span.start);
   }
 
-  /** Tell everyone once, in the next frame. */
+  /** Notify all listeners once, in the next frame. */
   function changed() {
     if (!waiting) waiting = requestAnimationFrame(frame);
   }
@@ -43,7 +43,7 @@ export function makeClock(clips, spans) {
   function frame(now) {
     waiting = 0;
     if (playing) {
-      // after a long gap, as in a hidden window, go on from where it was
+      // after a long gap, as in a hidden window, continue where it stopped
       const passed = Math.min((now - lastFrame) / 1000, 0.1);
       lastFrame = now;
       advance(passed);
@@ -77,19 +77,19 @@ export function makeClock(clips, spans) {
       return playing;
     },
     spans,
-    /** The time of a clip, within it, now or at a moment of the clock. */
+    /** The time of a clip, limited to the clip, now or at a moment of the clock. */
     clipTime: (index, moment = time) =>
       Math.min(clips[index].end, Math.max(clips[index].start, moment + span.origins[index])),
-    /** Whether the time line is stretched where something moves. */
+    /** Whether the time line is stretched during motion. */
     get stretched() {
       return stretched();
     },
     shareAt,
     momentAt,
-    /** How far a moment of the span is on the way of even motion, 0 to 1, and back. */
+    /** Position of a moment of the span along a path of even motion, 0 to 1, and its inverse. */
     wayAt: (moment) => pace().wayAt(moment),
     timeAt: (way) => pace().timeAt(way),
-    /** How much slower than real time it goes now; 1 is real time. */
+    /** Factor by which it is slower than real time now. */
     get slowness() {
       if (speed !== "even") return 1 / speed;
       const way = pace().wayAt(time);

@@ -1,6 +1,6 @@
 /**
- * Curves of energy over an angle, with balls on them: where a run is at the clock's time, or, without a run, where a
- * slider puts one. Where a run's curve is pressed, the clock goes to when a ball was nearest.
+ * Curves of energy over an angle, with balls: at the position of a run at the clock's time or, without a run, at a
+ * slider's position. Pressing a run's curve moves the clock to the nearest time.
  */
 
 import uPlot from "uplot";
@@ -13,7 +13,7 @@ import { lineLook, onSchemeChange, styleColour } from "./scheme.js";
 const ANGLES = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 const TALLER = 1.35;
 
-/** Put curves into an element; clips and clock are those of the page's run, or none; poses: a clock of what sliders move. */
+/** Put curves into an element; clips and clock belong to the page's run, if any; poses: a clock that sliders set. */
 export function mountCurves(element, curves, clips = [], clock = null, poses = null) {
   const made = curves.map((curve) => makeCurve(curve, clips[0], clock, poses));
   element.replaceChildren(...made.map((each) => each.element));
@@ -40,7 +40,7 @@ function makeCurve(data, clip, clock, poses) {
     key.replaceChildren(...samples, make("li", {}, make("span", { className: "ball still" }), what));
   }
 
-  /** Put the balls where they are now; those beside the curve that is shown are not seen. */
+  /** Place the balls; balls outside the displayed part of the curve are hidden. */
   function placeBalls() {
     for (const [index, [angle, energy]] of now.entries()) {
       const [x, y] = [chart.valToPos(angle, "x"), chart.valToPos(energy, "y")];
@@ -60,7 +60,7 @@ function makeCurve(data, clip, clock, poses) {
     chart.setScale("x", { min: range[0], max: range[1] });
   }
 
-  /** Of all of the curve zero, too, and the run's way; of a part of it that of the first line only. */
+  /** Range of energy: of the whole curve including zero and the run; of a part of it only that of the first line. */
   function energyRange(_, low, high) {
     if (shown !== whole) {
       const { places, values } = lines[0];
@@ -121,7 +121,7 @@ function between(values, frame, share) {
   return values[frame] + share * (next - values[frame]);
 }
 
-/** From the least to the largest angle of all lines, with some room. */
+/** Range of the angles of all lines, with a margin. */
 function endsOf(lines) {
   const all = lines.flatMap((line) => [line.sorted.places[0], line.sorted.places.at(-1)]);
   const [low, high] = [Math.min(...all), Math.max(...all)];
@@ -162,7 +162,7 @@ function options({ data, lines, balls, marks, energyRange }, width, height) {
   };
 }
 
-/** Where the run was at every frame, faint: dots, for between two frames of a snap nothing is known. */
+/** Draw the run's positions as faint dots, because nothing is known between two frames of a snap. */
 function drawRun(chart, balls) {
   const { ctx, bbox } = chart;
   const size = 1.6 * devicePixelRatio;
@@ -178,7 +178,7 @@ function drawRun(chart, balls) {
   ctx.restore();
 }
 
-/** Rings where it rests stably, wide lines where it does so along a range, with their names. */
+/** Draw rings at stable states, wide lines along stable ranges, with their names. */
 function drawMarks(chart, marks) {
   const { ctx, bbox } = chart;
   const ratio = devicePixelRatio;
@@ -216,9 +216,9 @@ function drawMarks(chart, marks) {
   ctx.restore();
 }
 
-/** Buttons for all of the curve and for its barrier. */
+/** Buttons for the whole curve and for its barrier. */
 function views(whole, top, show) {
-  const buttons = [["whole curve", whole], ["barrier close up", top]].map(([text, range], index) => {
+  const buttons = [["whole curve", whole], ["barrier enlarged", top]].map(([text, range], index) => {
     const button = make("button", { type: "button", "aria-pressed": String(index === 0) }, text);
     button.addEventListener("click", () => {
       for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
@@ -229,7 +229,7 @@ function views(whole, top, show) {
   return make("div", { className: "ranges", role: "group", "aria-label": "part of the curve" }, ...buttons);
 }
 
-/** Go to when the run was nearest to what is pressed. */
+/** Move the clock to the time at which the run was nearest to the pointer. */
 function seekByPointer(chart, balls, clip, clock) {
   const seek = (event) => {
     const box = chart.over.getBoundingClientRect();
@@ -247,14 +247,14 @@ function seekByPointer(chart, balls, clip, clock) {
 }
 
 /**
- * A slider that moves the ball along a line, from where the line begins, and says where it is; with poses it also moves
- * the structure, and goes along where another curve's slider does so.
+ * A slider that moves the ball along a line, from the line's start, and displays its position. With poses it also moves
+ * the structure, and follows the slider of another curve.
  */
 function slide(data, line, place, moved, poses) {
   const last = line.places.length - 1;
   const slider = make("input", { type: "range", min: "0", max: String(last), value: "0" });
   slider.setAttribute("aria-label", `${data.axis} along the curve`);
-  // who hears the page hears the slider
+  // screen readers hear the slider instead
   const said = make("output", { "aria-live": "off" });
   const move = () => {
     const at = Number(slider.value);
@@ -283,7 +283,7 @@ function slide(data, line, place, moved, poses) {
   move();
 }
 
-/** The pose of an angle, between two in proportion; angles rise or fall from pose to pose. */
+/** The pose at an angle, interpolated; angles rise or fall from pose to pose. */
 function poseAt(angles, angle) {
   const sign = angles[angles.length - 1] >= angles[0] ? 1 : -1;
   const after = angles.findIndex((each) => sign * each >= sign * angle);

@@ -1,20 +1,20 @@
-/** What drives do: how strong each is at a moment, and arrows where they act, about an axis or along a way. */
+/** Actions of drives: their strengths at a time, and arrows about an axis or along a direction. */
 
 import { Color, ConeGeometry, CylinderGeometry, Group, InstancedMesh } from "three";
 import { placeIn, unpack } from "./clip.js";
 import { barMaterial, placeTube } from "./bars.js";
 import { styleColour } from "./scheme.js";
 
-const WHOLE = 32767; // of a part of a unit vector
-const PIECES = 24; // of an arc
-const MOST_TURNED = (5 / 3) * Math.PI; // by the largest moment of a run
-const LONGEST = 0.22; // a straight arrow of the largest force, by length of the structure
-const THICKNESS = 0.11; // of an arrow, by the radius of its arc
-const HEAD = 0.7; // length of its head, alike
-const THICK_HEAD = 3; // by the thickness
-const LEAST = 1e-6; // of the largest: below it nothing acts
+const WHOLE = 32767; // integer that stands for a component of 1
+const PIECES = 24; // pieces of an arc
+const MOST_TURNED = (5 / 3) * Math.PI; // length of the arc of a run's largest moment
+const LONGEST = 0.22; // length of the arrow of the largest force, as a share of the structure's span
+const THICKNESS = 0.11; // thickness of an arrow, as a share of the radius of its arc
+const HEAD = 0.7; // length of its head, in the same unit
+const THICK_HEAD = 3; // thickness of its head, as a multiple of the arrow's
+const LEAST = 1e-6; // share of the largest effort below which no arrow is drawn
 
-/** Arrays of a clip's drives, as they are asked for at a moment. */
+/** Arrays of a clip's drives, read on first use. */
 export function readEfforts(data) {
   const turns = data.turns.map((turn) => ({
     ...turn,
@@ -25,9 +25,9 @@ export function readEfforts(data) {
   const pushes = data.pushes.map((push) => ({ ...push, force: push.force && unpack(push.force, Float32Array) }));
   const { drives, stages } = data;
 
-  /** How strong every drive is at a time, in its SI unit: 0 where none of a stage. */
+  /** Strength of every drive at a time, in its SI unit: 0 if no stage uses it. */
   function strengthsAt(moment) {
-    // a stage's end is the last moment at which it drives
+    // a drive acts until the last moment of its stage
     const stage = stages.find(({ start, end }) => moment > start && moment <= end);
     return drives.map(({ strength, rise }, drive) => {
       if (!stage?.drives.includes(drive)) return 0;
@@ -44,7 +44,7 @@ export function readEfforts(data) {
   return { ...data, time: unpack(data.time, Float64Array), turns, pushes, strengthsAt, summed, largestTurn: largest(turns), largestPush: largest(pushes) };
 }
 
-/** What acts at a time, a text for every drive that does. */
+/** A text for every drive that acts at a time. */
 export function effortTexts({ drives, strengthsAt }, moment, number) {
   const strengths = strengthsAt(moment);
   return drives.flatMap(({ text, unit, factor }, drive) =>
@@ -52,11 +52,11 @@ export function effortTexts({ drives, strengthsAt }, moment, number) {
   );
 }
 
-/** Arrows of a clip's torques and forces; `pose` puts them where they act and makes them as long as these are large. */
+/** Arrows of a clip's torques and forces; `pose` positions them with lengths that are proportional to the efforts. */
 export function makeEfforts(clip) {
   const { time, turns, pushes, strengthsAt, summed, largestTurn, largestPush } = clip.efforts;
   const radius = Math.max(0, ...turns.map((turn) => turn.radius));
-  const straight = 0.05 * clip.mesh.span_m; // as which a straight arrow is thick and has a head
+  const straight = 0.05 * clip.mesh.span_m; // radius that sets thickness and head of a straight arrow
   const material = barMaterial(Math.max(radius, straight));
   const rods = new InstancedMesh(new CylinderGeometry(1, 1, 1, 10), material, turns.length * PIECES + pushes.length);
   const heads = new InstancedMesh(new ConeGeometry(1, 1, 16), material, turns.length + pushes.length);
@@ -86,7 +86,7 @@ export function makeEfforts(clip) {
     const turned = MOST_TURNED * Math.min(1.2, Math.abs(part)) * Math.sign(part);
     const on = (angle) => pivot.map((each, at) => each + turn.radius * (Math.cos(angle) * across[at] + Math.sin(angle) * aside[at]));
     for (let piece = 0; piece <= PIECES; piece++) write(piece, on(turned * (piece / PIECES - 0.5)));
-    // the head goes on along the arc
+    // the head continues the arc
     const behind = turned / 2;
     write(PIECES + 1, on(behind + Math.sign(part) * HEAD));
     const thick = THICKNESS * turn.radius;
@@ -128,13 +128,13 @@ export function makeEfforts(clip) {
     material.dispose();
   }
 
-  /** How many arrows there are now. */
+  /** Number of arrows drawn now. */
   const count = () => tip;
 
   return { group, pose, paint, count, dispose };
 }
 
-/** A row of a table, between two rows in proportion; of one row only that. */
+/** A row of a table, interpolated between two rows; the only row of a constant table. */
 function rowAt(rows, width, frame, share) {
   if (rows.length === width) return Array.from(rows);
   const next = Math.min(frame + 1, rows.length / width - 1);
@@ -155,7 +155,7 @@ function cross(one, other) {
   return [0, 1, 2].map((axis) => one[(axis + 1) % 3] * other[(axis + 2) % 3] - one[(axis + 2) % 3] * other[(axis + 1) % 3]);
 }
 
-/** A unit vector square to an axis, of all moments from the same side: that which the axis lies least along at first. */
+/** A unit vector perpendicular to an axis, the same for all moments: from the coordinate axis least along it at first. */
 function square(axis, turn) {
   turn.side ??= axis.map(Math.abs).reduce((least, each, at, all) => (each < all[least] - 1e-3 ? at : least), 2);
   const along = axis[turn.side];

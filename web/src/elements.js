@@ -1,6 +1,6 @@
-/** Elements of the page from their parts. */
+/** Construction of elements of the page. */
 
-/** An element with properties and children; a name with a dash, or "role", is an attribute. */
+/** Make an element with properties and children; names with a dash, and "role", are attributes. */
 export function make(tag, properties = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(properties)) {

@@ -1,4 +1,4 @@
-/** What became of a structure, in the words of a summary; as in forficula.analysis. */
+/** Outcome of a structure, in the words of a summary; same rules as forficula.analysis. */
 
 import { within } from "./engine-protocol.js";
 import { summed } from "./engine-wing.js";
@@ -6,7 +6,7 @@ import { filled, readable } from "./format.js";
 
 const FIRST_STEP = 1.5; // steps
 
-/** What a way through a protocol came to, by the stages that took place; `widest`: how far closed loops came apart. */
+/** Outcome of a path through a protocol, from the stages that took place; `widest`: largest gap of closed loops. */
 export function outcomeOf(live, ends, divergedAt, widest) {
   const { course, protocol, texts } = live;
   const { endings } = texts;
@@ -31,7 +31,7 @@ export function outcomeOf(live, ends, divergedAt, widest) {
   };
 }
 
-/** Whether a verdict says something of the structure, rather than of the computation. */
+/** Whether a verdict is about the structure and not about the computation. */
 export const tells = (verdict) => verdict !== "diverged" && verdict !== "untrusted";
 
 function apartText({ size, texts }, widest) {
@@ -100,14 +100,14 @@ function stateOf(course, ends, ways, state) {
   return { name: mean === null || within(mean.coordinates, state.bounds) ? state.name : state.missed, mean };
 }
 
-/** What reads furthest from a transition's goal, of the coordinates of a state. */
+/** The reading furthest from a transition's goal, for the coordinates of a state. */
 function furthest(live, { reading, furthest: side }, coordinates) {
   if (reading === null) return null;
   const values = readingOf(live, reading, coordinates);
   return side === "largest" ? Math.max(...values) : Math.min(...values);
 }
 
-/** What a measure reads, rad or the model's unit of length; of many the smallest, medians and the largest. */
+/** Readings of a measure, rad or the model's unit of length; for many the smallest, medians and the largest. */
 export function readingOf(live, { parts, groups, distance }, coordinates) {
   if (distance !== undefined) return [coordinates[live.hinges.senses.length + distance]];
   const values = parts.map((part) => summed(coordinates, part));
@@ -126,7 +126,7 @@ function readingText(live, { kind }, reading) {
   return `${((180 / Math.PI) * reading).toFixed(1)} deg`;
 }
 
-/** In a few words, as a summary's status. */
+/** The outcome in a few words, as a summary's status. */
 function endingText(live, ending) {
   const { verdict, transition, reading, time, why } = ending;
   const { endings } = live.texts;
@@ -139,7 +139,7 @@ function endingText(live, ending) {
   return verdict === "stuck" && underWay(ending) ? filled(endings["stuck, reading"], fields) : endingWord(live, ending);
 }
 
-/** The same without its numbers: what many have in common. */
+/** The outcome without numbers: the part that many runs have in common. */
 function endingWord({ texts: { endings } }, ending) {
   const { verdict, transition } = ending;
   if (!tells(verdict)) return endings[verdict];

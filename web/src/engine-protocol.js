@@ -1,11 +1,11 @@
 /**
- * Where a structure is in its protocol: what drives it, when its stage ends, and what its states are; as in
+ * Position of a structure in its protocol: what drives it, when its stage ends, and its states; same rules as
  * forficula.dynamics.stepping.stages, step by step.
  */
 
 const AT_ONCE = 1e-9; // steps
 
-/** The way of a wing through a protocol; `step` takes it one step further. */
+/** The path of a structure through a protocol; `step` advances it by one step. */
 export function makeTracker(wing, protocol) {
   const torques = new Float64Array(wing.motors);
   const works = new Float64Array(wing.motors);
@@ -13,7 +13,7 @@ export function makeTracker(wing, protocol) {
   const before = Float64Array.from(wing.velocity);
   let steps, stage, stageStart, goalSince, restSince, ends, rows, divergedAt, last, workBefore;
 
-  /** Begin with a stage, from the state that the wing is in; `until` is the number of the last one that follows. */
+  /** Begin with a stage, from the present state; `until` is the index of the last stage. */
   function begin(number = 0, until = protocol.stages.length - 1) {
     [stage, last] = [number, until];
     [ends, rows, divergedAt] = [[], [], null];
@@ -34,7 +34,7 @@ export function makeTracker(wing, protocol) {
     workBefore = total(works);
   }
 
-  /** What every motor is set to in the next step: that of the step's middle. */
+  /** Controls of every motor in the next step: their values at the step's middle. */
   function drive() {
     torques.fill(0);
     const passed = steps - stageStart + 0.5;
@@ -46,7 +46,7 @@ export function makeTracker(wing, protocol) {
     return torques;
   }
 
-  /** One step; whether a stage ended with it, or everything did. */
+  /** Take one step; returns whether a stage, or the protocol, ended. */
   function step() {
     before.set(wing.velocity);
     wing.step(drive());
@@ -72,10 +72,10 @@ export function makeTracker(wing, protocol) {
     else if (goalSince < 0) goalSince = steps;
     if (!resting) restSince = -1;
     else if (restSince < 0) restSince = steps;
-    // what is met for an instant only may be a bounce
+    // a goal met only for an instant may be a bounce
     const taken = asked.kind === "bounds" ? goalSince - stageStart : 0;
     const held = reached && steps - goalSince >= Math.max(asked.hold, protocol.leastHold * taken);
-    // what rests short of its goal stays there, once its torques have risen
+    // a structure that rests short of its goal stays there, once the torques have reached their strength
     const risen = Math.ceil(Math.max(0, ...asked.drives.map((number) => protocol.drives[number].rise)));
     const short = resting && !reached && asked.kind === "bounds" && asked.drives.length > 0;
     const stuck = short && steps - Math.max(restSince, stageStart + risen) >= protocol.stuck;
@@ -106,7 +106,7 @@ export function makeTracker(wing, protocol) {
     ends.push(found);
   }
 
-  /** A row of what goals are bounds on, and the tendons' lengths, as a record has it. */
+  /** Store a row of the coordinates of goals, and the tendons' lengths, as a record does. */
   function keep(always) {
     if (!always && rows.length && rows.at(-1).number === steps) return;
     wing.place();
@@ -116,7 +116,7 @@ export function makeTracker(wing, protocol) {
     while (rows.length > 1 && rows[0].number < oldest) rows.shift();
   }
 
-  /** The state at the end of a stage: means over the window, or where it snapped, that moment. */
+  /** The state at the end of a stage: means over the window, or the moment of a snap. */
   function meanOf({ stage: number, start: first, end: final, goal }) {
     const snapped = protocol.stages[number].drives.length > 0 && goal !== null;
     const from = snapped ? final : Math.max(first, final - protocol.window);

@@ -1,9 +1,9 @@
-/** The least values that bring a structure to its states; as in forficula.study.search, without its halvings. */
+/** The least values with which a structure reaches its states; same rules as forficula.study.search, without halvings. */
 
 import { tells } from "./engine-outcome.js";
 import { filled } from "./format.js";
 
-/** search: the steps with their values; runUntil: takes values by key through the protocol up to a stage. */
+/** search: the steps with their values; runUntil: runs the protocol with values by key up to a stage. */
 export function leastValues(search, runUntil) {
   const { first, second, reference, referenceText, release } = search;
   const found = decided(first, (value) => runUntil({ [first.key]: first.sign * value }, first.until));
@@ -24,7 +24,7 @@ export function leastValues(search, runUntil) {
   };
 }
 
-/** The first of the values that reaches the state, with what came of it; or none, with what came of the last one. */
+/** The first value that reaches the state, with its outcome; otherwise none, with the outcome of the last value. */
 function decided(step, run) {
   let outcome = null;
   let last = null;
@@ -41,7 +41,7 @@ const reaches = (outcome, transition) => Boolean(outcome.transitions.find(({ nam
 
 const numbers = (outcome, { transition }) => outcome.transitions.filter(({ name }) => name === transition);
 
-/** What a point is said to have come to: where some value does the first transition, what became of the second. */
+/** The status of a point: if some value completes the first transition, the outcome of the second. */
 function ending({ first, second, referenceText: value, texts }, { outcome: done, last }, { outcome: next, last: lastNext }) {
   const { status: text, word, verdict, advice } = done;
   const named = (transition, at) => filled(texts.with, { text: transition, value: at });

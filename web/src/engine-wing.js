@@ -1,32 +1,32 @@
-/** A structure in the engine: its model with the numbers that were worked out elsewhere, its state, what it reads. */
+/** A structure in the engine: its model with numbers computed by the package, its state and its readings. */
 
 import { readArrays } from "./arrays.js";
 
-// of the newer engine: what an older one lacks, and what is the same in every model that is not refused
+// fields of the newer engine that the older one lacks, equal in every model that is not refused
 const UNKNOWN = new Set(["jnt_springyield", "tendon_springyield", "flex_yield", "tendon_type", "efmC_perm", "flex_vertcell"]);
-// whole numbers that count what is not there in the older one
+// integer fields that count features which the older one lacks
 const COUNTED = /_plasticadr$|_plasticmode$/;
 
-/** The engine's model of what the page has of a structure; throws an error that says why there is none. */
+/** Build the engine's model from the page's data; throws an error with the reason if that is impossible. */
 export async function buildModel(engine, live) {
   const take = await readArrays(live.arrays);
   let model;
   try {
     model = engine.from_xml_string(live.source);
   } catch (error) {
-    throw new Error(`the engine in this page does not take the model: ${error.message ?? "it is of a later version"}`);
+    throw new Error(`the engine in this page cannot read the model: ${error.message ?? "its version is newer"}`);
   }
   for (const [name, mine] of Object.entries(live.layout)) {
     const theirs = field(model, name);
     if (theirs === undefined && (UNKNOWN.has(name) || COUNTED.test(name))) continue;
     const same = theirs?.length === mine.length && mine.every((value, place) => Number(theirs[place]) === value);
-    if (!same) throw new Error(`the engine in this page lays the model out otherwise (${name})`);
+    if (!same) throw new Error(`the engine in this page has another layout of the model (${name})`);
   }
   for (const [name, where] of Object.entries(live.numbers)) {
     const values = take(where);
     const theirs = field(model, name);
     if (theirs === undefined && UNKNOWN.has(name)) continue;
-    if (!put(theirs, values, live.layout.eq_type?.length)) throw new Error(`the engine in this page has no such numbers (${name})`);
+    if (!put(theirs, values, live.layout.eq_type?.length)) throw new Error(`the engine in this page has no numbers of this kind (${name})`);
   }
   for (const [name, values] of Object.entries(live.options)) setOption(model, name, values);
   return { model, start: Float64Array.from(take(live.start)) };
@@ -40,7 +40,7 @@ function field(model, name) {
   }
 }
 
-/** Put numbers in their places; whether there were such. Rows of equalities are longer in some versions, with zeros. */
+/** Write numbers; returns whether the sizes match. Rows of equalities are longer in some versions, padded with zeros. */
 function put(places, values, equalities) {
   if (places?.length === values.length) {
     places.set(values);
@@ -61,15 +61,15 @@ function setOption(model, name, values) {
   else model.opt[name].set(values);
 }
 
-/** A structure that moves: state and readings in the model's units, lengths of what is drawn in m. */
+/** A structure that moves: state and readings in the model's units, lengths of drawn parts in m. */
 export function makeWing(engine, live, { model, start }) {
   const data = new engine.MjData(model);
   const { hinges, anchors, units, tendons, controls, brakes, motors } = live;
   const strengths = live.protocol.drives.map((drive) => drive.strength);
   const values = new Map(live.knobs.map((knob) => [knob.key, knob.value]));
-  // views of the engine's memory, which moves where it grows
+  // views of the engine's memory, which move when the memory grows
   let views = null;
-  // steps of Runge and Kutta leave the lengths after them, those of Euler the ones before
+  // Runge-Kutta steps leave the lengths of their end, Euler steps those of their start
   const { explicit } = live.protocol;
   const from = new Float64Array(explicit ? data.qpos.length : 0);
   const measured = new Float64Array(explicit ? live.distances.length : 0);
@@ -91,10 +91,10 @@ export function makeWing(engine, live, { model, start }) {
     widest = 0;
   }
 
-  /** Put a value, SI, in the place of what the design has. */
+  /** Set a value, SI, in place of the design's. */
   function set(key, value) {
     const knob = live.knobs.find((each) => each.key === key);
-    if (!knob) throw new Error(`${key}: nothing here is changed by it`);
+    if (!knob) throw new Error(`${key}: changes nothing in this model`);
     values.set(key, value);
     if (knob.drive !== undefined) {
       strengths[knob.drive] = value;
@@ -106,7 +106,7 @@ export function makeWing(engine, live, { model, start }) {
     }
   }
 
-  /** One step with the motors set to this, (motor,). */
+  /** Take one step with given controls of the motors, (motor,). */
   function step(torques) {
     const { ctrl } = view();
     for (let control = 0; control < ctrl.length; control++) {
@@ -129,7 +129,7 @@ export function makeWing(engine, live, { model, start }) {
     for (const gap of live.gaps) if (lengths[gap] > widest) widest = lengths[gap];
   }
 
-  /** Work of motors in the last step: what they were set to times the way of what they act on, (motor,). */
+  /** Work of motors in the last step: their controls times the motion of the parts they act on, (motor,). */
   function work(torques, before, into) {
     const { qvel, qpos, actuator_force: forces } = view();
     const step = model.opt.timestep;
@@ -145,14 +145,14 @@ export function makeWing(engine, live, { model, start }) {
       for (const [dof, share] of motor.pushed.entries()) if (share) way += share * travel(dof);
       into[number] += torques[number] * way;
     }
-    // what speed takes of them again, by the engine's own forces
+    // minus the share that speed takes, from the engine's own forces
     for (const [at, { control, motor, way }] of live.brakeWays.entries()) {
       const force = explicit ? (braked[at] + forces[control]) / 2 : forces[control];
       for (const [dof, share] of way) into[motor] += force * share * (explicit ? qpos[dof] - from[dof] : travel(dof));
     }
   }
 
-  /** Angles of all hinges in their own senses, then distances, then sums of angles, as goals count them. */
+  /** Angles of all hinges in their own senses, then distances, then sums of angles, as in goals. */
   function coordinates(into) {
     const { qpos, ten_length: lengths } = view();
     let at = 0;
@@ -162,7 +162,7 @@ export function makeWing(engine, live, { model, start }) {
     return into;
   }
 
-  /** Where everything is now, for what is drawn and read; steps take no notice of it. */
+  /** Update positions for drawing and readings; the simulation is unchanged. */
   function place() {
     engine.mj_kinematics(model, data);
     engine.mj_comPos(model, data);
@@ -171,7 +171,7 @@ export function makeWing(engine, live, { model, start }) {
     if (live.gaps.length) widen();
   }
 
-  /** The points that are drawn, m. */
+  /** Positions of the drawn points, m. */
   function points(into) {
     const { xpos, xmat } = view();
     for (const [point, body] of anchors.bodies.entries()) {
@@ -198,7 +198,7 @@ export function makeWing(engine, live, { model, start }) {
     for (const [tendon, number] of tendons.numbers.entries()) {
       const spring = tendons.springs[tendon];
       const passive = [linear[number], higher[2 * number], higher[2 * number + 1]];
-      // a tendon that lets go has its spring as a muscle
+      // the spring of a tendon that can go slack is a muscle
       const muscle = spring ? [muscles[spring.at] / spring.width, 0, 0] : tendons.stiffness[tendon];
       const law = passive.some(Boolean) ? passive : muscle;
       const longer = Math.max(0, lengths[tendon] - restLength(tendon));
@@ -207,12 +207,12 @@ export function makeWing(engine, live, { model, start }) {
     return into;
   }
 
-  /** Below which a tendon is slack, in the model's units. */
+  /** Length below which a tendon is slack, in the model's units. */
   function restLength(tendon) {
     return model.tendon_lengthspring[2 * tendons.numbers[tendon] + 1];
   }
 
-  /** Push a drawn point with a force, N, until the next push; none without one. */
+  /** Push a drawn point with a force, N, until the next call; release it without a force. */
   function push(point, force) {
     const { xfrc_applied: applied, xipos, xpos, xmat } = view();
     applied.fill(0);
@@ -229,7 +229,7 @@ export function makeWing(engine, live, { model, start }) {
     applied.set([x, y, z, ...turning], 6 * body);
   }
 
-  /** Whether the last step left numbers that make sense. */
+  /** Whether the last step left plausible numbers. */
   function sound(lowest, highest) {
     const { qpos, qvel } = view();
     for (let place = 0; place < qpos.length; place++) {
@@ -254,7 +254,7 @@ export function makeWing(engine, live, { model, start }) {
     get velocity() {
       return view().qvel;
     },
-    /** How far closed loops have come apart since the start, in the model's units. */
+    /** Largest gap of closed loops since the start, in the model's units. */
     get widest() {
       return widest;
     },
@@ -274,7 +274,7 @@ export function makeWing(engine, live, { model, start }) {
   };
 }
 
-/** A sum of angles with their signs, of all hinges' angles. */
+/** Sum of hinge angles with signs. */
 export function summed(angles, part) {
   return part.reduce((sum, [hinge, sign]) => sum + sign * angles[hinge], 0);
 }

@@ -1,4 +1,4 @@
-/** The engine in a worker of a page, which never waits for it: messages go in, frames and outcomes come out. */
+/** The engine in a worker, for which the page never waits: messages come in, frames and outcomes go out. */
 
 import loadEngine from "@mujoco/mujoco";
 import { unpack } from "./clip.js";
@@ -8,22 +8,22 @@ import { leastValues } from "./engine-search.js";
 import { buildModel, makeWing } from "./engine-wing.js";
 import { takeUnits } from "./format.js";
 
-const FRAME = 16; // ms
-const BUDGET = 12; // ms of them in which it steps
-const AFTER = 10; // seconds for which it goes on when nothing is done to it any more
+const FRAME = 16; // ms between frames
+const BUDGET = 12; // ms of each frame for steps
+const AFTER = 10; // s after the last change for which it continues
 
 let engine = null;
 let live = null;
 let wing = null;
 let tracker = null;
-let pace = 1; // of simulated time by time
+let pace = 1; // simulated time per time
 let timer = null;
-let debt = 0; // simulated seconds that are to be made up
+let debt = 0; // simulated seconds still to be computed
 let last = 0;
-let quiet = 0; // seconds since something was done to it
-let meddled = false; // whether it was pushed, or what acts on it changed, since it began where the run begins
+let quiet = 0; // seconds since the last change
+let meddled = false; // whether it was pushed, or a value that acts on it changed, since the start of the run
 
-/** Start the engine, once, and build what the page has; says what there is, or why there is nothing. */
+/** Start the engine once, and build the model; returns the first frame or the reason for a failure. */
 async function load({ program, text }) {
   pause();
   wing?.dispose();
@@ -37,7 +37,7 @@ async function load({ program, text }) {
 }
 
 function startEngine(program) {
-  // what the engine writes of itself no page should say
+  // the engine's own messages are not displayed
   const quiet = () => {};
   return new Promise((take, refuse) => {
     const instantiateWasm = (imports, done) => {
@@ -57,7 +57,7 @@ async function instantiate(program, imports, done) {
   done(instance, module);
 }
 
-/** All that the page shows of a moment. */
+/** Everything that the page displays of a moment. */
 function frame() {
   wing.place();
   const points = wing.points(new Float32Array(3 * live.anchors.bodies.length));
@@ -79,7 +79,7 @@ function frame() {
   };
 }
 
-/** What came of the stages so far; of some stages in the middle only what they did themselves. */
+/** Outcome of the stages so far; of a part of the protocol only its own transitions. */
 function told(ends, divergedAt) {
   const outcome = outcomeOf(live, ends, divergedAt, wing.widest);
   for (const { took } of outcome.transitions) if (took) took.work_J = live.units.energy * took.work;
@@ -97,10 +97,10 @@ function told(ends, divergedAt) {
   };
 }
 
-/** Take the protocol, up to a stage, at once, with some values in the place of the design's. */
+/** Run the protocol, up to a stage, without display, with some values in place of the design's. */
 function run({ values, until = live.protocol.stages.length - 1 }) {
   pause();
-  // what a reader has changed while it moved is none of what is asked
+  // changes that a reader made while it moved do not apply
   const home = Object.fromEntries(live.knobs.map(({ key, value }) => [key, value]));
   for (const [key, value] of Object.entries({ ...home, ...values })) if (value !== wing.values.get(key)) wing.set(key, value);
   begin();
@@ -109,19 +109,19 @@ function run({ values, until = live.protocol.stages.length - 1 }) {
   return { said: "outcome", outcome: told(tracker.ends, tracker.divergedAt), steps: tracker.steps };
 }
 
-/** What a study asks of a point: what its protocol comes to, or the least values that it looks for. */
+/** Answer for a study's point: the outcome of its protocol, or the least values. */
 function answer({ values, search }) {
   const runUntil = (more, until) => run({ values: { ...values, ...more }, until }).outcome;
   return { said: "answer", answer: search ? leastValues(search, runUntil) : { ...runUntil({}), least: {} } };
 }
 
-/** From where the run begins. */
+/** Return to the start of the run. */
 function begin() {
   tracker.restart();
   meddled = false;
 }
 
-/** Whether it would have moved otherwise, had this value been another one before. */
+/** Whether another earlier value would have changed the motion. */
 function acts(key) {
   const { drive } = live.knobs.find((knob) => knob.key === key);
   const acting = tracker.stage === null ? [] : live.protocol.stages[tracker.stage].drives;
@@ -135,7 +135,7 @@ function play() {
   timer = setInterval(advance, FRAME);
 }
 
-/** Go on, unless it has diverged: from there it gets nowhere. */
+/** Continue, unless the simulation has diverged. */
 function move() {
   if (tracker.divergedAt === null) play();
 }
@@ -145,7 +145,7 @@ function pause() {
   timer = null;
 }
 
-/** As many steps as real time asks for, or as there is time for. */
+/** Take as many steps as real time requires, within the budget. */
 function advance() {
   const now = performance.now();
   const passed = Math.min((now - last) / 1000, 0.1);
@@ -168,7 +168,7 @@ const ACTS = {
   load,
   run,
   answer,
-  /** Put values in the place of others while it moves. */
+  /** Set values while it moves. */
   set({ values }) {
     for (const [key, value] of Object.entries(values)) {
       meddled ||= value !== wing.values.get(key) && acts(key);
@@ -178,7 +178,7 @@ const ACTS = {
     if (tracker.stage === null) move();
     return { said: "frame", frame: frame() };
   },
-  /** Begin again where the run begins: through all stages, or up to the first that is driven. */
+  /** Restart: run all stages, or only those before the first driven one. */
   restart({ through }) {
     begin();
     const { stages } = live.protocol;
@@ -188,7 +188,7 @@ const ACTS = {
     play();
     return { said: "frame", frame: frame() };
   },
-  /** Go through some stages of the protocol from where it is. */
+  /** Run some stages of the protocol from the present state. */
   stages({ from, to }) {
     if (tracker.divergedAt !== null) begin();
     tracker.begin(from, to);
@@ -214,7 +214,7 @@ const ACTS = {
 };
 
 self.onmessage = async ({ data }) => {
-  // between two structures nothing moves
+  // nothing moves between two structures
   if (wing === null && data.act !== "load") return;
   try {
     const answer = await ACTS[data.act](data);

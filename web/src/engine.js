@@ -1,4 +1,4 @@
-/** The engine of a page, in a worker that is made of what stands in the page: it asks for nothing and blocks nothing. */
+/** The engine of a page, in a worker made from the page's contents: it loads nothing and blocks nothing. */
 
 import { unpack } from "./clip.js";
 
@@ -8,10 +8,10 @@ export function hasEngine() {
 }
 
 /**
- * Start it with what the page has of a structure; what it tells beside its answers goes to `hear`.
+ * Start the engine with the data of a structure; `hear` receives its messages other than replies.
  *
- * Returns {first, ask, tell, take, end}: the first frame, and ways to ask it, to tell it something, and to have it take
- * another structure, which gives the same again.
+ * Returns {first, ask, tell, take, end}: the first frame, and functions that send a request, send a message, and load
+ * another structure, which returns the same again.
  */
 export async function startEngine(text, hear) {
   const packed = new Blob([unpack(document.getElementById("engine-script").textContent, Uint8Array)]).stream();

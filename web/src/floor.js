@@ -1,8 +1,8 @@
-/** A grid under the structure, of which a square has a stated size. */
+/** A grid under the structure; the size of its squares is stated. */
 
 import { BufferGeometry, Float32BufferAttribute, LineBasicMaterial, LineSegments } from "three";
 
-const SQUARES = 2.4; // about so many across half of it
+const SQUARES = 2.4; // approximate number of squares across half of it
 
 /** The side of a square: 1, 2 or 5 times a power of ten, m. */
 export function squareSide(size) {

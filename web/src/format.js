@@ -1,4 +1,4 @@
-/** Numbers and times as text, with a minus sign that is one. */
+/** Numbers and times as text, with real minus signs. */
 
 export function capital(text) {
   return `${text[0]?.toUpperCase() ?? ""}${text.slice(1)}`;
@@ -9,7 +9,7 @@ export function fixed(value, digits) {
   return (Number(text) === 0 ? (0).toFixed(digits) : text).replace("-", "\u2212");
 }
 
-/** A sentence that Python hands over, with its fields in braces filled in. */
+/** Fill in the fields, in braces, of a sentence that Python provides. */
 export function filled(text, fields) {
   return text.replace(/\{(\w+)\}/g, (_, name) => fields[name]);
 }
@@ -24,12 +24,12 @@ export function short(value) {
 
 let readingUnits = {};
 
-/** Take the units in which values read well, which the package hands over. */
+/** Set the legible units, which the package provides. */
 export function takeUnits(units) {
   readingUnits = units;
 }
 
-/** The unit in which values in an SI unit read well by the largest of them, and its factor; as in forficula.quantities. */
+/** The legible unit for values in an SI unit, by the largest one, and its factor; same rules as forficula.quantities. */
 export function readingUnit(si, largest) {
   const units = readingUnits[si];
   const [unit, factor] = units.find(([, , least]) => largest >= least || largest === 0) ?? units.at(-1);
@@ -41,13 +41,13 @@ export function unitFactor(name) {
   return Object.values(readingUnits).flat().find(([unit]) => unit === name)[1];
 }
 
-/** A value, SI, in the unit in which it reads well. */
+/** A value, SI, in a legible unit. */
 export function readable(value, si) {
   const { unit, factor } = readingUnit(si, Math.abs(value));
   return `${short(factor * value)} ${unit}`;
 }
 
-/** The unit in which the times of a span read well, and its factor from s. */
+/** The legible unit for the times of a span, and its factor from s. */
 export function timeUnit(span) {
   return readingUnit("s", Math.max(Math.abs(span.start), Math.abs(span.end)));
 }

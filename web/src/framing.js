@@ -1,28 +1,28 @@
-/** What a view needs so that structures fill the picture at every moment, evened out so that the eye moves calmly. */
+/** Data for a view in which structures fill the picture at every moment, smoothed so that the eye moves calmly. */
 
 import { Vector3 } from "three";
 
-const MOMENTS = 120; // of a span, as it is played evenly
-const CALM = 2; // moments on either side over which a view is evened out
+const MOMENTS = 120; // samples of a span, in equal steps of playback
+const CALM = 2; // samples on either side over which a view is smoothed
 const SUPPORTS = 6;
 
 /**
- * Framing of some of the clips on a clock, by their numbers.
+ * Framing of some clips, by index, on a clock.
  *
  * A point at (x, y, z), with z towards the eye, is in the picture of an eye at (X, Y, Z) if x - X and y - Y are at most
  * the slopes of the picture's edges times Z - z. The largest x + slope z, -x + slope z and so on of all points are
- * therefore all that a view needs to know of them.
+ * therefore all that a view needs.
  */
 export function makeFraming(clips, numbers, clock) {
   const places = new WeakMap();
-  // what is drawn about the points: bars and joints
+  // parts beyond the points: bars and joints
   const radius = numbers.reduce(
     (most, index) => clips[index].mesh.tubes.reduce((thickest, tube) => Math.max(thickest, tube.radius), Math.max(most, clips[index].reach)),
     Math.max(...numbers.map((index) => (clips[index].mesh.joints.length ? clips[index].mesh.jointRadius : 0))),
   );
   let last = null;
 
-  /** All points at moments through the span that the clock shows, (moment, point, 3). */
+  /** All points at samples of the clock's span, (moment, point, 3). */
   function sampled() {
     const { span } = clock;
     if (!places.has(span)) {
@@ -45,7 +45,7 @@ export function makeFraming(clips, numbers, clock) {
     return last;
   }
 
-  /** Where to look, and from how far: at the clock's time, or so that all that is ever shown is in the picture. */
+  /** Point to look at, and distance: at the clock's time, or such that the whole span is in the picture. */
   return function fit(towards, up, slopes, following) {
     const right = new Vector3().crossVectors(up, towards).normalize();
     const axes = [right, new Vector3().crossVectors(towards, right), towards];
@@ -81,7 +81,7 @@ function largest(rows) {
   return rows.reduce((most, row) => most.map((value, index) => Math.max(value, row[index])));
 }
 
-/** Means of the largest around each moment: never less than what that moment itself needs. */
+/** Smooth by means of the largest values around each sample: never less than the sample itself requires. */
 function evened(rows) {
   const around = (all, index) => all.slice(Math.max(0, index - CALM), index + CALM + 1);
   const most = rows.map((_, index) => largest(around(rows, index)));

@@ -1,16 +1,16 @@
-/** Parallel coordinates: every point is a line across axes, on each of which a reader may ask for a part. */
+/** Parallel coordinates: every point is a line across axes, on each of which a reader can select a range. */
 
 import { make } from "./elements.js";
 import { draw } from "./plane.js";
 import { numberText } from "./study-model.js";
 
 const HEIGHT = 300;
-const ENDS = 30; // room for what is dragged, above and below the axes
-const LEAST_WIDE = 92; // of an axis with its letters
-const REACH = 16; // from the pointer to what it means
-const DRAGGED = 5; // a pointer that moves less is a press
+const ENDS = 30; // space for the handles, above and below the axes
+const LEAST_WIDE = 92; // width of an axis with its letters
+const REACH = 16; // distance from the pointer to a line
+const DRAGGED = 5; // movement of a pointer up to which it counts as a press
 
-/** The lines with their axes, `keys` of the columns first shown; a pressed line is opened by `press`. */
+/** The lines with their axes, `keys` of the columns displayed first; pressing a line calls `press`. */
 export function makeLines(model, keys, { best, best_word, front }, press) {
   const chosen = new Set(keys.map(model.indexOf).filter((index) => index >= 0));
   const view = { axes: [...chosen], opened: null, hovered: null, best, bestWord: best_word, front };
@@ -23,15 +23,15 @@ export function makeLines(model, keys, { best, best_word, front }, press) {
   const all = make("button", { type: "button" }, `show all ${model.study.noun}s`);
   all.addEventListener("click", () => {
     model.forget();
-    // it is gone now, and had the keys
+    // the focused element no longer exists
     place.querySelector("[role=slider]")?.focus();
   });
   const redraw = () => {
     drawBoard(model, view, { board, titles, place, width: scroll.clientWidth });
     layers(model, view, place);
   };
-  const hint = "A press on a line opens its run; each axis has two handles, which leave out what lies beyond them.";
-  const element = make("section", { className: "lines" }, make("h2", {}, `All ${model.study.noun}s at once`), make("p", { className: "note" }, hint), axisChoice(model, view, redraw), scroll, legend(model, view), make("div", { className: "choices" }, all, said), under);
+  const hint = "Press a line to open its run. Move the two handles of an axis to select a range of values.";
+  const element = make("section", { className: "lines" }, make("h2", {}, `All ${model.study.noun}s as lines`), make("p", { className: "note" }, hint), axisChoice(model, view, redraw), scroll, legend(model, view), make("div", { className: "choices" }, all, said), under);
   listen(model, view, place, under, press);
   model.whenAsked(() => {
     layers(model, view, place);
@@ -59,11 +59,11 @@ function tell(model, said, all) {
   const left = Array.from({ length: points }, (_, point) => point).filter(model.shown);
   const good = left.filter(model.good).length;
   const word = model.study.words.find((each) => each.good)?.word;
-  said.textContent = `${left.length} of ${points} ${noun}s lie within what is asked of the axes${word ? `; ${word}: ${good}` : ""}.`;
+  said.textContent = `${left.length} of ${points} ${noun}s lie within the selected ranges${word ? `; ${word}: ${good}` : ""}.`;
   all.hidden = model.asked.size === 0;
 }
 
-/** Which columns have an axis. */
+/** Choice of the columns with an axis. */
 function axisChoice(model, view, redraw) {
   const boxes = model.columns.map((column, index) => {
     const box = make("input", { type: "checkbox", checked: view.axes.includes(index) });
@@ -82,11 +82,11 @@ function legend(model, view) {
   const good = model.study.words.find((each) => each.good);
   const parts = [];
   if (good) parts.push(entry("good", good.word));
-  if (model.study.words.some((each) => !each.good)) parts.push(entry("behind", good ? "the others" : `all ${model.study.noun}s`));
-  if (view.front.length) parts.push(entry("front", "none is better in everything"));
+  if (model.study.words.some((each) => !each.good)) parts.push(entry("behind", good ? `other ${model.study.noun}s` : `all ${model.study.noun}s`));
+  if (view.front.length) parts.push(entry("front", "Pareto front"));
   if (view.best !== null) parts.push(entry("best", view.bestWord));
   parts.push(entry("opened", "open"));
-  if (model.columns.some((column) => column.limits.length)) parts.push(make("li", {}, make("span", { className: "bound", "aria-hidden": "true" }), "allowed by a limit"));
+  if (model.columns.some((column) => column.limits.length)) parts.push(make("li", {}, make("span", { className: "bound", "aria-hidden": "true" }), "range allowed by a limit"));
   return make("ul", { className: "keys-of-lines" }, ...parts);
 }
 
@@ -124,7 +124,7 @@ function axisMarks({ scale, limits }, x, y) {
   return parts;
 }
 
-/** The two handles of every axis, as sliders that keys move, too. */
+/** The two handles of every axis, as sliders for pointer and keyboard. */
 function handles(model, view, place) {
   const focused = place.contains(document.activeElement) ? document.activeElement.dataset.handle : null;
   for (const each of place.querySelectorAll("[role=slider]")) each.remove();
@@ -170,7 +170,7 @@ function makeHandle(model, view, place, index, end) {
   return handle;
 }
 
-/** Call with every movement of a pointer until it is let go; the element that it began on may be gone by then. */
+/** Follow a pointer until it is released; the element on which it began may be gone by then. */
 function follow(started, moved, ended = () => {}) {
   const mine = (act) => (event) => event.pointerId === started.pointerId && act(event);
   const move = mine(moved);
@@ -190,7 +190,7 @@ function shareAt(view, place, event) {
   return Math.min(1, Math.max(0, (view.y(0) - y) / (view.y(0) - view.y(1))));
 }
 
-/** A line of a point, broken where it has no number. */
+/** The line of a point, interrupted at missing values. */
 function lineOf(model, view, point) {
   let path = "";
   let joined = false;
@@ -202,7 +202,7 @@ function lineOf(model, view, point) {
   return path;
 }
 
-/** All lines, those behind first. */
+/** All lines, from back to front. */
 function layers(model, view, place) {
   const group = place.querySelector(".layers");
   if (!group) return;
@@ -222,7 +222,7 @@ function layers(model, view, place) {
   group.replaceChildren(...drawn.map(([kind, each]) => draw("path", { class: `line ${kind}`, d: each.map((point) => lineOf(model, view, point)).join("") })));
 }
 
-/** Presses, and what lies under the pointer; a mouse that is dragged along an axis asks for that part of it. */
+/** Handle presses and the pointer; dragging the mouse along an axis selects a range. */
 function listen(model, view, place, under, press) {
   const hover = (point) => {
     if (point === view.hovered) return;
@@ -258,7 +258,7 @@ function axisAt(view, place, event) {
   return number < 0 ? null : view.axes[number];
 }
 
-/** The shown point whose line is nearest to the pointer; of lines that are alike the better one. */
+/** The visible point whose line is nearest to the pointer; among equal lines the better point. */
 function nearest(model, view, place, event) {
   const box = place.getBoundingClientRect();
   const [x, y] = [event.clientX - box.left, event.clientY - box.top];
@@ -275,7 +275,7 @@ function nearest(model, view, place, event) {
     if (!model.shown(point)) continue;
     const [first, second] = [heights(left, point), heights(right, point)];
     const at = first + part * (second - first);
-    // lines that are steep are as near as they look
+    // true distance also for steep lines
     const slope = right > left ? (second - first) / (view.x(right) - view.x(left)) : 0;
     const distance = Math.abs(y - at) / Math.hypot(1, slope) - (model.good(point) ? 1 : 0);
     if (distance < away) [found, away] = [point, distance];

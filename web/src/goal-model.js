@@ -1,4 +1,4 @@
-/** Points of a goal on a page: their columns, and which of them are left out by what their reader asks of these. */
+/** Points of a goal on a page: their columns, and the points that the reader's selected ranges leave out. */
 
 import { scaleOf } from "./plane.js";
 import { makeModel } from "./study-model.js";
@@ -25,13 +25,13 @@ export function makeGoalModel(study, runs) {
     good: (point) => model.word(study.verdicts[point]).good,
     nameOf: (point) => `${study.noun} ${point + 1}: `,
     whenAsked: (listener) => listeners.push(listener),
-    /** Ask a column for shares of its scale from a low to a high one; all of it asks nothing. */
+    /** Select shares of a column's scale from a low to a high one; the whole scale selects everything. */
     ask(index, low, high) {
       if (low <= 0 && high >= 1) asked.delete(index);
       else asked.set(index, [low, high]);
       for (const listener of listeners) listener();
     },
-    /** Ask nothing any more. */
+    /** Remove all selections. */
     forget() {
       asked.clear();
       for (const listener of listeners) listener();
@@ -39,7 +39,7 @@ export function makeGoalModel(study, runs) {
   };
 }
 
-/** Limits that are near enough to the values to be seen on one scale with them. */
+/** Limits close enough to the values to share a scale. */
 function nearBounds({ limits, values }) {
   const numbers = values.filter((value) => typeof value === "number");
   const [low, high] = [Math.min(...numbers), Math.max(...numbers)];

@@ -1,4 +1,4 @@
-/** What agrees, unknown by unknown and pair by pair, in front of all that was drawn. */
+/** Samples that agree before all drawn samples, for single unknowns and pairs. */
 
 import { make } from "./elements.js";
 import { draw, scaleOf } from "./plane.js";
@@ -8,7 +8,7 @@ const BINS = 12;
 const [WIDE, HIGH] = [200, 76];
 const SIDE = 130;
 
-/** Marginals of `marginals` and pair plots of `pairs`, keys of columns; `over` is called with two columns of a pressed pair. */
+/** Marginals of `marginals` and pair plots of `pairs`, keys of columns; `over` receives two columns of a pressed pair. */
 export function makePairs(model, { marginals, pairs }, over) {
   const single = make("div", { className: "marginals" });
   const double = make("div", { className: "pairs" });
@@ -20,16 +20,16 @@ export function makePairs(model, { marginals, pairs }, over) {
   double.style.setProperty("--columns", Math.max(1, some.length - 1));
   model.whenAsked(fill);
   fill();
-  const told = "Blue: the samples that agree; grey: all that were drawn. Each is scaled by its own number; those first of which what agrees is spread least like all.";
-  const parts = [make("h2", {}, "Unknown by unknown"), make("p", { className: "note" }, told), single];
-  if (some.length > 1) parts.push(make("h2", {}, "Pair by pair"), make("p", { className: "note" }, "A press shows a pair large."), double);
+  const intro = "Blue: samples that agree. Grey: all drawn samples. Each colour is scaled by its number of samples. Unknowns that the facts narrow most come first.";
+  const parts = [make("h2", {}, "Single unknowns"), make("p", { className: "note" }, intro), single];
+  if (some.length > 1) parts.push(make("h2", {}, "Pairs of unknowns"), make("p", { className: "note" }, "Press a pair to enlarge it."), double);
   return { element: make("section", { className: "agreeing" }, ...parts) };
 }
 
 const allOf = (model) => Array.from({ length: model.study.points }, (_, point) => point);
 const drawnOf = (model) => allOf(model).filter((point) => !["placed", "unbuilt"].includes(model.word(model.study.verdicts[point]).pattern));
 
-/** A share of every bin, of points. */
+/** Share of points in every bin. */
 function shares(column, scale, points) {
   const count = scale.words.length || BINS;
   const bins = new Array(count).fill(0);
@@ -54,16 +54,16 @@ function marginal(model, index) {
   return make("figure", {}, make("figcaption", {}, `${column.name}${unit}`), drawing, make("div", { className: "ends" }, ...ends.map((end) => make("span", {}, end))), make("small", {}, spread(column, scale, agree)));
 }
 
-/** Where the middle half of what agrees lies, or how much of it has which word. */
+/** The middle half of the samples that agree, or the shares of words. */
 function spread(column, scale, points) {
-  if (!points.length) return "nothing agrees";
+  if (!points.length) return "no sample agrees";
   if (scale.words.length) return scale.words.map((word) => `${Math.round((100 * points.filter((point) => column.values[point] === word).length) / points.length)} % ${word}`).join(", ");
   const values = points.map((point) => column.values[point]).sort((first, second) => first - second);
   const at = (share) => numberText(values[Math.round(share * (values.length - 1))]);
-  return `half of it: ${at(0.25)} to ${at(0.75)}`;
+  return `middle half: ${at(0.25)} to ${at(0.75)}`;
 }
 
-/** The lower half of the matrix of pairs. */
+/** Lower half of the matrix of pairs. */
 function pairParts(model, indices, over) {
   return indices.slice(1).flatMap((y, row) =>
     indices.slice(0, -1).map((x, column) => {

@@ -1,10 +1,10 @@
-/** Points over two columns that a reader chooses, coloured by what became of them or by a number. */
+/** Points over two columns that a reader chooses, coloured by outcome or by a number. */
 
 import { make } from "./elements.js";
 import { scaleParts, signOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
-/** `keys` are the columns across and upwards; `open` is called with a point that is pressed. */
+/** `keys` are the columns of the horizontal and vertical axis; `open` receives a pressed point. */
 export function makePlane(model, { plane, front, best, best_word, joined }, open) {
   const { quantities } = model.study;
   const [x, y] = [plane.x, plane.y].map(model.indexOf);
@@ -59,7 +59,7 @@ export function makePlane(model, { plane, front, best, best_word, joined }, open
   return {
     element,
     show,
-    /** Lie the points over these columns, by number. */
+    /** Place the points over these columns, by index. */
     over(across, upwards) {
       [view.x, view.y] = [across, upwards];
       fill();
@@ -75,11 +75,11 @@ function legendParts(model, { quantity, front, cells, x, y }) {
     const count = reasons.filter((each, point) => each === number && model.shown(point)).length;
     return count ? [make("li", {}, signOf(entry), `${entry.word} (${count})`)] : [];
   });
-  if (front.length) entries.push(make("li", {}, make("span", { className: "ring", "aria-hidden": "true" }), "none is better in everything"));
+  if (front.length) entries.push(make("li", {}, make("span", { className: "ring", "aria-hidden": "true" }), "Pareto front"));
   const columns = [x, y].map((index) => model.columns[index]);
   if (columns.some((column) => typeof column.own === "number")) entries.push(make("li", {}, make("span", { className: "dashes", "aria-hidden": "true" }), "as designed"));
   if (columns.some((column) => column.limits.length)) entries.push(make("li", {}, make("span", { className: "shade", "aria-hidden": "true" }), "beyond a limit"));
-  if (cells) for (const does of ["works", "fails"]) entries.push(make("li", {}, make("span", { className: `map-${does}`, "aria-hidden": "true" }), `${does} with only these two off`));
+  if (cells) for (const does of ["works", "fails"]) entries.push(make("li", {}, make("span", { className: `map-${does}`, "aria-hidden": "true" }), `${does} if only these two deviate`));
   if (entries.length) parts.push(make("ul", {}, ...entries));
   return parts;
 }

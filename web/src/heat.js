@@ -1,4 +1,4 @@
-/** Colours of a map's values, and of what became of points that have none. */
+/** Colours of a map's values, and signs of outcomes without a value. */
 
 import { make } from "./elements.js";
 import { ENERGY_COLOURS, QUANTITY_COLOURS } from "./scheme.js";
@@ -7,19 +7,19 @@ export function coloursOf(quantity) {
   return quantity.energy ? ENERGY_COLOURS : QUANTITY_COLOURS;
 }
 
-/** Face of a cell and ink on it for a share of the largest value, 0 to 1. */
+/** Colours of a cell and of its text for a share of the largest value, 0 to 1. */
 export function cellColour(colours, share) {
   const parts = colours.at(share).map((part) => Math.round(255 * part));
   const light = 0.299 * parts[0] + 0.587 * parts[1] + 0.114 * parts[2] > 118;
   return { face: `rgb(${parts.join(" ")})`, ink: light ? "#000" : "#fff" };
 }
 
-/** The sign of a word, by what the page has of the word, in its pattern. */
+/** The sign of a word, in its pattern. */
 export function signOf({ sign, pattern }) {
   return make("span", { className: `what ${pattern}`, "aria-hidden": "true" }, make("span", {}, sign));
 }
 
-/** What the colours of a quantity mean; nothing where it has no values. */
+/** Scale of the colours of a quantity; nothing if it has no values. */
 export function scaleParts(model, quantity) {
   const scale = model.scaleOf(quantity);
   if (!scale) return [];

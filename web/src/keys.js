@@ -1,20 +1,20 @@
 /**
- * The keyboard: in the player, and where nothing else on the page has the keys. Single letters and numbers act in the
- * player only: a voice that is written down would press them anywhere (WCAG 2.1.4).
+ * Keyboard: in the player, and anywhere on the page while no control has the focus. Single letters and digits work only
+ * in the player, because dictated text would press them anywhere (WCAG 2.1.4).
  */
 
 import { make } from "./elements.js";
 
 const OF_CLOCK = [
   ["space", "play or pause"],
-  ["\u2190 \u2192", "a little back or on"],
-  ["page down, page up", "further back or on"],
+  ["\u2190 \u2192", "short step back or forward"],
+  ["page down, page up", "long step back or forward"],
   ["home, end", "start, end"],
 ];
 const TURNS = "shift with \u2190 \u2192 \u2191 \u2193";
 const OF_PICTURE = [
   ["+ \u2212", "nearer, further"],
-  ["0", "the first view again"],
+  ["0", "reset the view"],
 ];
 
 export function keysHelp(clips, picture, whole) {
@@ -26,13 +26,13 @@ export function keysHelp(clips, picture, whole) {
     { className: "keys" },
     make("summary", {}, "Keys"),
     make("table", {}, make("tbody", {}, ...rows)),
-    make("p", {}, "Space and arrows act wherever nothing else on the page has the keys, the others in the player."),
+    make("p", {}, "Space and arrow keys work unless another control has the focus. All other keys work only in the player."),
   );
 }
 
 const TURN = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-/** Turn the picture or go nearer by a key; whether that is one of those, of which some act in the player only. */
+/** Turn or zoom the view by a key; returns whether the key does that. Some keys work only in the player. */
 function look({ key, shiftKey }, eye, firstView, inside) {
   if (shiftKey && key in TURN) eye?.turn(...TURN[key]);
   else if (!inside) return false;
@@ -43,7 +43,7 @@ function look({ key, shiftKey }, eye, firstView, inside) {
   return true;
 }
 
-/** The keys of a picture whose structure no time moves. */
+/** Keys of a picture without a time line. */
 export function listenToLooks(player, eye, firstView) {
   player.addEventListener("keydown", (event) => {
     if (!event.ctrlKey && !event.metaKey && !event.altKey && look(event, eye, firstView, true)) event.preventDefault();
@@ -76,10 +76,10 @@ export function listenToKeys(player, clips, clock, eye, firstView) {
     const at = document.activeElement;
     const inside = player.contains(at);
     if (!(inside || at === document.body || at === null) || event.ctrlKey || event.metaKey || event.altKey) return;
-    // a button has its own use for space, a choice and a slider of its own for nearly all keys
+    // buttons use space themselves, menus and sliders nearly all keys
     if (at instanceof HTMLSelectElement || at?.dataset?.keys === "own" || (event.key === " " && /^(BUTTON|SUMMARY|A)$/.test(at?.tagName ?? "")))
       return;
-    // where nothing is chosen, these scroll the page
+    // without focus these keys scroll the page
     if (at === document.body && /^(Home|End|PageUp|PageDown)$/.test(event.key)) return;
     if (act(event, inside)) event.preventDefault();
   }

@@ -1,11 +1,11 @@
-/** What the colours of the picture mean, and how large the structure is. */
+/** Meaning of the colours of the picture, and size of the structure. */
 
 import { make } from "./elements.js";
 import { squareSide } from "./floor.js";
 import { readable, short } from "./format.js";
 import { ENERGY_COLOURS, MOUNTAIN, VALLEY, regionTint } from "./scheme.js";
 
-/** entries: {sample, text} of what is drawn; whole: what one is called, of several that are drawn; else null. */
+/** entries: {sample, text} of drawn parts; whole: noun for one of several structures, or null for a single one. */
 export function makeLegend(entries, energy, size, whole) {
   const ofSeveral = whole
     ? ["marks on the time line: the states of each run, in its colour"]
@@ -14,7 +14,7 @@ export function makeLegend(entries, energy, size, whole) {
     "ul",
     { className: "legend" },
     ...entries.map(({ sample, text }) => (sample === "tendon" ? energyEntry(text, energy) : entry(sample, text))),
-    ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons hang, drawn with their resting length")] : []),
+    ...(entries.some(({ sample }) => sample === "tendon") ? [make("li", {}, "slack tendons sag, drawn with their rest length")] : []),
     make("li", {}, `squares of the grid: ${readable(squareSide(size), "m")}`),
     ...ofSeveral.map((text) => make("li", {}, text)),
   );
@@ -29,7 +29,7 @@ function entry(sample, text) {
 
 function energyEntry(text, energy) {
   const bar = make("li", { className: "energy" }, `${text}: 0`, gradientSwatch(ENERGY_COLOURS));
-  // what a run's largest energy is need not be that of what a reader makes of it
+  // the energy may exceed the run's maximum when a reader moves the structure
   bar.append(`${short(energy.factor * energy.largest_J)} ${energy.unit}${energy.orMore ? " or more" : ""}`);
   return bar;
 }

@@ -1,16 +1,16 @@
-/** A clip whose present is what the engine says; its past is that of the run, by which pictures are framed. */
+/** A clip whose present comes from the engine; its past is that of the run, by which pictures are framed. */
 
 import { TENDONS } from "./clip.js";
 import { unitFactor } from "./format.js";
 
-const NOW = Infinity; // the moment that is the engine's
-const SEEN = 1e-4; // of how far it reaches, of an energy, rad: what changes by less is not seen
+const NOW = Infinity; // time that stands for the engine's present
+const SEEN = 1e-4; // share of the size, of an energy, or rad: smaller changes are not visible
 
-/** The present of a structure, as a clip and a clock that pictures and tables take; `show` tells what it is. */
+/** The present of a structure, as a clip and a clock for pictures and tables; `show` updates it. */
 export function makeLive(clip, live, first) {
   const listeners = new Set();
   const factors = clip.readings.map(({ unit }) => (unit === "deg" ? 1 : live.units.length) * unitFactor(unit));
-  // at least a second, in whose unit times are written
+  // at least a second, whose unit is used for times
   const span = { start: clip.start, end: Math.max(clip.end, clip.start + 1), origins: [0], whole: true };
   let frame = first;
   let drawn = first;
@@ -84,7 +84,7 @@ export function makeLive(clip, live, first) {
   };
 }
 
-/** Whether two moments look different: points by this much, m, or energies. */
+/** Whether two moments look different: points by a distance, m, or energies. */
 function differs(one, other, most) {
   const apart = (values, others, allowed) => values.some((value, at) => Math.abs(value - others[at]) > allowed);
   return (

@@ -1,4 +1,4 @@
-/** Show what the page's data are. */
+/** Start the view for the kind of the page's data. */
 
 import "./page.css";
 import "./try.css";
@@ -29,14 +29,14 @@ const PAGES = {
 const data = JSON.parse(document.getElementById("data").textContent);
 takeUnits(data.reading_units);
 
-/** Tell that the page's script failed, and stop. */
+/** Report that the page's script failed, and stop. */
 function fail(error) {
-  const said = `What moves cannot be shown in this browser (${error.message}); the numbers below are all there.`;
+  const said = `Moving pictures cannot be shown in this browser (${error.message}); all numbers are below.`;
   document.querySelector("main").prepend(make("p", { className: "note", role: "alert" }, said));
   throw error;
 }
 
-/** For those who want the numbers behind the picture, and for tests. */
+/** Expose the numbers behind the picture, for readers and for tests. */
 function keep(shown) {
   window.forficula = shown;
 }

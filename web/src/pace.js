@@ -1,8 +1,8 @@
-/** How fast a clock goes: at a share of real time, or so that what moves is seen to move evenly. */
+/** Speed of a clock: a share of real time, or such that motion looks even. */
 
 import { placeIn } from "./clip.js";
 
-// of the time that even playing takes so much goes by the clips' own time, so that rest is seen to be rest
+// share of even playback that follows the clips' own time, so that rest is visible as rest
 const BY_TIME = 0.3;
 const SECONDS = 4;
 const SECONDS_BY_DRIVE = 4;
@@ -19,8 +19,8 @@ export const SPEEDS = [
 ];
 
 /**
- * A way through a span on which the fastest point of all structures goes about equally far in every second of playing.
- * The way runs from 0 to 1; it takes so many seconds.
+ * A path through a span on which the fastest point of all structures covers about equal distances per second of
+ * playback. The path runs from 0 to 1 and takes a number of seconds.
  */
 export function evenPace(clips, span) {
   const times = sampleTimes(clips, span);
@@ -54,7 +54,7 @@ function sampleTimes(clips, span) {
   return Float64Array.from(times).sort();
 }
 
-/** Add by how much a clip's fastest point moves up to each time since the one before. */
+/** Add the motion of a clip's fastest point up to each sample since the one before. */
 function addMotion(clip, origin, times, way) {
   let before = clip.pointsAt(times[0] + origin).slice();
   let after = before.slice();

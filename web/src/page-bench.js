@@ -1,4 +1,4 @@
-/** The page of a design whose structure a reader moves: it begins as soon as it is there. */
+/** Page of a design whose structure a reader moves: the simulation starts when the page opens. */
 
 import { readClip } from "./clip.js";
 import { mountTryIt } from "./try-it.js";

@@ -1,4 +1,4 @@
-/** The page of several runs side by side. */
+/** Page of several runs side by side. */
 
 import { TENDONS, readClip } from "./clip.js";
 import { makeClock } from "./clock.js";
@@ -19,7 +19,7 @@ export function showComparison(data) {
   return { clips, clock, player, plots };
 }
 
-/** Write on every structure its name, the look of its lines in the plots, and how it is now. */
+/** Write on every structure its name, the look of its lines in the plots, and its present state. */
 export function nameCells(cells, clips, clock, energy) {
   const states = clips.map((clip, index) => {
     const state = make("span", { className: "state-now" });
@@ -42,7 +42,7 @@ export function nameCells(cells, clips, clock, energy) {
   });
 }
 
-/** From the least to the most of some values, in few digits. */
+/** Range of some values, with few digits. */
 function rangeText(values, unit) {
   const text = (value) => (unit === "deg" ? `${fixed(value, 0)}\u00b0` : `${short(value)} ${unit}`);
   const ends = [Math.min(...values), Math.max(...values)].map(text);

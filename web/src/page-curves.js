@@ -1,4 +1,4 @@
-/** The page of curves without a run: a slider moves a ball on each, and the structure to what it is like there. */
+/** Page of curves without a run: a slider moves a ball on each, and the structure into its pose. */
 
 import { readClip } from "./clip.js";
 import { mountCurves } from "./curves.js";

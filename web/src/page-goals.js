@@ -1,4 +1,4 @@
-/** The pages of goals: points as lines and over planes, the run behind each that was kept, and all of them in a table. */
+/** Pages of goals: points as lines and in planes, runs that were kept, and all points in a table. */
 
 import "./study.css";
 import "./goals.css";
@@ -33,7 +33,7 @@ export function showGoals(data) {
     plane.over(across, upwards);
     plane.element.scrollIntoView({ block: "start" });
   }
-  // where nothing can be played there is room for the numbers
+  // without runs there is space for the numbers
   const sides = data.runs.length ? [[plane.element, panel.facts], [panel.element]] : [[plane.element], [panel.facts]];
   const beside = make("div", { className: "explorer" }, ...sides.map((side) => make("div", {}, ...side)));
   const elements = { lines: lines.element, pairs: pairs?.element, plane: beside };
@@ -44,7 +44,7 @@ export function showGoals(data) {
   return { model, panel, lines, plane, open };
 }
 
-/** The best where it can be played; else the first that did all and can, the first that can, the best, the first. */
+/** The best point if it can be played; else the first good one that can, the first that can, the best, the first. */
 function firstPoint(model, { runs, views, study }) {
   const { best } = views;
   const played = runs.map((run) => run.point);

@@ -1,4 +1,4 @@
-/** The page of parts to make: solids whose joints turn, that come apart, and that tell what they are. */
+/** Page of parts to make: solids whose joints turn, that can be taken apart and describe themselves. */
 
 import { Vector2 } from "three";
 import { readArrays } from "./arrays.js";
@@ -16,9 +16,9 @@ import { noPicture, viewButtons } from "./player.js";
 import { makeStage } from "./stage.js";
 import { makeTransport } from "./transport.js";
 
-const SPEED = 0.25; // of the whole range, in a second
+const SPEED = 0.25; // share of the whole range per second
 const FRAMES = 60;
-const STILL = 4; // pixels that a finger may move while it presses
+const STILL = 4; // pixels that a finger may move during a press
 
 export async function showParts(data) {
   const take = await readArrays(data.arrays);
@@ -33,7 +33,7 @@ export async function showParts(data) {
   return { model, state, clock: sources[0].clock, run: sources[1]?.clock ?? null, ...player, choose: chooser.choose };
 }
 
-/** All joints at one angle: the clip's time goes from the stop of the overbend, 0, to that of the fold, 1. */
+/** All joints at one angle: the clip's time goes from the overbend stop, 0, to the folding stop, 1. */
 function togetherSource(model, state) {
   const angleOf = (moment) => model.highest + moment * (model.lowest - model.highest);
   const momentOf = (angle) => (angle - model.highest) / (model.lowest - model.highest || 1);
@@ -43,17 +43,17 @@ function togetherSource(model, state) {
   const clock = makeClock([forPace(model, clip, anglesAt)], [{ name: "", label: "", start: 0, end: 1, origins: [0], whole: false }]);
   clock.setSpeed(SPEED);
   const control = makeHinge(model, clock, angleOf, momentOf);
-  return { name: "all joints alike", clip, clock, anglesAt, control };
+  return { name: "all joints together", clip, clock, anglesAt, control };
 }
 
-/** The motion of a recorded run. */
+/** Motion of a recorded run. */
 function runSource(model, state, motion) {
   const clip = clipOf(model, state, motion);
   const clock = makeClock([forPace(model, clip, motion.anglesAt)], motion.spans);
   return { name: "as in the simulated run", clip, clock, anglesAt: motion.anglesAt, control: makeTransport([clip], clock) };
 }
 
-/** What a clock and a camera need to know of parts that move. */
+/** Data of moving parts for a clock and a camera. */
 function clipOf(model, state, { time, anglesAt, marks, stages }) {
   const seen = () => {
     const left = model.parts.filter((part) => !state.hidden.has(part.look));
@@ -75,13 +75,13 @@ function clipOf(model, state, { time, anglesAt, marks, stages }) {
   };
 }
 
-/** The same clip with fewer places: a clock asks for those of all frames, to see how fast it goes. */
+/** The same clip with fewer points: a clock computes them for all frames, to find its speed. */
 function forPace(model, clip, anglesAt) {
   const ends = model.parts.filter((part) => part.outer).map((part) => ({ ...part, outer: [part.outer[0], part.outer.at(-1)] }));
   return { ...clip, pointsAt: (moment) => model.outline(ends, model.turn(anglesAt(moment)), { apart: 0, side: 1 }) };
 }
 
-/** One of several sources, as one clip and one clock that a stage can have. */
+/** One of several sources, as one clip and one clock for a stage. */
 function makeSwitch(sources) {
   let now = sources[0];
   let span = { of: null };
@@ -98,7 +98,7 @@ function makeSwitch(sources) {
     get playing() {
       return now.clock.playing;
     },
-    // another one whenever a view of it has to be found anew
+    // another object whenever the view must be computed again
     get span() {
       if (span.of !== now.clock.span) span = { ...now.clock.span, of: now.clock.span };
       return span;
@@ -132,7 +132,7 @@ function makeSwitch(sources) {
       span = { of: null };
       redraw();
     },
-    /** What is seen has changed, though no time has passed. */
+    /** The picture has changed, although no time has passed. */
     changed() {
       span = { of: null };
       redraw();
@@ -140,7 +140,7 @@ function makeSwitch(sources) {
   };
 }
 
-const FIRST = "Press a part, or its name in the table, to see what it is.";
+const FIRST = "Press a part, or its name in the table, for details.";
 const WHOLE = "parts";
 
 function mount(element, data, model, state, shown) {
@@ -164,7 +164,7 @@ function mount(element, data, model, state, shown) {
   );
   element.classList.add("player");
   element.setAttribute("role", "region");
-  element.setAttribute("aria-label", "the parts moving");
+  element.setAttribute("aria-label", "the moving parts");
   listenToKeys(element, [clip], clock, stage?.eye, VIEWS[0]);
   return {
     stage,
@@ -178,7 +178,7 @@ function mount(element, data, model, state, shown) {
   };
 }
 
-/** What moves the parts, how far they are apart, and how straps bow. */
+/** Controls of the motion, of the distance between parts, and of the bow of straps. */
 function makeChoices(model, state, shown, control) {
   const change = (what) => {
     Object.assign(state, what);
@@ -201,7 +201,7 @@ function makeChoices(model, state, shown, control) {
   );
 }
 
-/** Which parts are shown. */
+/** Choice of the parts that are displayed. */
 function makeShown(model, state, shown) {
   const counts = model.looks.map((_, look) =>
     model.parts.reduce((sum, part) => sum + (part.look === look ? part.count : 0), 0),
@@ -219,7 +219,7 @@ function makeLegend(data, model, stage) {
     "ul",
     { className: "legend" },
     ...(model.parts.some((part) => part.stops) ? [swatchEntry(data.stopColour, "face of a stop")] : []),
-    ...(model.straps.length ? [make("li", {}, taut, "on the slider: where straps are taut")] : []),
+    ...(model.straps.length ? [make("li", {}, taut, "on the slider: range of taut straps")] : []),
     ...(stage ? [make("li", {}, `squares of the grid: ${short(1e3 * squareSide(stage.eye.size))} mm`)] : []),
   );
 }
@@ -230,7 +230,7 @@ function swatchEntry(colour, text) {
   return make("li", {}, swatch, text);
 }
 
-/** Presses that turn nothing: where on the canvas, -1 to 1 each way. */
+/** Listen to presses without a drag: position on the canvas, -1 to 1 in both directions. */
 function listenToPresses(canvas, press) {
   let from = null;
   canvas.addEventListener("pointerdown", (event) => {
@@ -244,7 +244,7 @@ function listenToPresses(canvas, press) {
   });
 }
 
-/** Choose a part by its number, null for none: it glows, its row is marked, and what it is is told. */
+/** Select a part by index, or none by null: it glows, its row is marked, and its details are displayed. */
 function makeChooser(model, data, state, player) {
   const rows = Array.from(document.querySelectorAll("#bill tbody tr"));
   const buttons = rows.map((row, index) => {

@@ -1,4 +1,4 @@
-/** The page of one run, and of a landscape that has one: with curves on which it is. */
+/** Page of one run, and of a landscape with a run: curves with the run's position. */
 
 import { readClip } from "./clip.js";
 import { makeClock } from "./clock.js";

@@ -1,4 +1,4 @@
-/** The page of a study: a map, the run behind each of its cells, and all points in a table. */
+/** Page of a study: a map, the run behind each of its cells, and all points in a table. */
 
 import "./study.css";
 import { make } from "./elements.js";
@@ -27,7 +27,7 @@ export function showStudy(data) {
   return { model, map, panel, open };
 }
 
-/** The point that can be played, of those that came furthest the one that needs least: torque by torque, as they act. */
+/** The point to play first: of the most successful ones the one with the least torques, in the order of the drives. */
 function firstPoint(model, runs) {
   const least = model.study.quantities.filter((quantity) => quantity.group === "torque");
   const keys = (point) => [model.study.verdicts[point], ...least.map((quantity) => quantity.values[point] ?? Infinity), point];
@@ -39,7 +39,7 @@ function firstPoint(model, runs) {
   return points.reduce((best, point) => (best === null || before(keys(point), keys(best)) ? point : best), null) ?? 0;
 }
 
-/** Where map and run are not side by side, go to the point's numbers, below which it is played. */
+/** If map and run are not side by side, scroll to the point's numbers, below which it is played. */
 export function bringIntoSight({ facts, element }) {
   const { top } = element.getBoundingClientRect();
   if (top >= 0 && top < 0.5 * innerHeight) return;

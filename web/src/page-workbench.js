@@ -1,4 +1,4 @@
-/** The page of a workbench: a design whose every key can be changed, built again by the server, and seen from all sides. */
+/** Page of a workbench: a design whose keys can be changed, which the server builds, and which is displayed live. */
 
 import { keptDesign, makeDesign } from "./bench-design.js";
 import { makeFile } from "./bench-file.js";
@@ -14,8 +14,8 @@ import { make } from "./elements.js";
 import { capital } from "./format.js";
 
 const RESULTS = {
-  landscape: { button: "Survey it", text: "Statics finds where it rests, what lies between, and what its drives do.", title: "landscape" },
-  run: { button: "Run it", text: "The package takes it through its protocol, looks at the energy balance, and tells what came of it.", title: "run" },
+  landscape: { button: "Compute it", text: "Statics computes the equilibria, the barriers between them, and the motion under the drives.", title: "landscape" },
+  run: { button: "Run it", text: "The package simulates the protocol, checks the energy balance and reports the outcome.", title: "run" },
 };
 
 export async function showWorkbench(data) {
@@ -33,7 +33,7 @@ export async function showWorkbench(data) {
   const views = makeViews(design, slid, open);
   const taking = makeTaking();
 
-  /** Show what a design is, and which of its keys were set or refused. */
+  /** Display a design, and the keys that were set or refused. */
   function show({ asked, base, told, rejected }) {
     document.title = `${told.title}: workbench`;
     document.querySelector("h1").textContent = told.title;
@@ -57,14 +57,14 @@ export async function showWorkbench(data) {
   return Object.assign(design, { wing: views.wing, idle: () => queue });
 }
 
-/** Open what was there before the page was loaded again, or else what the workbench was opened with. */
+/** Open the design from before a reload, or else the one with which the workbench was started. */
 async function begin(design, data) {
   const kept = keptDesign();
   if (kept && !(await design.open({ design: kept.design, files: kept.files, unit: kept.unit }, kept.settings))) return;
   await design.open({ design: "", files: [], unit: "" }, data.settings);
 }
 
-/** Its structure, its pattern, what is found on demand, and its file. */
+/** Views of its structure, its pattern, results on demand, and its file. */
 function makeViews(design, slid, open) {
   const asked = () => design.asked;
   const results = Object.fromEntries(Object.entries(RESULTS).map(([what, words]) => [what, makeResults(what, words, asked)]));

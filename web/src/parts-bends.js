@@ -1,11 +1,11 @@
-/** What bends: straps, taut or bowed between their pegs, and rods between a hub and a bar. */
+/** Parts that bend: straps, taut or bowed between their pegs, and rods between a hub and a bar. */
 
 import { Matrix4, Vector3 } from "three";
 
 const ROUND = 28; // corners around an eye or a rod
 const STEPS = 24; // along a rod
 
-/** By how much each of a tendon's straps is longer than at rest, m: those of an oblique hinge differ. */
+/** Extension of each strap of a tendon beyond its rest length, m; straps at oblique hinges differ. */
 export function strapStretches(strap, poses) {
   return strap.ends.map((places) => {
     const [start, end] = places.map((place, index) =>
@@ -19,8 +19,8 @@ const STILL = new Matrix4();
 const poseOf = (poses, body) => (body < 0 ? STILL : poses[body]);
 
 /**
- * Middles of straps: straight where they are taut, else bowed in planes square to the hinge, going evenly along it.
- * side: +1 to bow away from the hinge, -1 towards it; shift: how far they are moved from where they are.
+ * Centre lines of straps: straight if taut, else bowed in planes perpendicular to the hinge, evenly along it.
+ * side: +1 to bow away from the hinge, -1 towards it; shift: displacement from their positions.
  */
 export function strapLines(strap, poses, side, shift, bows) {
   const wide = new Vector3(...strap.axis).transformDirection(poseOf(poses, strap.bodies[0]));
@@ -49,7 +49,7 @@ export function strapLines(strap, poses, side, shift, bows) {
   });
 }
 
-/** The elastica of length 1 whose ends are so far apart, between two that the page has; straight beyond its length. */
+/** The elastica of length 1 with ends at a distance, interpolated between two of the page; straight beyond its length. */
 function bowAt({ values, shape }, apart) {
   const [bows, points] = shape;
   const place = Math.sqrt(Math.max(0, 1 - apart)) * (bows - 1);
@@ -57,7 +57,7 @@ function bowAt({ values, shape }, apart) {
   const part = Math.min(1, place - low);
   const at = (bow, point, axis) => values[(bow * points + point) * 2 + axis];
   const mixed = (point, axis) => at(low, point, axis) + part * (at(low + 1, point, axis) - at(low, point, axis));
-  // between two bows the ends are a little beside where they belong
+  // interpolation leaves the ends slightly displaced
   const reach = mixed(points - 1, 0);
   const stretch = reach > 1e-6 ? apart / reach : 1;
   return Array.from({ length: points }, (_, point) => [stretch * mixed(point, 0), mixed(point, 1)]);
@@ -87,7 +87,7 @@ export function strapMesh(strap, lines, poses) {
   return mesh;
 }
 
-/** Triangles of a rod: straight in the hub, bent to where the bar holds it, straight in there. */
+/** Centre line of a rod: straight in the hub, bent to the bar that holds it, straight in the bar. */
 export function rodLine(root, poses, shift) {
   const still = root.places.map((place) => new Vector3(...place).add(shift));
   const [from, free, held, to] = still;
@@ -101,7 +101,7 @@ export function rodLine(root, poses, shift) {
   return [...points, tip];
 }
 
-/** A cubic that leaves one place and comes to another along given directions (Hermite). */
+/** Cubic between two points with given end directions (Hermite). */
 function between(start, leaving, end, arriving, reach, t) {
   const [a, b] = [1 - t, t];
   return start
@@ -118,7 +118,7 @@ export function rodMesh(points, diameter) {
   let across = new Vector3(Math.abs(first.z) < 0.9 ? 0 : 1, 0, Math.abs(first.z) < 0.9 ? 1 : 0);
   const rails = points.map((point, index) => {
     const along = points[Math.min(index + 1, points.length - 1)].clone().sub(points[Math.max(index - 1, 0)]).normalize();
-    // carried along without a twist
+    // parallel transport, without twist
     across = across.clone().addScaledVector(along, -across.dot(along)).normalize();
     const other = new Vector3().crossVectors(along, across);
     return Array.from({ length: ROUND }, (_, corner) => {
@@ -133,7 +133,7 @@ export function rodMesh(points, diameter) {
   return mesh;
 }
 
-/** The sides of what has the same corners all along, its two ends, and the edges along some of its corners. */
+/** Sides of a tube with constant cross-section, its two ends, and the edges along some of its corners. */
 function addTube({ triangles, edges }, rails, sharp) {
   const corners = rails[0].length;
   for (let index = 1; index < rails.length; index++) {
@@ -148,7 +148,7 @@ function addTube({ triangles, edges }, rails, sharp) {
     for (let corner = 1; corner < corners - 1; corner++) triangles.push(end[0], end[corner], end[corner + 1]);
 }
 
-/** A ring around a line, so wide along it, between two radii. */
+/** A ring around a line, with a width along it, between two radii. */
 function addRing({ triangles, edges }, middle, way, width, outer, inner) {
   const across = new Vector3(Math.abs(way.z) < 0.9 ? 0 : 1, 0, Math.abs(way.z) < 0.9 ? 1 : 0);
   across.addScaledVector(way, -across.dot(way)).normalize();

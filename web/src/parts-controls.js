@@ -1,4 +1,4 @@
-/** What a reader does to parts: turn the joints, take them apart, hide some, choose one. */
+/** Controls of parts: turn the joints, take them apart, hide some, select one. */
 
 import { icon, make } from "./elements.js";
 import { fixed } from "./format.js";
@@ -6,11 +6,11 @@ import { fixed } from "./format.js";
 const PLAY = "M7 4.5v15l12-7.5z";
 const PAUSE = "M7 5h3.5v14H7zM13.5 5H17v14h-3.5z";
 const DEGREES = 180 / Math.PI;
-const STEP = 1; // deg, of an arrow key
+const STEP = 1; // deg, step of an arrow key
 const FURTHER = 10;
-const SAMPLES = 720; // of the range of angles, to find where straps go slack
+const SAMPLES = 720; // samples of the range of angles, to find where straps go slack
 
-/** The slider of the joints' angle, with its stops, a button that plays it, and what straps do there. */
+/** Slider of the joints' angle, with its stops, a play button, and the state of the straps. */
 export function makeHinge(model, clock, angleOf, momentOf) {
   const [low, high] = [model.lowest, model.highest].map((angle) => angle * DEGREES);
   const taut = tautRanges(model);
@@ -51,7 +51,7 @@ export function makeHinge(model, clock, angleOf, momentOf) {
   );
 }
 
-/** A slider on bands where straps are taut, with ticks at angles that have a name. */
+/** A slider above bands of taut straps, with ticks at named angles. */
 function makeTrack(slider, low, high, taut, named) {
   const bands = make("div", { className: "bands", "aria-hidden": "true" });
   const ticks = make("div", { className: "ticks", "aria-hidden": "true" });
@@ -69,7 +69,7 @@ function makeTrack(slider, low, high, taut, named) {
   return make("div", { className: "track" }, bands, slider, ticks);
 }
 
-/** Keys of the slider: to whole degrees, by ten, to the stops. */
+/** Keys of the slider: whole degrees, tens, and the stops. */
 function listenToSteps(slider, now, go, toggle) {
   const steps = { ArrowLeft: -STEP, ArrowDown: -STEP, ArrowRight: STEP, ArrowUp: STEP };
   const further = { PageDown: -FURTHER, PageUp: FURTHER, Home: -Infinity, End: Infinity };
@@ -86,14 +86,14 @@ function listenToSteps(slider, now, go, toggle) {
 const degrees = (angle, digits = null) =>
   `${digits === null ? fixed(angle, Number.isInteger(Number(angle.toFixed(3))) ? 0 : 1) : fixed(angle, digits)}\u00b0`;
 
-/** Angles that have a name: the stops, flat, and where straps go slack. */
+/** Named angles: the stops, flat, and where straps go slack. */
 function marksOf(model, low, high, taut) {
   const stops = (key) => [...new Set(model.joints.map((joint) => Number((joint[key] * DEGREES).toFixed(6))))];
   const found = [
-    ...stops("lower").map((angle) => ({ angle, name: "stop of the fold", stop: true })),
+    ...stops("lower").map((angle) => ({ angle, name: "folding stop", stop: true })),
     ...taut.flatMap(([from, to]) => [from, to].map((angle) => ({ angle, name: "all straps slack" }))),
     ...(low < 0 && high > 0 ? [{ angle: 0, name: "flat" }] : []),
-    ...stops("upper").map((angle) => ({ angle, name: high > 0 ? "stop of the overbend" : "stop, flat", stop: true })),
+    ...stops("upper").map((angle) => ({ angle, name: high > 0 ? "overbend stop" : "stop, flat", stop: true })),
   ];
   const ends = (angle) => Math.abs(angle - low) < 1e-6 || Math.abs(angle - high) < 1e-6;
   return found
@@ -130,7 +130,7 @@ function tautRanges(model) {
   return ranges;
 }
 
-/** By how much each strap is longer than at rest, m, and how long it is then. */
+/** Extension of each strap beyond its rest length, m, and its rest length. */
 function strapsAt(model, angle) {
   const poses = model.turn(model.anglesTogether(angle / DEGREES));
   return model.straps.flatMap((strap) =>
@@ -149,7 +149,7 @@ function strapText(model, angle) {
   return slack ? `, ${slack} of ${straps.length} straps slack, others ${stretched}` : `, straps ${stretched}`;
 }
 
-/** A slider from together to apart. */
+/** Slider of the distance between parts. */
 export function makeApart(change) {
   const slider = make("input", { type: "range", min: 0, max: 100, step: 1, value: 0 });
   slider.dataset.keys = "own";
@@ -161,7 +161,7 @@ export function makeApart(change) {
   return make("label", { className: "slide" }, "take apart ", slider);
 }
 
-/** A box for each kind of part, with its colour: whether it is shown. */
+/** A check box with a colour for each kind of part: whether it is displayed. */
 export function makeKinds(looks, counts, change) {
   const boxes = looks.map((look, index) => {
     const box = make("input", { type: "checkbox", checked: true });
@@ -174,7 +174,7 @@ export function makeKinds(looks, counts, change) {
   return make("fieldset", { className: "kinds" }, make("legend", {}, "show"), ...boxes);
 }
 
-/** A choice between a few, by their texts. */
+/** A choice between a few texts. */
 export function makeChoice(name, texts, change) {
   const select = make("select", {}, ...texts.map((text, index) => make("option", { value: String(index) }, text)));
   select.addEventListener("change", () => change(Number(select.value)));

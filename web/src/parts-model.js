@@ -1,11 +1,11 @@
-/** Parts as the page has them: meshes, and where all of them are at angles of the hinges, taken apart or not. */
+/** Parts of the page: meshes, and their positions at hinge angles, assembled or taken apart. */
 
 import { Matrix4, Vector3 } from "three";
 import { placeIn } from "./clip.js";
 import { rodLine, rodMesh, strapLines, strapMesh, strapStretches } from "./parts-bends.js";
 import { makeTurns } from "./parts-turns.js";
 
-// directions in which the outermost places of a part are what a view of it needs
+// directions whose outermost points determine a view
 const WAYS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z])));
 const STILL = new Matrix4();
 
@@ -17,7 +17,7 @@ export function readModel(data, take) {
   const highest = Math.max(...data.joints.map((joint) => joint.upper));
   const angles = new Float64Array(data.turns.length);
 
-  /** The angles of all hinges where all joints are at one, rad, or at their stops before it. */
+  /** Angles of all hinges if all joints have one angle, rad, limited by their stops. */
   function anglesTogether(angle) {
     for (const [index, each] of data.turns.entries()) angles[index] = each.built;
     for (const joint of data.joints) angles[joint.turn] = Math.min(joint.upper, Math.max(joint.lower, angle));
@@ -26,7 +26,7 @@ export function readModel(data, take) {
 
   const shiftOf = (part, apart) => new Vector3(...part.apart).multiplyScalar(apart);
 
-  /** From where a part is built to where it is. */
+  /** Matrix from a part's built position to its present position. */
   function matrixOf(part, poses, apart, into = new Matrix4()) {
     const shift = shiftOf(part, apart);
     return into
@@ -34,14 +34,14 @@ export function readModel(data, take) {
       .multiply(new Matrix4().makeTranslation(shift.x, shift.y, shift.z));
   }
 
-  /** Triangles and edges of what bends. */
+  /** Triangles and edges of a part that bends. */
   function bentMesh(part, poses, { apart, side }) {
     const shift = shiftOf(part, apart);
     if (part.root) return rodMesh(rodLine(part.root, poses, shift), part.root.diameter);
     return strapMesh(part.strap, strapLines(part.strap, poses, side, shift, bows), poses);
   }
 
-  /** Places that a view of some parts needs, (place, 3). */
+  /** Points that determine a view of some parts, (place, 3). */
   function outline(chosen, poses, { apart, side }) {
     const found = [];
     for (const part of chosen) {
@@ -101,7 +101,7 @@ function outermost(places) {
   return Array.from(found, (at) => new Vector3().fromArray(places, at));
 }
 
-/** The angles of all hinges over a recorded run, at a time. */
+/** Angles of all hinges over a recorded run, at a time. */
 export function readMotion(motion, take) {
   const time = take(motion.time);
   const values = take(motion.angles);

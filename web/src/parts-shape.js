@@ -1,4 +1,4 @@
-/** Parts as they are drawn: shaded solids with the edges between their faces, and the faces of stops in a colour. */
+/** Parts as shaded solids with edges between their faces; faces of stops have a colour of their own. */
 
 import {
   BufferAttribute,
@@ -16,18 +16,18 @@ import { styleColour } from "./scheme.js";
 
 const EDGE = "#14171a";
 const EDGE_OPACITY = 0.55;
-const SMOOTH = Math.cos(Math.PI / 9); // faces that meet at less look like one that is round
-const GLOW = 0.42; // of what is chosen
+const SMOOTH = Math.cos(Math.PI / 9); // faces at a smaller angle are drawn as one round face
+const GLOW = 0.42; // brightness added to the selected part
 
 /**
- * The parts of a model. state: {apart, side, hidden, chosen} that `pose` takes them by; anglesAt: of all hinges at a
+ * The parts of a model. state: {apart, side, hidden, chosen} for `pose`; anglesAt: returns the angles of all hinges at a
  * moment.
  */
 export function makePartsShape(model, state, anglesAt, stopColour) {
   const made = model.parts.map((part) => makePart(part, model.looks[part.look].colour, stopColour));
   const group = new Group();
   for (const each of made) group.add(each.mesh, each.lines);
-  // the floor is below all that a joint turns through, too far for a shadow to say where a part is
+  // the floor is below every position, too far for shadows to show where parts are
   const shadow = new Group();
   let poses = model.turn(model.anglesTogether(0));
 
@@ -52,7 +52,7 @@ export function makePartsShape(model, state, anglesAt, stopColour) {
       }
   }
 
-  /** The number of the part that is seen at a place of the picture, -1 to 1 each way; null of none. */
+  /** Index of the part at a position of the picture, -1 to 1 in both directions; null for none. */
   function at(place, camera) {
     const ray = new Raycaster();
     ray.setFromCamera(place, camera);
@@ -65,7 +65,7 @@ export function makePartsShape(model, state, anglesAt, stopColour) {
     return hit ? made.findIndex((each) => each.mesh === hit.object) : null;
   }
 
-  /** Where a part's vertices are now, m, (vertex, 3). */
+  /** Present positions of a part's vertices, m, (vertex, 3). */
   function verticesOf(name) {
     const index = model.parts.findIndex((part) => part.name === name);
     const { mesh } = made[index];
@@ -108,7 +108,7 @@ function makePart(part, colour, stopColour) {
   return { mesh, lines };
 }
 
-/** Triangles with normals at each corner: those of the faces around it that look like one. */
+/** Triangles with a normal at each corner, averaged over the smooth faces around it. */
 function solidGeometry({ places, corners, stops }) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(gathered(places, corners), 3));
@@ -155,7 +155,7 @@ function roundedNormals(places, corners) {
   return normals;
 }
 
-/** Give a part that bends its triangles and edges as they are now. */
+/** Update the triangles and edges of a part that bends. */
 function bend({ mesh, lines }, { triangles, edges }) {
   for (const [object, points] of [
     [mesh, triangles],

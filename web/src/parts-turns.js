@@ -1,10 +1,10 @@
-/** Where bodies are by the angles of their hinges: each turns against its parent about a line that it is built with. */
+/** Positions of bodies from hinge angles: each body turns against its parent about a line of the built shape. */
 
 import { Matrix4, Vector3 } from "three";
 
 /**
  * bodies: the parent of each, parents first; turns: {body, origin, axis, built}, those of one body in the order in which
- * the first turns the axes of the next. What it returns writes the matrices of all bodies, from built to turned.
+ * each turns the axes of the next. The returned function writes the matrices of all bodies, from built to turned.
  */
 export function makeTurns(bodies, turns) {
   const lines = turns.map(({ origin, axis }) => [new Vector3(...origin), new Vector3(...axis)]);
@@ -21,7 +21,7 @@ export function makeTurns(bodies, turns) {
       for (const index of of[body]) {
         const [origin, axis] = lines[index];
         turned.makeRotationAxis(axis, angles[index] - turns[index].built);
-        // what is on the line stays there
+        // points on the line stay in place
         moved.copy(origin).applyMatrix4(turned);
         turned.setPosition(origin.x - moved.x, origin.y - moved.y, origin.z - moved.z);
         matrix.multiply(turned);

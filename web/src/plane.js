@@ -1,4 +1,4 @@
-/** A plane of drawings: two axes, and elements of SVG. */
+/** Plane drawings: two axes, and elements of SVG. */
 
 import { numberText } from "./study-model.js";
 
@@ -12,8 +12,8 @@ export function draw(tag, properties, ...children) {
 }
 
 /**
- * How a column's values lie between two ends: words one after another, of numbers with `log` their logarithms.
- * `share` is from 0 to 1, `value` the way back for numbers, `ticks` round values; `others` lie within the ends, too.
+ * Scale of a column's values between two ends: words in equal steps, numbers with `log` by their logarithms.
+ * `share` is from 0 to 1, `value` its inverse for numbers, `ticks` round values; `others` are included in the range.
  */
 export function scaleOf({ values, log }, others = []) {
   const words = [...new Set(values.filter((value) => typeof value === "string"))];
@@ -31,7 +31,7 @@ export function scaleOf({ values, log }, others = []) {
   return { words, share, ticks, value: (at) => back(low + at * (high - low)) };
 }
 
-/** Where values, and others, lie on an axis from one place to another of the drawing; what is missing at its start. */
+/** Positions of values, and of others, on an axis between two ends of the drawing; missing values at its start. */
 export function makeAxis(values, column, from, to, others = []) {
   const label = column.unit ? `${column.name} (${column.unit})` : column.name;
   const scale = scaleOf({ values, log: column.log }, others);
@@ -51,7 +51,7 @@ export function roundNumbers(low, high) {
   return found;
 }
 
-/** Round numbers of a logarithmic axis: 1, 2 and 5 of each power, or powers alone where these are many. */
+/** Round numbers of a logarithmic axis: 1, 2 and 5 of each power, or only powers if there are many. */
 function roundPowers(low, high) {
   if (!(high > low)) return [low];
   const parts = high / low > 200 ? [1] : [1, 2, 5];
@@ -64,7 +64,7 @@ function roundPowers(low, high) {
   return found.length > 1 ? found : roundNumbers(low, high);
 }
 
-/** Lines and letters of two axes; `height` is where the drawing ends. */
+/** Lines and letters of two axes; `height` is the lower end of the drawing. */
 export function axisParts(across, upwards, height) {
   const parts = [draw("path", { class: "axis", d: `M${across.from} ${upwards.to}V${upwards.from}H${across.to}` })];
   const write = (text, properties) => parts.push(draw("text", { class: "label", ...properties }, text));

@@ -12,10 +12,10 @@ import { makeStage } from "./stage.js";
 import { makeTransport, stageText } from "./transport.js";
 
 /**
- * Show clips side by side on one clock.
+ * Display clips side by side with a common clock.
  *
- * energy: {unit, factor, largest_J} of the tendons' colours; legend: samples of colours with what they mean; text: what
- * the picture shows, in a sentence; whole: what one of the structures is called; look: of a camera, to begin with.
+ * energy: {unit, factor, largest_J} for the tendons' colours; legend: samples of colours with their meanings; text: a
+ * sentence about the picture; whole: noun for one of the structures; look: initial view of the camera.
  * Returns {stage, dispose}; stage is null without WebGL.
  */
 export function mountPlayer(element, clips, clock, { energy, legend: entries, text, whole }, look) {
@@ -32,7 +32,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   element.replaceChildren(picture, makeTransport(clips, clock), ...legend, keysHelp(clips, stage !== null, whole));
   element.classList.add("player");
   element.setAttribute("role", "region");
-  element.setAttribute("aria-label", `the ${whole} moving`);
+  element.setAttribute("aria-label", `the moving ${whole}`);
   const deaf = listenToKeys(element, clips, clock, stage?.eye, VIEWS[0]);
 
   function dispose() {
@@ -45,7 +45,7 @@ export function mountPlayer(element, clips, clock, { energy, legend: entries, te
   return { stage, dispose };
 }
 
-/** Show structures that something else moves, without controls of a time; as of mountPlayer. */
+/** Display structures without a time line, which sliders move; arguments as for mountPlayer. */
 export function mountStill(element, clips, clock, { energy, legend: entries, text, whole }, look) {
   const stage = makeStage(clips, clock, (clip) => makeShape(clip, energy.largest_J), text, look);
   if (!stage) {
@@ -58,12 +58,12 @@ export function mountStill(element, clips, clock, { energy, legend: entries, tex
   element.replaceChildren(picture, ...legend);
   element.classList.add("player");
   element.setAttribute("role", "region");
-  element.setAttribute("aria-label", `the ${whole} where the sliders are`);
+  element.setAttribute("aria-label", `the ${whole} as set by the sliders`);
   listenToLooks(element, stage.eye, VIEWS[0]);
   return { stage };
 }
 
-/** Write into the picture of a single structure which state it is in, or what is done to it. */
+/** Write into the picture of a single structure its state, or the drive that acts on it. */
 function nameState(cell, clip, clock) {
   const name = make("p", { className: "now", "aria-hidden": "true" });
   cell.append(name);
@@ -76,7 +76,7 @@ function arrowSample() {
   return make("span", { className: "swatch arrow", "aria-hidden": "true" });
 }
 
-/** Name in the legend what acts now, with how strong it is. */
+/** List in the legend the drives that act now, with their strengths. */
 function tellEfforts(legend, clip, clock) {
   const arrow = clip.efforts.drives.some((drive) => drive.arrow);
   const said = make("span");
@@ -86,7 +86,7 @@ function tellEfforts(legend, clip, clock) {
   });
 }
 
-/** What the sheet's colours are: its regions, or how far it is stretched, with the scale of that in the legend. */
+/** Choice of the sheet's colours: regions, or strain with its scale in the legend. */
 function colourChoice(stage, legend) {
   const names = ["panels", "membrane strain"];
   const bar = make("li", { className: "energy", hidden: true });
@@ -95,7 +95,7 @@ function colourChoice(stage, legend) {
     const button = make("button", { type: "button", "aria-pressed": String(!strained) }, name);
     button.addEventListener("click", () => {
       const largest = stage.showStrain(Boolean(strained));
-      bar.replaceChildren("membrane strain, Green\u2019s: 0", gradientSwatch(STRAIN_COLOURS), `${short(100 * largest)} %`);
+      bar.replaceChildren("Green strain of the membrane: 0", gradientSwatch(STRAIN_COLOURS), `${short(100 * largest)} %`);
       bar.hidden = !strained;
       for (const entry of legend.querySelectorAll(".of-region")) entry.hidden = Boolean(strained);
       for (const each of buttons) each.setAttribute("aria-pressed", String(each === button));
@@ -106,12 +106,12 @@ function colourChoice(stage, legend) {
 }
 
 export function noPicture(whole) {
-  return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are here.`;
+  return `This browser has no WebGL, so the ${whole} cannot be drawn in 3-D. The plots and all numbers are below.`;
 }
 
 /**
- * whole: what one of several structures is called, which are seen beside or after each other; null of a single one.
- * follows: whether the picture may be kept filled, for which it must be known where the structures go.
+ * whole: noun for one of several structures, displayed side by side or one after another; null for a single one.
+ * follows: whether the picture can be kept filled, which requires known future positions.
  */
 export function viewButtons(eye, whole, follows = true) {
   const button = (text, label, action) => {
@@ -135,8 +135,8 @@ export function viewButtons(eye, whole, follows = true) {
     return made;
   };
   const frames = [
-    ...(follows ? [switched("follow", "follow: keep the picture filled as it moves", "following")] : []),
-    ...(whole ? [switched("one scale", `one scale: all ${whole}s as large as they are by each other`, "oneScale")] : []),
+    ...(follows ? [switched("follow", "follow: keep the picture filled during the motion", "following")] : []),
+    ...(whole ? [switched("one scale", `one scale: draw all ${whole}s at the same scale`, "oneScale")] : []),
   ];
   const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];
   return make(

@@ -1,4 +1,4 @@
-/** Plots over the time, with a cursor at the clock's time; where one is pressed, the clock goes there. */
+/** Plots over time, with a cursor at the clock's time; pressing a plot moves the clock there. */
 
 import uPlot from "uplot";
 import { unpack } from "./clip.js";
@@ -11,10 +11,10 @@ const STRETCHED_SPACE = 64; // pixels between times of a stretched time line
 const DEGREES = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, ...powers(3, 20)];
 
 /**
- * Put plots into an element, all over the span that the clock shows.
+ * Put plots into an element, all over the span of the clock.
  *
- * A plot of one clip has its stages and states. Plots of one `sharing` have one range of values, so that they can be
- * compared; `owner` is whose each is, where several clips have plots of their own.
+ * A plot of one clip has its stages and states. Plots with the same `sharing` have one range of values, so that they can
+ * be compared; `owner` is the name of a plot's clip, if several clips have plots of their own.
  */
 export function mountPlots(element, plots, clips, clock) {
   const lines = plots.map((plot) => linesOf(plot, clips));
@@ -28,7 +28,7 @@ export function mountPlots(element, plots, clips, clock) {
   return { charts: made.map((plot) => plot.chart), dispose: () => made.forEach((plot) => plot.dispose()) };
 }
 
-/** What each line of a plot reads at every frame of its clip. */
+/** Readings of each line of a plot at every frame of its clip. */
 function linesOf(plot, clips) {
   return plot.lines.map((line) => ({
     clip: line.clip,
@@ -36,7 +36,7 @@ function linesOf(plot, clips) {
   }));
 }
 
-/** The least and the largest that several lines read within a span, zero included; what is no number is left out. */
+/** Range of the readings of several lines within a span, zero included; values that are not finite are left out. */
 function endsWithin(lines, clips, span) {
   const ends = [0, 0];
   for (const { clip, values } of lines) {
@@ -51,13 +51,13 @@ function endsWithin(lines, clips, span) {
   return ends;
 }
 
-/** The number of the clip that all lines of a plot are of; null of several. */
+/** Index of the clip to which all lines of a plot belong; null for several clips. */
 function clipOf(plot) {
   const [first, ...others] = plot.lines.map((line) => line.clip);
   return others.every((each) => each === first) ? (first ?? null) : null;
 }
 
-/** alike: lines of all plots that have one range of values with this one; null where it has its own. */
+/** alike: lines of all plots with the same range of values; null for a range of its own. */
 function makePlot(plot, values, alike, clips, clock) {
   const { element, key, place } = figureOf(plot, plot.owner);
   const cursor = make("div", { className: "cursor" });
@@ -118,7 +118,7 @@ function makePlot(plot, values, alike, clips, clock) {
   };
 }
 
-/** The figure of a plot, with an empty key and the place of its chart; owner: whose it is, where that must be told. */
+/** The figure of a plot, with an empty legend and a place for its chart; owner: its clip's name, if needed. */
 export function figureOf(plot, owner = null) {
   const text = owner ? `${capital(owner)}. ${plot.text}` : plot.text;
   const place = make("div", { className: "chart", role: "img", "aria-label": text });
@@ -160,7 +160,7 @@ function options(plot, alike, clips, clock, width) {
         ...ALONG,
         labelFont: axis.font,
         label: () => `${clock.span.label} (${timeUnit(clock.span).unit})${clock.stretched ? ", stretched" : ""}`,
-        // those of a scale that is not linear would be left out where they are not 1, 2 or 5
+        // on a nonlinear scale others than 1, 2 and 5 would be left out
         filter: (_, splits) => splits,
         splits: (chart, number, low, high, step) => (clock.stretched ? stretchedSplits(chart, clock) : evenSplits(low, high, step)),
         values: (_, splits) =>
@@ -176,7 +176,7 @@ function options(plot, alike, clips, clock, width) {
   };
 }
 
-/** Round times that stand about evenly along a stretched time line. */
+/** Round times at about equal distances along a stretched time line. */
 function stretchedSplits(chart, clock) {
   const count = Math.max(2, Math.floor(chart.bbox.width / devicePixelRatio / STRETCHED_SPACE));
   const { factor } = timeUnit(clock.span);
@@ -195,7 +195,7 @@ function evenSplits(low, high, step) {
   return Array.from({ length: Math.floor(high / step + 1e-9) - first + 1 }, (_, index) => (first + index) * step);
 }
 
-/** How lines look, by their number. */
+/** Looks of lines, by index. */
 export function lineSeries(lines) {
   return lines.map((_, index) => ({
     stroke: () => lineLook(index).colour,
@@ -206,7 +206,7 @@ export function lineSeries(lines) {
   }));
 }
 
-/** Of the axis along a plot: where its name and numbers stand. */
+/** Layout of a plot's horizontal axis: positions of its name and numbers. */
 export const ALONG = { size: 24, gap: 3, labelSize: 18, labelGap: 0 };
 
 export function axisLook() {
@@ -218,7 +218,7 @@ export function axisLook() {
   };
 }
 
-/** The axis of a plot's values, as wide as these are long. */
+/** The axis of a plot's values, as wide as its numbers. */
 export function valueAxis(plot) {
   return {
     ...axisLook(),
@@ -229,7 +229,7 @@ export function valueAxis(plot) {
   };
 }
 
-/** From what is there to what is there, zero included, with some room, at the top for the letters of the states. */
+/** Range of the values, zero included, with a margin for the letters of the states. */
 function yRange(plot, low, high) {
   const [least, most] = [Math.min(0, low ?? 0), Math.max(0, high ?? 0)];
   const room = 0.06 * (most - least || 1);
@@ -241,7 +241,7 @@ function tickText(value) {
   return text.length > 7 ? short(value) : text.replace("-", "\u2212");
 }
 
-/** Grey bands where torques act on the plot's one clip. */
+/** Draw grey bands where torques act on the plot's only clip. */
 function drawStages(chart, clips, own, span) {
   if (own === null) return;
   const { ctx, bbox } = chart;
@@ -255,7 +255,7 @@ function drawStages(chart, clips, own, span) {
   ctx.restore();
 }
 
-/** Letters a, b and c where the states of the plot's one clip are. */
+/** Draw letters a, b and c at the states of the plot's only clip. */
 function drawMarks(chart, clips, own, span) {
   if (own === null) return;
   const { ctx, bbox } = chart;
@@ -289,7 +289,7 @@ function seekByPointer(chart, clock) {
   });
 }
 
-/** Call `seek` where a chart is pressed, and along the way of a pointer that stays pressed. */
+/** Call `seek` when a chart is pressed, and while the pointer is dragged. */
 export function onDrag(chart, seek) {
   chart.over.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;

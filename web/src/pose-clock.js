@@ -1,4 +1,4 @@
-/** In place of a clock where a reader, not time, moves a structure: the number of its pose. */
+/** Replacement of a clock if a reader, not time, moves a structure: the index of its pose. */
 
 export function makePoseClock(clip) {
   const listeners = new Set();

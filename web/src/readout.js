@@ -1,12 +1,12 @@
-/** The numbers of one run at the clock's time, by hinge and tendon; in a state those that the summary states for it. */
+/** Numbers of one run at the clock's time, by hinge and tendon; in a state those of the summary. */
 
 import { TENDONS } from "./clip.js";
 import { make } from "./elements.js";
 import { capital, fixed, short, timeText } from "./format.js";
 
-const SWINGS = { deg: 0.05 }; // from which on a swing is told, by unit
+const SWINGS = { deg: 0.05 }; // swing from which it is displayed, by unit
 
-/** index: number of the clip on its clock; named: whether it says which one it is, beside another. */
+/** index: index of the clip on its clock; named: whether its name is displayed, beside other clips. */
 export function mountReadout(element, clip, clock, energy, index = 0, named = false) {
   const { heading, names } = clip.mesh.parts;
   const rows = clip.readings.map((reading) => ({
@@ -42,7 +42,7 @@ export function mountReadout(element, clip, clock, energy, index = 0, named = fa
     const mark = clip.markAt(moment);
     const state = mark ? `, ${mark.name} (means)` : "";
     const whose = named ? `${clip.name}: ` : "";
-    const what = heading ? `every ${heading}` : "everything";
+    const what = heading ? `every ${heading}` : "all values";
     caption.textContent = `${capital(`${whose}${what}`)} at ${timeText(clock.time, clock.span)}${state}`;
     for (const [index, row] of rows.entries()) {
       const texts = (mark && row.ofState(mark)) || Array.from(clip.valuesAt(row.name, moment), row.text);
@@ -55,7 +55,7 @@ function number(value, unit) {
   return unit === "deg" ? fixed(value, 1) : short(value);
 }
 
-/** Means, each with half its swing where there is one. */
+/** Means, each with half its range if it has one. */
 function stated({ mean, swing }, unit) {
   return mean.map((value, place) => {
     const told = swing[place] > (SWINGS[unit] ?? 0.005 * Math.abs(value));

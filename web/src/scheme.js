@@ -1,24 +1,24 @@
-/** Colours: the page's own, which are light or dark, and those that mean something, which stay. */
+/** Colours: those of the page, light or dark, and those with a meaning, which are constant. */
 
 export const MOUNTAIN = "#d55e00";
 export const VALLEY = "#0072b2";
 
-// of the regions of sheets and plates, in their order
+// colours of the regions of sheets and plates, in their order
 const TINTS = ["#e2cf9f", "#c5bcd9", "#b7cfa2", "#d6aeb9", "#9cc4dd", "#cfcfcf"];
 
 export function regionTint(region) {
   return TINTS[region % TINTS.length];
 }
 
-// Every energy is in the first, every other quantity of a map in the second, as in figures and films (show/style.py):
-// viridis (Smith and van der Walt 2015) without its darkest end, which a dark page would swallow
+// The first scale is for every energy, the second for every other quantity of a map, as in figures and films
+// (show/style.py): viridis (Smith and van der Walt 2015) without its darkest end, which a dark page would hide
 const ENERGY = ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"];
 // cividis (Nunez, Anderton and Renslow 2018)
 const QUANTITY = ["#00224e", "#083370", "#35456c", "#4f576c", "#666970", "#7d7c78", "#948e77", "#aea371", "#c8b866", "#e5cf52", "#fee838"];
-// yellow to red (Brewer 2002), from pale on, so that what a strain hides is told from it
+// yellow to red (Brewer 2002), beginning with a pale colour that differs from hidden parts
 const STRAIN = ["#ffffcc", "#ffeda0", "#fed976", "#feb24c", "#fd8c3c", "#fc4d2a", "#e2191c", "#bb0026", "#800026"];
 
-/** Colours by a share of the largest value, 0 to 1: `at` gives sRGB 0 to 1, `gradient` is of a style. */
+/** Colours by a share of the largest value, 0 to 1: `at` returns sRGB from 0 to 1, `gradient` a style. */
 function palette(stops) {
   const numbers = stops.map((colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255));
   function at(share, into = [0, 0, 0]) {
@@ -42,7 +42,7 @@ export function styleColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-/** Listen to a change between light and dark; what it returns ends that. */
+/** Listen to changes between light and dark; returns a function that ends this. */
 export function onSchemeChange(listener) {
   const dark = matchMedia("(prefers-color-scheme: dark)");
   dark.addEventListener("change", listener);

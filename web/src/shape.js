@@ -24,10 +24,10 @@ import { sag } from "./slack.js";
 import { makeStrains } from "./strain.js";
 
 const OPACITY = 0.9;
-const SLACK = 0.4; // radius of a tendon that holds nothing, by that of one that does
-const TAUT = 0.02; // share of the largest energy from which on a tendon is as thick as any
+const SLACK = 0.4; // radius of a slack tendon, as a share of a taut one's
+const TAUT = 0.02; // share of the largest energy from which a tendon has its full thickness
 const LINES = ["crease", "rim", "edge"];
-const PIECES = 12; // of a tendon, which is bent where it is slack
+const PIECES = 12; // pieces of a tendon, which sags when slack
 
 /** The structure of a clip; `pose` moves it, `sort` prepares it for a camera. */
 export function makeShape(clip, largestEnergy) {
@@ -41,7 +41,7 @@ export function makeShape(clip, largestEnergy) {
     20,
     0,
   );
-  // lines on sheets and tendons within bars would be hidden: they are drawn as if a little nearer
+  // lines on sheets and tendons within bars would be hidden, so they are drawn slightly nearer
   const lines = makeTubes(
     mesh.tubes.filter((tube) => LINES.includes(tube.kind)),
     8,
@@ -51,7 +51,7 @@ export function makeShape(clip, largestEnergy) {
   const base = makeBase(mesh.base);
   const efforts = clip.efforts ? makeEfforts(clip) : null;
   const strains = clip.strained ? makeStrains(clip) : null;
-  let largestStrain = 0; // of the colours; 0: faces have those of their regions
+  let largestStrain = 0; // upper end of the strain colours; 0: faces have the colours of their regions
   const joints = makeJoints(mesh);
   const group = new Group();
   group.add(base.object, plates.object, bars.object, joints.object, lines.object, tendons.object, sheet.object);
@@ -84,7 +84,7 @@ export function makeShape(clip, largestEnergy) {
       faces.colour((triangle) => shade.setRGB(...STRAIN_COLOURS.at(found[triangle] / largestStrain, into), "srgb"));
   }
 
-  /** Give faces the colours of their strains up to so large a one, or, with 0, those of their regions. */
+  /** Colour faces by their strains up to a largest one, or, with 0, by their regions. */
   function showStrain(largest) {
     largestStrain = strains ? largest : 0;
     for (const faces of [sheet, plates]) {
@@ -94,7 +94,7 @@ export function makeShape(clip, largestEnergy) {
     if (largestStrain) colourStrains();
   }
 
-  /** Take the colours that depend on whether the page is light or dark. */
+  /** Update the colours that depend on the light or dark scheme. */
   function paint() {
     for (const part of [bars, lines, joints, base]) part.paint();
     efforts?.paint();
@@ -116,7 +116,7 @@ export function makeShape(clip, largestEnergy) {
   return { group, shadow, pose, paint, sort: sheet.sort, vertices, tendons: tendons.object, efforts, strains, showStrain, dispose };
 }
 
-/** What faces and bars throw straight down: all of it in one plane, each place of it darkened once. */
+/** Vertical shadow of faces and bars in one plane, in which every position is darkened once. */
 function makeShadow(...objects) {
   const material = new MeshBasicMaterial({
     side: DoubleSide,
@@ -141,7 +141,7 @@ function makeShadow(...objects) {
   return shadow;
 }
 
-/** Sheets, a little translucent, or plates: flat triangles, a tint for each region, their undersides darker. */
+/** Sheets, slightly translucent, or plates: flat triangles, a tint for each region, their undersides darker. */
 function makeFaces(mesh, solid) {
   const chosen = mesh.regions.flatMap((region, triangle) => (mesh.solid[region] === solid ? [triangle] : []));
   const corners = chosen.flatMap((triangle) => mesh.triangles.slice(3 * triangle, 3 * triangle + 3));
@@ -169,7 +169,7 @@ function makeFaces(mesh, solid) {
       "#include <color_fragment>\nif (!gl_FrontFacing) diffuseColor.rgb *= 0.84;",
     );
   };
-  // of colours that are read from a scale: the light does not change them
+  // colours that are read from a scale are independent of the light
   const unlit = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide });
   const object = new Mesh(geometry, material);
   object.frustumCulled = false;
@@ -177,7 +177,7 @@ function makeFaces(mesh, solid) {
   const shade = new Color();
   colour((triangle) => shade.set(regionTint(mesh.regions[triangle])));
 
-  /** Colour the faces by what tells a colour of a triangle by its number in the mesh. */
+  /** Colour the faces by a function of the triangle's index in the mesh. */
   function colour(shadeOf) {
     for (const [at, triangle] of chosen.entries()) {
       const found = shadeOf(triangle);
@@ -206,7 +206,7 @@ function makeFaces(mesh, solid) {
   const depths = new Float32Array(count);
   const ranks = Array.from({ length: count }, (_, triangle) => triangle);
 
-  /** Put the triangles in order, the furthest first: each shows through those before it. */
+  /** Sort the triangles, the furthest first: each is visible through those in front of it. */
   function sort(eye) {
     const place = positions.array;
     for (let triangle = 0; triangle < count; triangle++) {
@@ -249,7 +249,7 @@ function makeTubes(tubes, sides, nearer) {
   return { object, pose, paint };
 }
 
-/** Tendons in pieces: straight where they are taut, hanging with their resting length where they are slack. */
+/** Tendons in pieces: straight if taut, sagging with their rest length if slack. */
 function makeTendons(clip, nearer) {
   const tubes = clip.mesh.tubes.filter((tube) => tube.kind === "tendon");
   const object = new InstancedMesh(new CylinderGeometry(1, 1, 1, 12), barMaterial(nearer), tubes.length * PIECES);
@@ -275,12 +275,12 @@ function makeTendons(clip, nearer) {
   return { object, pose, colour };
 }
 
-/** Write places along a tendon; what hangs does so square to the way between its ends, downwards. */
+/** Write points along a tendon; a slack one sags downwards, perpendicular to the line between its ends. */
 function bend(vertices, first, second, rest, places) {
   const way = [0, 1, 2].map((axis) => vertices[second + axis] - vertices[first + axis]);
   const span = Math.hypot(...way);
   const depth = sag(span, rest);
-  // of what stands upright any side will do
+  // a vertical one may sag to any side
   const side = Math.abs(way[2]) > 0.999 * span ? [1, 0, 0] : [0, 0, -1];
   const along = side.reduce((sum, part, axis) => sum + part * way[axis], 0) / (span * span || 1);
   const down = side.map((part, axis) => part - along * way[axis]);
@@ -292,7 +292,7 @@ function bend(vertices, first, second, rest, places) {
   }
 }
 
-/** Rods along what is held fast, round at their ends. */
+/** Rods along fixed parts, with round ends. */
 function makeBase({ rods, radius }) {
   const ends = new Float32Array(rods.flat(2));
   const material = barMaterial(0);

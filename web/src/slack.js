@@ -1,11 +1,11 @@
-/** How a slack tendon is drawn: hanging down in a parabola that is as long as its resting length. */
+/** Shape of a slack tendon: a parabola whose length is the rest length. */
 
-const STEPS = 40; // of the bisection
+const STEPS = 40; // steps of the bisection
 
-/** How deep a parabola over a span hangs in its middle, so that it is so long; 0 where it is not longer than the span. */
+/** Depth of a parabola over a span for a given length; 0 if the length does not exceed the span. */
 export function sag(span, length) {
   if (!(length > span * (1 + 1e-6))) return 0;
-  // longer than twice its depth, shorter than that and its span
+  // the length is above twice the depth, and below the sum of that and the span
   let [low, high] = [0, length / 2];
   for (let step = 0; step < STEPS; step++) {
     const middle = (low + high) / 2;
@@ -15,7 +15,7 @@ export function sag(span, length) {
   return (low + high) / 2;
 }
 
-/** Length of a parabola over a span that hangs so deep. */
+/** Length of a parabola over a span with a given depth. */
 export function arcLength(span, depth) {
   if (depth === 0) return span;
   const root = Math.hypot(span, 4 * depth);

@@ -1,4 +1,4 @@
-/** The picture: one canvas on which every structure has a part, drawn only when something has changed. */
+/** The picture: one canvas with a cell for every structure, drawn only when something has changed. */
 
 import { DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from "three";
 import { makeCamera } from "./camera.js";
@@ -6,10 +6,10 @@ import { make } from "./elements.js";
 import { makeFloor } from "./floor.js";
 import { onSchemeChange, styleColour } from "./scheme.js";
 
-const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips have
-const NAME_ROOM = 3.2; // lines of letters at the top of a cell, where several structures have their names
+const LONGEST = 4096; // pixels of the canvas in one direction, which all graphics chips support
+const NAME_ROOM = 3.2; // lines of text at the top of a cell, if several structures have names
 const TOWARDS_LIGHT = new Vector3(-0.45, 0.75, 1);
-// together a little less than what turns a surface that faces the light white: its colour is the one that the legend has
+// together slightly less than what makes a lit surface white, so that colours match the legend
 const LIGHT = 0.42 * Math.PI;
 const SKY = 0.64 * Math.PI;
 // opacity of the grid
@@ -17,9 +17,9 @@ const GRID = 0.5;
 const GRID_FROM_BELOW = 0.14;
 
 /**
- * A stage for clips, or null where the browser has no WebGL.
- * shapeOf: makes of a clip the shape that is seen; text: what is seen, in a sentence; look: of a camera, to begin with.
- * Its cells take the structures' names and what else a page writes on them.
+ * Make a stage for clips, or null if the browser has no WebGL.
+ * shapeOf: makes the drawn shape of a clip; text: a sentence about the picture; look: initial view of the camera.
+ * Its cells contain the structures' names and other text of the page.
  */
 export function makeStage(clips, clock, shapeOf, text, look) {
   const canvas = make("canvas", { tabIndex: 0, role: "img", "aria-label": `${text} ${HELP}` });
@@ -123,7 +123,7 @@ export function makeStage(clips, clock, shapeOf, text, look) {
     element.remove();
   }
 
-  /** Colour sheets by their largest strains, all up to one, or as their regions are; what it returns is that one. */
+  /** Colour sheets by their largest strains, all up to one value, or by their regions; returns that value. */
   function showStrain(wanted) {
     const largest = wanted ? views.reduce((most, { shape }) => Math.max(most, shape.strains?.largest() ?? 0), 0) : 0;
     for (const { shape } of views) shape.showStrain(largest || (wanted ? Number.MIN_VALUE : 0));
@@ -134,9 +134,9 @@ export function makeStage(clips, clock, shapeOf, text, look) {
   return { element, canvas, cells, eye, pose, draw, views, showStrain, statistics: () => renderer.info.render, dispose };
 }
 
-const HELP = "Drag to turn it, pinch to zoom; keys are listed below.";
+const HELP = "Drag to turn, pinch to zoom; keys are listed below.";
 
-/** A scene of its own for every structure, all seen by one camera. */
+/** A scene for every structure; all are seen by one camera. */
 function makeView(clip, shape, eye) {
   const floor = makeFloor(eye.size, eye.target);
   floor.position.z = lowest(clip) - 0.06 * eye.size;

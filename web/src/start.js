@@ -1,4 +1,4 @@
-/** A page that opens shows what it has move once, unless its reader has asked for less motion. */
+/** Playback when a page opens: once, unless its reader has asked for less motion. */
 
 export function playOnceSeen(element, clock) {
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
@@ -11,6 +11,6 @@ export function playOnceSeen(element, clock) {
     { threshold: 0.3 },
   );
   watch.observe(element.querySelector(".picture") ?? element);
-  // whoever has taken hold of it needs no show
+  // a reader who has used the controls needs no demonstration
   element.addEventListener("pointerdown", () => watch.disconnect(), { once: true });
 }

@@ -1,12 +1,12 @@
 /**
- * The largest principal strain of a sheet's faces, Green's: (l - 1) / 2 with l the larger eigenvalue of the metric of a
- * triangle's sides by that of these as built. As in figures and films, a face has that of its triangle which is
- * stretched further.
+ * The largest principal Green strain of a sheet's faces: (l - 1) / 2 with l the larger eigenvalue of the metric of a
+ * triangle's sides relative to the built metric. As in figures and films, a face has the strain of its more stretched
+ * triangle.
  */
 
-const FLAT = 1e-9; // of a triangle's squared size: what has no area has no strain
+const FLAT = 1e-9; // squared area below which a triangle has no strain, as a share of its squared size
 
-/** Strains of a clip's triangles at what its vertices are. */
+/** Strains of a clip's triangles for given vertices. */
 export function makeStrains(clip) {
   const { triangles, faces } = clip.mesh;
   const built = clip.builtVertices();
@@ -31,7 +31,7 @@ export function makeStrains(clip) {
     return found;
   }
 
-  /** The largest of all frames. */
+  /** The largest strain of all frames. */
   function largest() {
     const vertices = new Float32Array(built.length);
     let most = 0;

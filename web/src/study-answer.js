@@ -1,4 +1,4 @@
-/** A study's page answers where it has no run: the engine simulates the point there, and finer points around it. */
+/** Answers of a study's page for points without a run: the engine simulates the point, and finer points around it. */
 
 import { readClip } from "./clip.js";
 import { make } from "./elements.js";
@@ -7,9 +7,9 @@ import { capital, short } from "./format.js";
 import { makePanel } from "./try-panel.js";
 
 const FINER = 2; // parts of a step between two points
-const DRAWN = 20; // parts of the range of points that were drawn
+const DRAWN = 20; // parts of the range of drawn points
 
-/** `offer` gives what stands below a point, whether its run is kept or not. */
+/** `offer` returns the elements below a point, whether its run was kept or not. */
 export function makeAnswers(model) {
   const text = document.getElementById("live")?.textContent ?? null;
   const live = text && JSON.parse(text);
@@ -20,14 +20,14 @@ export function makeAnswers(model) {
   let panel = null;
   let starting = false;
   let current = 0;
-  let working = Promise.resolve(); // on what was asked last
-  let asked = 0; // what was asked before is no more of interest
+  let working = Promise.resolve(); // the last request
+  let asked = 0; // number of the last request: replies to earlier ones are ignored
 
   function offer(point, kept) {
     asked += 1;
     current = point;
     if (!live) return [];
-    if (!hasEngine()) return kept ? [] : [make("p", { className: "note" }, `Nor can it be simulated here: ${live.refused}.`)];
+    if (!hasEngine()) return kept ? [] : [make("p", { className: "note" }, `It cannot be simulated here either: ${live.refused}.`)];
     if (panel) answer(point);
     else if (!starting) {
       const button = make("button", { type: "button", className: "try" }, kept ? "Try it and refine here" : "Simulate it here");
@@ -38,7 +38,7 @@ export function makeAnswers(model) {
     return [holder];
   }
 
-  /** Start the engine, and answer for the point that is open by then. */
+  /** Start the engine, and answer for the point that is open when it is ready. */
   async function start(button, hint) {
     starting = button.disabled = true;
     hint.textContent = "Starting the simulator \u2026";
@@ -53,7 +53,7 @@ export function makeAnswers(model) {
     }
   }
 
-  /** What becomes of some values, after what was begun; null where something else was asked by then. */
+  /** Outcome for some values, after earlier requests; null if another request was made since. */
   async function ask(values, mine) {
     await working.catch(() => null);
     if (mine !== asked) return null;
@@ -76,13 +76,13 @@ export function makeAnswers(model) {
     goLive(point);
   }
 
-  /** Let the point's structure be moved: what was simulated last has left other values behind. */
+  /** Let the reader move the point's structure; its values are set again after earlier simulations. */
   function goLive(point) {
     panel.sliders.set(live.points[point]);
     panel.engine.tell({ act: "restart", through: false });
   }
 
-  /** A map between a point and its neighbours, cell by cell as they are found. */
+  /** A map between a point and its neighbours, filled cell by cell. */
   async function finer(point) {
     const mine = ++asked;
     const axes = axesAt(model, live, point);
@@ -119,13 +119,13 @@ function cellOf(axes, across, up) {
   return { cell: make("td", { "aria-label": `${where}: not simulated yet` }), values, where };
 }
 
-/** Factors that are varied and have numbers, as of a study that changes one value at a time not all have. */
+/** Factors that vary and are numbers; a study that changes one value at a time may lack some. */
 function variedOf(model, live) {
   const changed = (index) => live.knobs.some(({ key }) => key === model.study.factors[index].key);
   return model.study.axes.filter((index) => model.sizes[index] > 1 && changed(index));
 }
 
-/** The two factors of the map, with values between those of a point's neighbours. */
+/** The two factors of the map, with values up to those of a point's neighbours. */
 function axesAt(model, live, point) {
   const varied = variedOf(model, live);
   const [up, across] = varied.length > 1 ? varied : [null, varied[0] ?? 0];
@@ -145,7 +145,7 @@ function axesAt(model, live, point) {
   return [axis(across), axis(up)];
 }
 
-/** Values about that of a drawn point, as far as a share of all that were drawn reach. */
+/** Values about that of a drawn point, within a share of the range of all drawn points. */
 function around(drawn, point) {
   const [low, high] = [Math.min(...drawn), Math.max(...drawn)];
   const steps = [-2, -1, 0, 1, 2].map((step) => drawn[point] + (step * (high - low)) / DRAWN);
@@ -159,7 +159,7 @@ function caption([across, up], sampled) {
   return `${over}, ${sampled ? "around it" : "at half the steps"}`;
 }
 
-/** What a point came to, with the least values that were looked for. */
+/** The outcome of a point, with the least values that were searched for. */
 function answerText(live, { status, least }) {
   const steps = live.search ? [live.search.first, live.search.second].filter(Boolean) : [];
   const told = steps

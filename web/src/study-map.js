@@ -5,11 +5,11 @@ import { scaleParts, signOf } from "./heat.js";
 import { makeScatter } from "./study-scatter.js";
 
 const MOST_CELLS = 20_000;
-const MOST_NUMBERS = 16; // columns beyond which cells are too small for numbers
+const MOST_NUMBERS = 16; // largest number of columns for which cells contain numbers
 const MOST_TICKS = 16;
 const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-/** The map with its choices; `open` is called with the point of a cell that is pressed, and the quantity. */
+/** The map with its choices; `open` receives the point of a pressed cell, and the quantity. */
 export function makeMap(model, open) {
   const { quantities, sampled } = model.study;
   const varied = model.study.axes.filter((index) => model.sizes[index] > 1);
@@ -34,7 +34,7 @@ export function makeMap(model, open) {
   draw();
   return {
     element,
-    /** Mark a point as the one that is open, and show the part of the study that it lies in. */
+    /** Mark the open point, and display the part of the study that contains it. */
     show(point) {
       view.current = view.opened = point;
       if (!sampled) view.fixed = model.placesOf(point);
@@ -52,7 +52,7 @@ function mark(place, point) {
   }
 }
 
-/** What to show, over which factors, and at which values of the others. */
+/** Choice of the quantity, the factors of the axes, and the values of the others. */
 function makeChoices(model, view, varied, draw) {
   const { factors, quantities, sampled } = model.study;
   const element = make("div", { className: "choices" });
@@ -63,7 +63,7 @@ function makeChoices(model, view, varied, draw) {
       act(Number(select.value));
       fill();
       draw();
-      // the choice that has the keys is another element now
+      // the focused menu was replaced by a new element
       [...element.querySelectorAll("label")].find((each) => each.dataset.name === label)?.querySelector("select").focus();
     });
     return make("label", {}, `${label} `, select);
@@ -92,7 +92,7 @@ function makeChoices(model, view, varied, draw) {
 function makeGrid(model, view, press) {
   const { factors } = model.study;
   const [columns, rows] = [model.sizes[view.x], view.y === null ? 1 : model.sizes[view.y]];
-  if (columns * rows > MOST_CELLS) return { element: make("p", { className: "note" }, "This map has too many cells for a page; the study's figures have it."), points: [] };
+  if (columns * rows > MOST_CELLS) return { element: make("p", { className: "note" }, "This map has too many cells for a page; see the figures of the study."), points: [] };
   const scale = model.scaleOf(view.quantity);
   const numbers = columns <= MOST_NUMBERS;
   const at = (column, row) => model.pointAt(view.fixed.map((place, index) => (index === view.x ? column : index === view.y ? row : place)));
@@ -120,7 +120,7 @@ function makeGrid(model, view, press) {
   listen(table, cells, press);
   const upwards = make("div", { className: "upwards" }, view.y === null ? "" : axisText(factors[view.y]));
   const across = make("div", { className: "across" }, axisText(factors[view.x]));
-  // beside few rows its name has no room
+  // a map with few rows has no space for the vertical name
   return { element: make("div", { className: rows < 6 ? "axes low" : "axes" }, upwards, make("div", {}, make("div", { className: "scroll" }, table), across)), points };
 }
 
@@ -144,7 +144,7 @@ function fillCell(cell, model, view, scale, point, numbers) {
   cell.textContent = numbers ? scale.text(value) : "";
 }
 
-/** Arrows move between cells, as in a spreadsheet; enter, space and a press open one. */
+/** Arrow keys move between cells, as in a spreadsheet; enter, space and a press open one. */
 function listen(table, cells, press) {
   const places = new Map([...cells].map(([place, cell]) => [cell, place.split(" ").map(Number)]));
   table.addEventListener("click", (event) => {
@@ -169,7 +169,7 @@ function listen(table, cells, press) {
   });
 }
 
-/** What the colours and the patterns mean. */
+/** Meaning of the colours and patterns. */
 function legendParts(model, quantity, points) {
   const parts = scaleParts(model, quantity);
   const reasons = [...countReasons(quantity, points)].map(([number, count]) => {
@@ -191,16 +191,16 @@ function countReasons(quantity, points) {
 
 /** The map in a sentence or two. */
 function mapText(model, quantity, points) {
-  const found = points.filter((point) => (quantity.values?.[point] ?? null) !== null);
+  const known = points.filter((point) => (quantity.values?.[point] ?? null) !== null);
   const reasons = [...countReasons(quantity, points)].map(([number, count]) => `${count} ${model.word(number).word}`);
   const title = `${quantity.title[0].toUpperCase()}${quantity.title.slice(1)}`;
-  if (!found.length) return `${title} of ${points.length} points: ${reasons.join(", ") || "none"}.`;
-  const rest = reasons.length ? ` The others: ${reasons.join(", ")}.` : "";
-  const [least, most] = [Math.min, Math.max].map((pick) => endText(model, quantity, found, pick));
-  return `${title}, known of ${found.length} of ${points.length} points: from ${least} to ${most}.${rest}`;
+  if (!known.length) return `${title} of ${points.length} points: ${reasons.join(", ") || "none"}.`;
+  const rest = reasons.length ? ` Other points: ${reasons.join(", ")}.` : "";
+  const [least, most] = [Math.min, Math.max].map((pick) => endText(model, quantity, known, pick));
+  return `${title}, known for ${known.length} of ${points.length} points: from ${least} to ${most}.${rest}`;
 }
 
-/** The least or the largest value, and which point has it, or how many. */
+/** The least or the largest value, and its point, or the number of such points. */
 function endText(model, quantity, points, pick) {
   const value = points.map((point) => quantity.values[point]).reduce((first, second) => pick(first, second));
   const there = points.filter((point) => quantity.values[point] === value);
@@ -218,7 +218,7 @@ function axisText(factor) {
   return factor.unit ? `${factor.name} (${factor.unit})` : factor.name;
 }
 
-/** A value beside its row or column, where there is room for all of them or it is one that is shown. */
+/** A value beside its row or column, if there is space for all or it is a selected one. */
 function tick(factor, place) {
   const step = Math.ceil(factor.texts.length / MOST_TICKS);
   return place % step ? "" : factor.texts[place];

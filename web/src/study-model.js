@@ -1,6 +1,6 @@
 /**
- * A study on a page: its points, numbered in the table's order, in which the last factor runs fastest, and what is
- * known of each. Numbers are in the units that stand beside them.
+ * A study on a page: its points, numbered in the table's order, in which the last factor varies fastest, and their
+ * results. Numbers are in the units beside them.
  */
 
 import { cellColour, coloursOf } from "./heat.js";
@@ -11,7 +11,7 @@ export function makeModel(study, runs) {
   const runsOf = new Map();
   for (const run of runs) runsOf.set(run.point, [...(runsOf.get(run.point) ?? []), run]);
 
-  /** Number of each factor's value at a point. */
+  /** Index of each factor's value at a point. */
   function placesOf(point) {
     if (study.sampled) return factors.map(() => point);
     const places = [];
@@ -25,7 +25,7 @@ export function makeModel(study, runs) {
   const pointAt = (places) => places.reduce((point, place, index) => point * sizes[index] + place, 0);
 
   function scaleOf(quantity) {
-    // of one group that shares a scale, so that their maps can be compared
+    // groups that share a scale can be compared
     const alike = quantity.shares ? quantities.filter((each) => each.group === quantity.group) : [quantity];
     const values = alike.flatMap((each) => each.values ?? []).filter((value) => value !== null);
     if (!values.length) return null;
@@ -40,13 +40,13 @@ export function makeModel(study, runs) {
   return {
     study,
     sizes,
-    /** What a point may have one value of beside its factors. */
+    /** Quantities with one value for each point. */
     numbers: quantities.filter((quantity) => quantity.values && !quantity.tried),
-    /** What points can lie over. */
+    /** Columns that can be an axis. */
     columns: factors,
-    /** Whether a point is not left out. */
+    /** Whether a point is displayed. */
     shown: () => true,
-    /** What a point is called before what it is. */
+    /** Words before the text of a point. */
     nameOf: () => "",
     placesOf,
     pointAt,
@@ -57,7 +57,7 @@ export function makeModel(study, runs) {
     runsOf: (point) => runsOf.get(point) ?? [],
     word: (number) => words[number],
     pointText: (point) => placesOf(point).map((place, index) => factorText(factors[index], place)).join(", "),
-    /** A quantity at a point in words: its value, or why there is none. */
+    /** A quantity at a point in words: its value, or the reason why it is missing. */
     valueText(quantity, point) {
       const value = quantity.values?.[point] ?? null;
       return value === null ? words[quantity.reasons[point]].word : `${numberText(value)} ${quantity.unit}`;
@@ -65,13 +65,13 @@ export function makeModel(study, runs) {
   };
 }
 
-/** Decimals that the largest of some values needs for three digits. */
+/** Decimals for three digits of the largest value. */
 function decimals(values) {
   const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   return Math.min(20, Math.max(0, 2 - Math.floor(Math.log10(largest || 1))));
 }
 
-/** Three significant digits at most, with minus signs that are such; small numbers as powers of ten. */
+/** At most three significant digits, with real minus signs; small numbers as powers of ten. */
 export function numberText(value) {
   const number = Number(value.toPrecision(3));
   const small = number !== 0 && Math.abs(number) < 1e-3;

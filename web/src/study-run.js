@@ -1,4 +1,4 @@
-/** The run behind a cell: its numbers, and its playback where it was kept. */
+/** The run behind a cell: its numbers, and its playback if it was kept. */
 
 import { firstLook } from "./camera.js";
 import { readClip } from "./clip.js";
@@ -25,19 +25,19 @@ export function makeRunPanel(model) {
   const answers = makeAnswers(model);
   const panel = { facts, element, point: null, playing: null, answers, open, show };
   let pinned = null;
-  // what a reader has turned and zoomed stays from cell to cell
+  // the reader's view is kept from cell to cell
   const look = firstLook();
 
-  /** Show a point, and of its kept runs that of a transition, by its number, or the one that failed, or the first, or why there is none. */
+  /** Display a point and one of its kept runs (that of a transition, or the failed one, or the first), or why it has none. */
   function open(point, { play = false, transition = null } = {}) {
     panel.point = point;
     const runs = model.runsOf(point);
     heading.textContent = capital(`${model.study.noun} ${point + 1}`);
     status.textContent = `${capital(model.pointText(point))}: ${model.study.statuses[point]}.`;
-    numbers.replaceChildren(make("caption", {}, "In the table"), make("tbody", {}, ...numberRows(model, point)));
+    numbers.replaceChildren(make("caption", {}, "Values in the table"), make("tbody", {}, ...numberRows(model, point)));
     parts.replaceChildren(...(runs.length > 1 ? runs.map(partButton) : runs.map((run) => make("b", {}, capital(run.title)))));
     const wanted = transition === null ? null : runs.find((run) => run.transition === transition);
-    // a press asks why it failed; what the page begins with shows how far the best came
+    // pressing a cell asks why it failed; the initial view shows the best run
     const failed = play ? runs.find((run) => run.failed) : null;
     if (runs.length) show(wanted ?? failed ?? runs[0], { play });
     else {
@@ -74,9 +74,9 @@ export function makeRunPanel(model) {
     if (play && !matchMedia("(prefers-reduced-motion: reduce)").matches) panel.playing.clock.play();
   }
 
-  /** A button that keeps a run in sight beside those that are opened after it. */
+  /** A button that keeps a run visible beside runs that are opened later. */
   function pin(run) {
-    const label = () => (pinned ? `unpin ${model.study.noun} ${pinned.point + 1}` : "pin, to compare it with another");
+    const label = () => (pinned ? `unpin ${model.study.noun} ${pinned.point + 1}` : "pin to compare with another");
     const button = make("button", { type: "button", className: "pin" }, label());
     button.addEventListener("click", () => {
       pinned = pinned ? null : run;
@@ -89,14 +89,14 @@ export function makeRunPanel(model) {
   return panel;
 }
 
-/** Play a run in elements of the page, beside another where one is pinned; what they hold is read only now. */
+/** Play a run in elements of the page, beside a pinned one if any; their data are read only now. */
 function mountRun(elements, run, beside, model, look) {
   const runs = beside ? [beside, run] : [run];
   const names = runs.map((each, index) => nameOf(each, calledOf(runs, model)[index], model));
   const clips = runs.map((each, index) => ({ ...readClip(each.play.clips[0]), ...(beside ? { name: names[index] } : {}) }));
   const clock = makeClock(clips, beside ? [sharedSpan(clips)] : run.play.spans);
   const energy = runs.map((each) => each.play.energy).reduce((most, each) => (each.largest_J > most.largest_J ? each : most));
-  const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side on one clock.` : run.play.text;
+  const text = beside ? `${capital(clips[0].name)} and ${clips[1].name}, side by side with a common clock.` : run.play.text;
   const player = mountPlayer(elements.player, clips, clock, { ...run.play, energy, text }, look);
   if (beside && player.stage) nameCells(player.stage.cells, clips, clock, energy);
   const plots = mountPlots(elements.plots, beside ? pairedPlots(runs, clips) : run.play.plots, clips, clock);
@@ -114,7 +114,7 @@ function mountRun(elements, run, beside, model, look) {
   };
 }
 
-/** The plots of every run, those that show the same beside one another and, in one unit, over one range of values. */
+/** The plots of every run; plots of the same quantity are side by side with one range of values. */
 function pairedPlots(runs, clips) {
   const own = runs.map(({ play }, clip) =>
     play.plots.map((plot) => ({
@@ -128,7 +128,7 @@ function pairedPlots(runs, clips) {
   return titles.flatMap((title) => own.flat().filter((plot) => plot.title === title));
 }
 
-/** What tells runs that are seen together from one another: their points, or what was done; empty for one alone. */
+/** Names that distinguish runs displayed together: their points, or what was done; empty for a single run. */
 function calledOf(runs, { study }) {
   if (runs.length === 1) return [""];
   const alike = new Set(runs.map((run) => run.point)).size < runs.length;
@@ -141,7 +141,7 @@ function nameOf(run, called, model) {
   return `${called}: ${values.join(", ")}`;
 }
 
-/** Whole runs, from the first drive of each. */
+/** Whole runs, aligned at the first drive of each. */
 function sharedSpan(clips) {
   const origins = clips.map((clip) => clip.stages.find((stage) => stage.driven)?.start ?? clip.start);
   const [start, end] = [Math.min(...clips.map((clip, index) => clip.start - origins[index])), Math.max(...clips.map((clip, index) => clip.end - origins[index]))];
@@ -165,5 +165,5 @@ function statesOf(run, called) {
 
 function commandsOf(run, called) {
   const lines = [`forficula run ${run.folder}/design.toml`, `forficula film ${run.folder} --out film.mp4`];
-  return make("details", {}, make("summary", {}, called ? `Commands for ${called}` : "Commands"), make("p", { className: "note" }, "In the folder of this page, these run it again, and film it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
+  return make("details", {}, make("summary", {}, called ? `Commands for ${called}` : "Commands"), make("p", { className: "note" }, "In the folder of this page, these commands repeat the run and make a film of it:"), make("pre", {}, make("code", {}, lines.join("\n"))));
 }

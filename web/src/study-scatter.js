@@ -1,18 +1,18 @@
-/** Points over two of their columns, or a quantity over the only one. */
+/** Points over two of their columns, or a quantity over a single column. */
 
 import { make } from "./elements.js";
 import { axisParts, draw, makeAxis } from "./plane.js";
 
 const [WIDTH, HEIGHT] = [600, 420];
 const EDGE = { left: 64, right: 14, top: 12, bottom: 52 };
-const MANY = 60; // points that need smaller marks
+const MANY = 60; // number of points above which marks are smaller
 const STEPS = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 };
 
 /**
- * The drawing of a view: what it shows, `quantity`, and numbers of the columns `x` and `y`; where there are such, `front`,
- * numbers of the points that none beats, which are joined if `joined`, and `best`, of the best,
- * which is called `bestWord`, and `cells`, a map under them. `ordered`: whether arrows
- * go from left to right, and what came furthest lies in front; otherwise both are by number.
+ * The drawing of a view: `quantity`, and indices of the columns `x` and `y`; optionally `front`, indices of the
+ * Pareto-optimal points, which are connected if `joined`; `best`, index of the best point,
+ * with its name `bestWord`; and `cells`, a map under the points. `ordered`: whether arrow keys
+ * go from left to right and the most successful points are in front; otherwise both are by index.
  */
 export function makeScatter(model, view, press) {
   const { columns, study } = model;
@@ -37,7 +37,7 @@ export function makeScatter(model, view, press) {
   return { element: make("div", { className: "scroll" }, drawing), points };
 }
 
-/** What came furthest last, so that it lies in front. */
+/** Points from back to front: the most successful last. */
 function fromBehind(model, view, points) {
   const rank = (point) => (model.shown(point) ? 0 : 1e6) + (view.best === point ? -1 : model.study.verdicts[point]);
   return [...points].sort((first, second) => rank(second) - rank(first));
@@ -58,7 +58,7 @@ function makePoint(model, view, scale, point, [x, y], radius) {
   return mark;
 }
 
-/** A map under the points: whether the design works at each of the values of both axes. */
+/** A map under the points: whether the design works at values of both axes. */
 function mapCells(cells, across, upwards) {
   const [columns, rows] = [edges(cells.across.map(across.at)), edges(cells.upwards.map(upwards.at))];
   return cells.works.flatMap((column, i) =>
@@ -66,14 +66,14 @@ function mapCells(cells, across, upwards) {
   );
 }
 
-/** Where each cell about a place begins, and the last one ends. */
+/** Boundaries between the cells of values. */
 function edges(places) {
   const between = places.slice(1).map((place, index) => (place + places[index]) / 2);
   const [first, last] = [places[0], places.at(-1)];
   return [first, ...between, last];
 }
 
-/** What a column says along its axis: the design’s own value, and limits, beyond which is shaded. */
+/** Guides of a column along its axis: the design’s own value, and limits with shaded areas beyond. */
 function guides(column, along, other, upright) {
   const line = (at, name) => draw("path", { class: name, d: upright ? `M${at} ${other.from}V${other.to}` : `M${other.from} ${at}H${other.to}` });
   const inside = (at) => at >= Math.min(along.from, along.to) && at <= Math.max(along.from, along.to);
@@ -90,20 +90,20 @@ function guides(column, along, other, upright) {
   return parts;
 }
 
-/** What is reached at every value across: steps, for between two points there is only the one that is no worse. */
+/** The front as steps, because between two points only the worse value is certain. */
 function frontLine(front, places, aim) {
   const along = front.map((point) => places[point]).sort((first, second) => first[0] - second[0]);
   const step = ([x, y]) => (aim === "least" ? `H${x.toFixed(1)}V${y.toFixed(1)}` : `V${y.toFixed(1)}H${x.toFixed(1)}`);
   return draw("path", { class: "front", d: along.map((place, index) => (index ? step(place) : `M${place.join(" ")}`)).join("") });
 }
 
-/** `order` is that in which arrows go from point to point. */
+/** `order` is the order of the points for the arrow keys. */
 function listen(drawing, marks, order, press) {
   const pointOf = (event) => event.target.closest("[data-point]");
   drawing.addEventListener("click", (event) => {
     if (pointOf(event)) press(Number(pointOf(event).dataset.point));
   });
-  // one stop of the tabulator: the one that had the keys last
+  // one tab stop: the mark that had the focus last
   drawing.addEventListener("focusin", (event) => {
     for (const mark of marks) mark.setAttribute("tabindex", mark === event.target ? "0" : "-1");
   });

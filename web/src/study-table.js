@@ -1,11 +1,11 @@
-/** The table of all points: filter by what became of them, order by any column, download. */
+/** The table of all points: filter by outcome, sort by any column, download. */
 
 import { make } from "./elements.js";
 import { signOf } from "./heat.js";
 
 /**
- * Add to the page's table what a script can; `open` is called with the point of a row whose number is pressed. What it
- * returns hides and shows rows again, after the model has left points out.
+ * Add controls to the page's table; `open` receives the point of a row whose number is pressed. The returned function
+ * hides and shows rows again, after the model has left points out.
  */
 export function extendTable(section, model, csv, open) {
   const table = section?.querySelector("table");
@@ -48,7 +48,7 @@ function statusFilter(model, changed) {
   return { element, changed, shown: () => new Set([...boxes].filter(([, box]) => box.checked).map(([number]) => number)) };
 }
 
-/** What each column is ordered by: a list with an entry a point. */
+/** Sort keys of each column: a list with one entry for each point. */
 function sortKeys(model) {
   const { study } = model;
   const points = study.statuses.map((_, point) => point);
@@ -57,7 +57,7 @@ function sortKeys(model) {
   return [points, ...factors, study.statuses, ...numbers];
 }
 
-/** Headings that order the rows: up, then down; what has no value is last either way. */
+/** Headings that sort the rows: up, then down; missing values are last in both cases. */
 function makeSortable(table, rows, keys) {
   const headings = [...table.tHead.rows[0].cells];
   for (const [column, heading] of headings.entries()) {
@@ -80,7 +80,7 @@ function compare(first, second, direction) {
   return direction * order;
 }
 
-/** The file that the study's folder has, too. */
+/** Download of the file in the study's folder. */
 function downloadButton(csv, file) {
   const button = make("button", { type: "button", className: "button" }, `Download ${file}`);
   button.addEventListener("click", () => {

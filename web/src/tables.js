@@ -1,8 +1,8 @@
-/** Tables that are wider, or higher, than their place scroll: the keyboard must be able to do that, too, and hear of what. */
+/** Tables that do not fit scroll: then they are focusable, for the keyboard, and have a name for screen readers. */
 
 let named = 0;
 
-/** Of tables that fit no one needs to know that they could scroll. */
+/** Tables that fit are not focusable. */
 export function watchTables(root = document) {
   const watch = new ResizeObserver((entries) => {
     for (const { target } of entries) {
@@ -13,7 +13,7 @@ export function watchTables(root = document) {
   for (const table of root.querySelectorAll(".table")) watch.observe(table);
 }
 
-/** A stop of the tabulator with the name that the table has now and later. */
+/** A tab stop with the present and future name of the table. */
 function makeStop(place) {
   const { caption } = place.querySelector("table");
   place.tabIndex = 0;

@@ -1,4 +1,4 @@
-/** The controls of a clock: play and pause, the time line with its states, speed, and which part of it is shown. */
+/** Controls of a clock: play and pause, the time line with its states, the speed, and the displayed span. */
 
 import { icon, make } from "./elements.js";
 import { fixed, timeText } from "./format.js";
@@ -56,7 +56,7 @@ export function makeTransport(clips, clock) {
       play.setAttribute("aria-label", clock.playing ? "pause" : "play");
       wasPlaying = clock.playing;
     }
-    // said once it has come to rest
+    // announced once it has come to rest
     clearTimeout(quiet);
     if (!clock.playing)
       quiet = setTimeout(() => {
@@ -93,7 +93,7 @@ function spanChoice(clock) {
   return [make("label", {}, "show ", select)];
 }
 
-/** Bands where torques act, and ticks at the states; of several clips a tick in each one's colour. */
+/** Bands where torques act, and ticks at the states; with several clips a tick in each clip's colour. */
 function drawTrack(clips, clock, bands, ticks) {
   const { span } = clock;
   const place = (moment) => Math.min(1, Math.max(0, clock.shareAt(moment)));
@@ -129,7 +129,7 @@ export function stageText(clip, moment) {
   return mark ? `${mark.letter} ${mark.name}` : clip.stageAt(moment).name;
 }
 
-/** The moment in words: its time, and what every structure does then. */
+/** The moment in words: its time, and what every structure does. */
 function momentText(clips, clock) {
   const told = clips.map((clip, index) => {
     const moment = clock.clipTime(index);
@@ -138,7 +138,7 @@ function momentText(clips, clock) {
   return `${timeText(clock.time, clock.span)}: ${told.join("; ")}`;
 }
 
-/** What a clip reads first: from the least to the most of it. */
+/** The first readings of a clip: their range. */
 function readingText(clip, moment) {
   const [reading] = clip.readings;
   if (!reading) return "";

@@ -1,4 +1,4 @@
-/** A setting as a design file: the text of the run's own, with other values on the lines that have them. */
+/** Settings as a design file: the text of the run's file, with other values on their lines. */
 
 import { make } from "./elements.js";
 
@@ -10,22 +10,22 @@ export function designText(live, changes) {
   return lines.join("\n");
 }
 
-/** The text of a value, SI, of what can be changed. */
+/** The text of a value, SI, of a key that can be changed. */
 export function valueText({ knobs }, key, value) {
   const { unit, factor } = knobs.find((knob) => knob.key === key);
   return quantity(value, unit, factor);
 }
 
-/** A value as a design file has it. */
+/** A value as written in a design file. */
 function quantity(value, unit, factor) {
   return `${Number((factor * value).toPrecision(12))} ${unit}`;
 }
 
-/** A link to the file, and the command that runs it; `refresh` takes what was changed. */
+/** A link to the file, and the command that runs it; `refresh` receives the changes. */
 export function makeDesignLink(live) {
   const link = make("a", { className: "button", download: "design.toml" }, "This setting as a design file");
   const command = make("code");
-  const note = make("p", { className: "note" }, "Whether its energy balance closes is not looked at here: a run of the file tells.");
+  const note = make("p", { className: "note" }, "This page does not check the energy balance; a run of the file does.");
   const element = make("div", { className: "setting" }, link, make("pre", {}, command), note);
 
   function refresh(changes) {

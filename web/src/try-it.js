@@ -1,23 +1,23 @@
-/** "Try it": the structure of a run's page, live, once a button is pressed; until then the page is as it was. */
+/** "Try it": the structure of a run's page, simulated live, once a button is pressed. */
 
 import { make } from "./elements.js";
 import { hasEngine, startEngine } from "./engine.js";
 import { makePanel } from "./try-panel.js";
 
-/** Put the offer into an element, where the page has one; `before` is done when it is taken. */
+/** Add the offer to an element, if the page has one; `before` is called when it is accepted. */
 export function mountTryIt(element, clip, data, before) {
   if (!element) return null;
   const trial = { panel: null, failed: "", start: null };
   const text = document.getElementById("live").textContent;
   const button = make("button", { type: "button", className: "try" }, "Try it");
   const said = make("p", { className: "note" });
-  said.textContent = `Move this ${data.whole} yourself: change it, drive it, let go, push it; the simulator runs in this page.`;
+  said.textContent = `Move this ${data.whole} yourself: change values, switch drives, release it, push it. The simulator runs in this page.`;
   element.append(make("div", { className: "offer" }, button, said));
 
   function refuse(why) {
     trial.failed = why;
     button.disabled = true;
-    said.textContent = `This ${data.whole} cannot be moved here: ${why}. The command line can: forficula run.`;
+    said.textContent = `This ${data.whole} cannot be simulated in a page: ${why}. Use the command line: forficula run.`;
   }
 
   const live = JSON.parse(text.startsWith('{"refused"') ? text : "null");

@@ -1,4 +1,4 @@
-/** The live structure with its sliders, its buttons and what it says. */
+/** The live structure with its sliders, buttons and messages. */
 
 import { firstLook } from "./camera.js";
 import { make } from "./elements.js";
@@ -19,16 +19,16 @@ const PACES = [
   ["1/20", 0.05],
   ["1/100", 0.01],
 ];
-const PACE = 0.2; // to begin with: at its own a wing snaps faster than anyone sees
-const ROOM = 1.4; // distance of the eye where no run tells where it goes, by that which fits where it begins
-const MEDDLED = "On the way values were changed or it was pushed, which no run of a design file does; Whole protocol goes through that from the start.";
-const LEAST = 1e-15; // J, below which an energy is what is left of rounding
+const PACE = 0.2; // initial speed: at its own speed a wing snaps too fast to see
+const ROOM = 1.4; // distance of the eye without a run to frame, relative to the one that fits the start
+const MEDDLED = "Values were changed, or it was pushed, during the motion, which no run of a design file repeats. \u201cWhole protocol\u201d runs these settings from the start.";
+const LEAST = 1e-15; // J, below which an energy is a rounding error
 
 /**
- * A panel of a page's clip and of what it has of the structure; `start` starts the engine.
+ * A panel of a page's clip and the data of its structure; `start` starts the engine.
  *
- * look: of a camera, and pace, of another panel whose place this one takes; set: told the key of every value that is
- * changed, and its text in a design file, by a page that keeps the design itself.
+ * look: view of the camera, and pace, of a panel that this one replaces; set: receives the key and text of every changed
+ * value, for a page that stores the design itself.
  */
 export async function makePanel(clip, data, text, start, { look: seen, pace = PACE, set } = {}) {
   const own = JSON.parse(text);
@@ -87,9 +87,9 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
     make("div", { className: "hands" }, sliders.element, ...(set ? [] : [design.element])),
   );
 
-  /** What needs its place in the page. */
+  /** Set up parts that need their place in the page. */
   panel.begin = () => {
-    // framed so that all that the run shows is in the picture; where it begins alone, with room to move
+    // framed for all that the run shows; a structure without a run is framed at its start, with a margin
     const look = seen ?? { ...firstLook(), following: false, closer: data.kind === "bench" ? ROOM : 1 };
     const { stage } = mountStill(picture, [live.clip], live.clock, { ...data, text: `${data.shape}, live.` }, look);
     panel.stage = stage;
@@ -111,7 +111,7 @@ export async function makePanel(clip, data, text, start, { look: seen, pace = PA
   return Object.assign(panel, { engine, live, sliders, design, own });
 }
 
-/** The largest force of a pointer, N: that of the strongest drive of the run, at the end of the structure. */
+/** Largest force of the pointer, N: that of the run's strongest drive, at the end of the structure. */
 function strongest({ protocol, motors }, span) {
   const forces = protocol.drives.map(({ strength, torques }) => {
     const motor = motors[torques.findIndex((torque) => torque !== 0)];
@@ -120,7 +120,7 @@ function strongest({ protocol, motors }, span) {
   return Math.max(...forces) || 1;
 }
 
-/** Start again, the driven stages of the protocol, let go, all of it, and how fast. */
+/** Buttons: start again, the driven stages, release, the whole protocol, and the speed. */
 function makeButtons({ protocol }, engine, panel, before) {
   const button = (text, message, title) => {
     const made = make("button", { type: "button", title });
@@ -143,15 +143,15 @@ function makeButtons({ protocol }, engine, panel, before) {
     engine.tell({ act: "pace", value: panel.pace });
   });
   return [
-    button("Start again", { act: "restart", through: false }, "from where the run begins"),
+    button("Start again", { act: "restart", through: false }, "from the start of the run"),
     ...driven,
-    button("Let go", { act: "release" }, "without any drive"),
+    button("Release", { act: "release" }, "without any drive"),
     button("Whole protocol", { act: "restart", through: true }, "all stages, as in the run"),
     make("label", {}, "speed ", paces),
   ];
 }
 
-/** What it goes through; let go after a goal, what was reached, for until it rests nothing is said of it. */
+/** The present stage; after a release, the goal that was reached, because nothing more is known until it rests. */
 function stageText({ stage, stageNumber, running, ended }, { stages }) {
   const met = stage && !stages[stageNumber].drives.length && ended?.stages.at(-1);
   const goal = met && met.goal_s !== null && stages.find(({ name }) => name === met.name).drives.length;
@@ -160,7 +160,7 @@ function stageText({ stage, stageNumber, running, ended }, { stages }) {
   return running ? " \u00b7 no drive acts" : " \u00b7 at rest";
 }
 
-/** What became of it, with the time and the work of every transition. */
+/** The outcome, with the time and the work of every transition. */
 function sentence({ status, verdict, transitions }, whole, texts) {
   const parts = transitions
     .filter(({ took }) => took?.succeeded && took.time_s !== null)

@@ -1,4 +1,4 @@
-/** Pushing a structure without a pointer: a point that is chosen by name, and keys or buttons that push it. */
+/** Pushing a structure without a pointer: a point selected by name, and keys or buttons that push it. */
 
 import { Vector3 } from "three";
 import { make } from "./elements.js";
@@ -8,7 +8,7 @@ const HELD = 500; // ms for which a button pushes
 const SHARES = [
   ["a little", 0.1],
   ["half", 0.5],
-  ["as hard as its drives", 1],
+  ["as strong as its drives", 1],
 ];
 const WAYS = [
   ["\u2190", "left", "ArrowLeft", [-1, 0]],
@@ -17,27 +17,27 @@ const WAYS = [
   ["\u2192", "right", "ArrowRight", [1, 0]],
 ];
 
-/** The choice of a point of a stage's only structure, and what pushes it; `push` is told the point and the force, N. */
+/** Choice of a point of a stage's only structure, and controls that push it; `push` receives the point and force, N. */
 export function makePushKeys(stage, live, names, strongest, push) {
   const movable = names.map((name, point) => [name, point]).filter(([, point]) => live.movable[point]);
   const points = make("select", {}, ...movable.map(([name, value]) => make("option", { value }, name)));
   const shares = make("select", {}, ...SHARES.map(([name, value]) => make("option", { value, selected: value === SHARES[0][1] }, name)));
   const said = make("span", { className: "note", role: "status" });
   const buttons = WAYS.map(([text, way, key]) => make("button", { type: "button", title: `push ${way}`, "aria-label": `push ${way}`, "data-way": key }, text));
-  const pad = make("span", { className: "pad", role: "group", "aria-label": "push it, as it is seen" }, ...buttons);
-  const note = make("p", { className: "note" }, "On these buttons arrow keys push for as long as they are held; a button that is pressed pushes for half a second.");
+  const pad = make("span", { className: "pad", role: "group", "aria-label": "push in the plane of the picture" }, ...buttons);
+  const note = make("p", { className: "note" }, "On these buttons, arrow keys push while they are held. Pressing a button pushes for half a second.");
   const element = make(
     "details",
     { className: "push-keys" },
     make("summary", {}, "Push without a pointer"),
-    make("div", { className: "choices" }, make("label", {}, "point ", points), make("label", {}, "how hard ", shares), pad, said),
+    make("div", { className: "choices" }, make("label", {}, "point ", points), make("label", {}, "force ", shares), pad, said),
     note,
   );
   const mark = makeMark(stage, live, () => Number(points.value), element);
   const held = new Set();
   let ending = 0;
 
-  /** Push as what is held says, or no more. */
+  /** Push according to the held keys, or stop pushing. */
   function act() {
     clearTimeout(ending);
     const [across, upwards] = [0, 1].map((axis) => WAYS.reduce((sum, [, , key, way]) => sum + (held.has(key) ? way[axis] : 0), 0));
@@ -86,7 +86,7 @@ export function makePushKeys(stage, live, names, strongest, push) {
   return element;
 }
 
-/** A ring about the chosen point, as long as it can be chosen. */
+/** A ring about the selected point, while the choice is open. */
 function makeMark(stage, live, chosen, choice) {
   const space = "http://www.w3.org/2000/svg";
   const drawing = document.createElementNS(space, "svg");

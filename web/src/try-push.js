@@ -1,15 +1,15 @@
-/** Pushing a structure with the pointer: what is dragged follows, by a spring between it and the pointer. */
+/** Pushing a structure with the pointer: a dragged point is pulled by a spring between it and the pointer. */
 
 import { Vector3 } from "three";
 import { make } from "./elements.js";
 import { short } from "./format.js";
 
-const NEAR = 22; // pixels within which a point is taken hold of
-const REACH = 0.25; // of the structure's size: as far the pointer pulls with the largest force
+const NEAR = 22; // pixels within which a point is grabbed
+const REACH = 0.25; // distance of the largest force, as a share of the structure's size
 
 /**
- * Let a reader push the points of a stage's only structure; `push` is told the point and the force, N, or null.
- * A picture that is turned by the same pointer is not while something is pushed.
+ * Let a reader push the points of a stage's only structure; `push` receives the point and the force, N, or null.
+ * The picture does not turn while something is pushed.
  */
 export function listenToPushes(stage, live, span, strongest, push) {
   const { canvas, eye } = stage;
@@ -24,7 +24,7 @@ export function listenToPushes(stage, live, span, strongest, push) {
   const place = new Vector3();
   let held = null;
 
-  /** Where a point is on the canvas, in pixels. */
+  /** Position of a point on the canvas, in pixels. */
   function seen(point) {
     const shown = place.fromArray(live.frame.points, 3 * point).project(eye.camera);
     return [((shown.x + 1) / 2) * canvas.clientWidth, ((1 - shown.y) / 2) * canvas.clientHeight];
@@ -46,7 +46,7 @@ export function listenToPushes(stage, live, span, strongest, push) {
     return best.point;
   }
 
-  /** The force towards where the pointer is, at the point's distance from the eye. */
+  /** Force towards the pointer, at the point's distance from the eye. */
   function force(event) {
     const [x, y] = pointer(event);
     const at = new Vector3().fromArray(live.frame.points, 3 * held);

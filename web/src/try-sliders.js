@@ -1,27 +1,27 @@
-/** Sliders of what can be changed while a structure moves, each with a mark where it stands in the page's run. */
+/** Sliders of values that can be changed during the simulation, each with a mark at the value of the page's run. */
 
 import { make } from "./elements.js";
 import { capital, short } from "./format.js";
 
 const STEPS = 200;
-const WIDE = 20; // from which on a range is gone through by ratios
-const DIGITS = 3; // of a value that a slider gives
+const WIDE = 20; // ratio of its ends from which a range is logarithmic
+const DIGITS = 3; // digits of a slider's value
 
-/** A slider for every knob, marked where `home` has it; `changed` is told the key and the value, SI. */
+/** A slider for every value, marked at that of `home`; `changed` receives the key and the value, SI. */
 export function makeSliders(knobs, home, changed) {
   const sliders = knobs.map((knob) => makeSlider(knob, home, changed));
-  const back = make("button", { type: "button", disabled: true }, `All as in ${home}`);
+  const back = make("button", { type: "button", disabled: true }, `Reset all to ${home}`);
   back.addEventListener("click", () => sliders.forEach((slider) => slider.reset()));
-  const element = make("div", { className: "sliders", role: "group", "aria-label": "what can be changed" });
+  const element = make("div", { className: "sliders", role: "group", "aria-label": "values to change" });
   element.append(...sliders.map((slider) => slider.element), back);
 
   return {
     element,
-    /** Put values, SI, by key, and all others back to where they were. */
+    /** Set values, SI, by key, and reset all others. */
     set(values) {
       for (const slider of sliders) slider.put(values[slider.knob.key] ?? slider.knob.value);
     },
-    /** Values that are not those of the run, SI, by key. */
+    /** Values that differ from those of the run, SI, by key. */
     get changes() {
       const differing = sliders.filter((slider) => slider.value !== slider.knob.value);
       return Object.fromEntries(differing.map((slider) => [slider.knob.key, slider.value]));
@@ -62,7 +62,7 @@ function makeSlider(knob, where, changed) {
 
   input.addEventListener("input", () => {
     const at = Number(input.value);
-    // what a file has is a number of few digits in the unit that stands there
+    // a file has a number with few digits in its unit
     value = at === home ? knob.value : Number((factor * valueAt(at / STEPS)).toPrecision(DIGITS)) / factor;
     show();
     changed(key, value);

@@ -1,4 +1,4 @@
-"""Results as notebooks show them: the sentence, tables with units, a figure, a run that plays."""
+"""Results in notebooks: a sentence, tables with units, a figure, a run that plays."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from forficula.study.study import Study
 if TYPE_CHECKING:
     pass
 
-# no colours of our own: what a notebook has by day and by night
+# without colours, so that light and dark themes of a notebook apply
 _STYLE = (
     "<style>.forficula table{border-collapse:collapse;margin:.5em 0}.forficula caption{text-align:left;font-weight:600}"
     ".forficula .table{overflow-x:auto}"
@@ -37,11 +37,11 @@ _STYLE = (
     ".forficula .numbers td{text-align:right}.forficula img{max-width:min(100%,46em);background:#fff}"
     ".forficula small{display:block;opacity:.7}.forficula p{margin:.4em 0;max-width:46em}</style>"
 )
-_MOST_VALUES = 12  # of a factor, that are told
+_MOST_VALUES = 12  # largest number of values listed for a factor
 
 
 def notebook_html(result: Displayed) -> str:
-    """A result as HTML for a cell of a notebook."""
+    """Return a result as HTML for a cell of a notebook."""
     return f'{_STYLE}<div class="forficula">{"".join(_parts(result))}</div>'
 
 
@@ -75,30 +75,33 @@ def _law(law: MaterialLaw) -> Iterator[str]:
 @_parts.register
 def _study(study: Study) -> Iterator[str]:
     yield heading(study.name)
-    asked = "runs its protocol" if study.search is None else "finds the least values that do"
-    yield paragraph(f"{len(study.points)} points of {study.base.name}, at each of which it {asked}.")
+    task = "runs the protocol" if study.search is None else "searches for the least values that suffice"
+    yield paragraph(f"{len(study.points)} points of {study.base.name}. Each point {task}.")
     rows = [(factor.key, _values(factor)) for factor in (*study.factors, *study.grid)]
-    yield table("What is varied", ("key", "values"), rows, numbers=False)
+    yield table("Varied values", ("key", "values"), rows, numbers=False)
 
 
 @_parts.register
 def _goal(goal: Goal) -> Iterator[str]:
-    asked = listed([f"the {each.kind} {each.quantity.name}" for each in goal.objectives])
+    aims = listed([f"the {each.kind} {each.quantity.name}" for each in goal.objectives])
     yield heading(goal.name)
-    yield paragraph(f"{asked[0].upper()}{asked[1:]} of {goal.base.name}, of at most {counted(goal.runs, 'design')}.")
-    yield table("What may vary", ("", ""), [tuple(str(each).split(" ", 1)) for each in goal.parameters], numbers=False)
+    yield paragraph(f"{aims[0].upper()}{aims[1:]} of {goal.base.name}, of at most {counted(goal.runs, 'design')}.")
+    yield table("Parameters", ("", ""), [tuple(str(each).split(" ", 1)) for each in goal.parameters], numbers=False)
     yield table("Limits", ("",), [(str(each),) for each in (*goal.given, *goal.limits)], numbers=False)
 
 
 @_parts.register
-def _observations(seen: Observations) -> Iterator[str]:
-    yield heading(seen.name)
-    yield paragraph(f"{counted(len(seen.facts), 'fact')} on {seen.base.name}.")
+def _observations(observations: Observations) -> Iterator[str]:
+    yield heading(observations.name)
+    yield paragraph(f"{counted(len(observations.facts), 'fact')} on {observations.base.name}.")
     yield table(
-        "What is unknown", ("key", "believed"), [(prior.key, _values(prior)) for prior in seen.priors], numbers=False
+        "Unknown values",
+        ("key", "prior"),
+        [(prior.key, _values(prior)) for prior in observations.priors],
+        numbers=False,
     )
     yield table(
-        "What was seen", ("fact", "to be"), [(fact.name, asked_text(fact)) for fact in seen.facts], numbers=False
+        "Facts", ("fact", "observed"), [(fact.name, asked_text(fact)) for fact in observations.facts], numbers=False
     )
 
 

@@ -1,4 +1,4 @@
-"""How far a run or a study is: a bar on a terminal, plain lines elsewhere."""
+"""Progress of runs and studies: a bar on a terminal, plain lines elsewhere."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _console() -> Console:
 
 @contextmanager
 def run_progress(first: str = "building the structure") -> Iterator[Callable[[str, float, float], None]]:
-    """Show how far a run is, and what comes first of all: a bar on a terminal, a line a stage elsewhere."""
+    """Show the progress of a run and the step before it: a bar on a terminal, a line for each stage elsewhere."""
     console = _console()
     if not console.is_terminal:
         stages = [""]
@@ -50,11 +50,11 @@ def run_progress(first: str = "building the structure") -> Iterator[Callable[[st
 def survey_progress(
     first: str, what: str
 ) -> Iterator[tuple[Callable[[str, float, float], None], Callable[[str], None]]]:
-    """Show how far a run is, and then what is surveyed, a line a step or in place of the bar.
+    """Show the progress of a run, and then of a survey: a line for each step, or text in place of the bar.
 
     Args:
-        first: what comes first of all.
-        what: is surveyed.
+        first: step before the run.
+        what: name of the survey.
     """
     console = _console()
     with run_progress(first) as line:
@@ -66,8 +66,8 @@ def survey_progress(
 
 @contextmanager
 def waiting(what: str) -> Iterator[Callable[[], None]]:
-    """Say what takes so long, if it takes longer than a few seconds; what is handed out ends the waiting."""
-    quiet = is_quiet()  # here, for the timer's thread has a manner of its own
+    """Print what is being done if it takes longer than a few seconds; the returned function stops the timer."""
+    quiet = is_quiet()  # read here, because the timer's thread has its own context
     timer = Timer(_PATIENCE, lambda: None if quiet else print(f"{what} ...", file=sys.stderr, flush=True))
     timer.daemon = True
     timer.start()
@@ -79,7 +79,7 @@ def waiting(what: str) -> Iterator[Callable[[], None]]:
 
 @contextmanager
 def steps_progress() -> Iterator[Callable[[str], None]]:
-    """Say what is done: a line that changes on a terminal, a line for what takes longer than a second elsewhere."""
+    """Show steps: a changing line on a terminal; elsewhere a line for each step that takes longer than a second."""
     console = _console()
     if console.is_terminal:
         with console.status("") as status:
@@ -102,10 +102,10 @@ def steps_progress() -> Iterator[Callable[[str], None]]:
 
 @contextmanager
 def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
-    """Show runs done, their rate, the time left and what became of them: a bar on a terminal, lines elsewhere.
+    """Show the number of runs, their rate, the time left and their outcomes: a bar on a terminal, lines elsewhere.
 
-    Lines come every 10 s. The rate is the mean since the start, and the time left is that of the runs known to be
-    needed: what a search finds may ask for more of them, or do without some, which then count as done.
+    A line is printed every 10 s. The rate is the mean since the start. The time left is that of the runs known to be
+    needed: a search may add runs, or make others unnecessary, which then count as done.
     """
     console = _console()
     ends: Counter[str] = Counter()
@@ -114,8 +114,8 @@ def study_progress() -> Iterator[Callable[[int, int, dict[str, Any]], None]]:
     def words(done: int, needed: int, row: dict[str, Any]) -> str:
         ends[_end(row)] += 1
         rate = ends.total() / max(monotonic() - start, 1e-3)
-        became = ", ".join(f"{number} {name}" for name, number in sorted(ends.items()))
-        return f"{done} of {needed} runs, {rate:.3g} runs/s, {_duration((needed - done) / rate)} left: {became}"
+        outcomes = ", ".join(f"{number} {name}" for name, number in sorted(ends.items()))
+        return f"{done} of {needed} runs, {rate:.3g} runs/s, {_duration((needed - done) / rate)} left: {outcomes}"
 
     if not console.is_terminal:
         last = [start]
@@ -156,12 +156,12 @@ def film_progress() -> Iterator[Callable[[int, int], None]]:
 
 
 def building_progress() -> Callable[[int, int], None]:
-    """Say how many designs are built: a line every 5 s, on a terminal, too, where a bar may stand below it."""
+    """Print how many designs are built: a line every 5 s, also on a terminal, where a bar may be below."""
     return _lines("designs built", 5)
 
 
 def map_progress(whole: str = "structure") -> Callable[[int, int], None]:
-    """Say how many structures, by what they are called, of a static map are done: a line every 5 s."""
+    """Print how many structures of a static map are done, with their noun: a line every 5 s."""
     return _lines(f"{whole}s of the map", 5)
 
 
@@ -177,7 +177,7 @@ def _lines(what: str, seconds: float) -> Callable[[int, int], None]:
 
 
 def _end(row: dict[str, Any]) -> str:
-    """What became of a run, in a word or two."""
+    """Return the outcome of a run in a word or two."""
     return str(row.get("outcome", row["verdict"]))
 
 

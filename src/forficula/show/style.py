@@ -1,4 +1,4 @@
-"""How figures look and are kept: widths of a journal, colours that survive grey print and colour blindness, a text."""
+"""Style and files of figures: widths of a journal, colours for grey print and colour blindness, descriptions."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ from forficula.files import write_bytes
 
 COLUMN_WIDTH, PAGE_WIDTH = 3.5, 7.1  # inch, one and two columns of a journal
 _RESOLUTION = 200  # dots per inch
-_LEAST_LETTERS = 8  # of a line of a legend
-_FILLED = 0.96  # of the room of a legend: at another resolution letters are a little wider
-PICTURE_RESOLUTION = 400  # of pictures among lines, dots per inch: journals ask for 300 or more
+_LEAST_LETTERS = 8  # least letters per line of a legend
+_FILLED = 0.96  # share of the width that a legend may fill: at another resolution letters are slightly wider
+PICTURE_RESOLUTION = 400  # dots per inch, of pictures among lines: journals require 300 or more
 COPY_ENDINGS = (".svg", ".pdf")
 ENDINGS = (".png", *COPY_ENDINGS)
-# of a results' folder, where the copies for papers lie
+# sub-folder of a folder of results that contains copies for papers
 COPIES = "figures"
 
-# Okabe and Ito 2008, Color Universal Design: eight colours told apart by all kinds of colour vision.
+# Okabe and Ito 2008, Color Universal Design: eight colours that all kinds of colour vision distinguish.
 BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
     "#000000",
     "#E69F00",
@@ -43,20 +43,20 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
     "#D55E00",
     "#CC79A7",
 )
-# The colours of quantities, each of which means the same in figures, maps, films and pages (web/src/scheme.js has the
-# first two): lightness rises with the value, so that grey print and every kind of colour vision keep the order.
-# Of every energy, stored or put in: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
-# would swallow.
+# The colours of quantities, with the same meaning in figures, maps, films and pages (web/src/scheme.js has the
+# first two): lightness rises with the value, so grey print and every kind of colour vision keep the order.
+# For every energy: viridis (Smith and van der Walt 2015) without its darkest end, which dark bars
+# would hide.
 ENERGY_COLOURS = LinearSegmentedColormap.from_list(
     "energy", ["#453781", "#39568c", "#2d708e", "#20908d", "#29af7f", "#73d055", "#b8de29", "#fde725"]
 )
-# of every other quantity that a map shows, and of many lines in their order: cividis (Nunez, Anderton and Renslow 2018)
+# for every other quantity of a map, and for many lines in their order: cividis (Nunez, Anderton and Renslow 2018)
 QUANTITY_COLOURS = colormaps["cividis"]
-# of strains of a sheet, from as it was built on: from pale on, so that what it hides is told from it
+# for strains of a sheet, from the built shape on; begins with a pale colour that differs from hidden parts
 STRAIN_COLOURS = colormaps["YlOrRd"]
 LINE_STYLES = ("-", "--", "-.", ":")
 
-# what rcParams say of windows and not of pictures
+# rcParams that concern windows and not pictures
 _OF_WINDOWS = ("backend", "interactive", "timezone", "tk.", "toolbar", "webagg.")
 
 # Draws a figure at a width in inch.
@@ -65,7 +65,7 @@ Drawing = Callable[[float], Figure]
 
 @contextmanager
 def figure_style() -> Iterator[None]:
-    """Draw with small sans-serif text and thin axes, whatever a matplotlibrc says."""
+    """Apply small sans-serif text and thin axes, independent of any matplotlibrc."""
     with rc_context(
         {
             **_without_matplotlibrc(),
@@ -81,7 +81,7 @@ def figure_style() -> Iterator[None]:
             "axes.spines.top": False,
             "axes.spines.right": False,
             "legend.frameon": False,
-            # a name that a user gave may hold a dollar sign; we write no formulas
+            # a user's names may contain dollar signs; figures contain no formulas
             "text.parse_math": False,
         }
     ):
@@ -89,32 +89,32 @@ def figure_style() -> Iterator[None]:
 
 
 def _without_matplotlibrc() -> Any:  # of many literal names, to type checkers
-    """What matplotlib's own defaults are where a file of the user, of a folder or a program has others."""
+    """Return matplotlib's own defaults for settings that a matplotlibrc or a program has changed."""
     own = (name for name in rcParamsDefault if not name.startswith(_OF_WINDOWS))
     return {name: rcParamsDefault[name] for name in own if rcParams[name] != rcParamsDefault[name]}
 
 
 def colours_of(unit: str) -> Colormap:
-    """The colours of a quantity by its SI unit."""
+    """Return the colours of a quantity by its SI unit."""
     return ENERGY_COLOURS if unit == "J" else QUANTITY_COLOURS
 
 
 def is_narrow(width: float) -> bool:
-    """Whether a width (inch) is that of a column rather than of a page."""
+    """Return whether a width (inch) is that of a column and not of a page."""
     return width < (COLUMN_WIDTH + PAGE_WIDTH) / 2
 
 
 def fit_legend(
     owner: Figure | Axes, handles: Sequence[Artist], columns: int, *, room: float | None = None, **look: Any
 ) -> Legend:
-    """Give a figure or axes a legend that is not cut: in fewer columns, and at last with its words in more lines.
+    """Add a legend that fits into a figure or axes: with fewer columns, or with wrapped words if that is not enough.
 
     Args:
-        owner: of the legend.
-        handles: what it names.
-        columns: at most.
-        room: how wide it may be, inch; as wide as the figure if not given.
-        look: where it stands and how, as matplotlib takes it.
+        owner: figure or axes.
+        handles: entries of the legend.
+        columns: largest number of columns.
+        room: largest width, inch; that of the figure by default.
+        look: position and style, as for matplotlib.
     """
     figure = owner.get_figure(root=True)
     assert isinstance(figure, Figure)
@@ -134,13 +134,13 @@ def fit_legend(
 
 
 def in_column(axes: Axes) -> bool:
-    """Whether axes are in a figure as wide as a column, in which words have half the room."""
+    """Return whether axes are in a column-wide figure, where words have half the space."""
     figure = axes.get_figure(root=True)
     return isinstance(figure, Figure) and is_narrow(figure.get_figwidth())
 
 
 def draw_bar(axes: Axes, start: Sequence[float], length: float, text: str) -> None:
-    """Draw a scale bar from a place to the right, with what its length is above it; all in the units of the axes."""
+    """Draw a scale bar from a position to the right, with its length above; all in the units of the axes."""
     left, foot = start
     axes.plot([left, left + length], [foot, foot], color="black", lw=1.5, solid_capstyle="butt", clip_on=False)
     middle = (left + length / 2, foot)
@@ -148,7 +148,7 @@ def draw_bar(axes: Axes, start: Sequence[float], length: float, text: str) -> No
 
 
 def describe(figure: Figure, text: str) -> Figure:
-    """Give a figure the text that stands for it where it is not seen; its first sentence is the title.
+    """Attach to a figure a text for readers who cannot see it; its first sentence is the title.
 
     Returns:
         The figure.
@@ -158,25 +158,25 @@ def describe(figure: Figure, text: str) -> Figure:
 
 
 def description(figure: Figure) -> str:
-    """The text that stands for a figure, or nothing."""
+    """Return the description of a figure, or an empty text."""
     return str(figure.get_label())
 
 
 def save_figure(figure: Figure, path: Path) -> None:
-    """Write a figure and its text in the format of the file's ending; the same figure gives the same bytes.
+    """Write a figure and its description in the format of the file's ending; the same figure gives the same bytes.
 
     Raises:
-        InputError: it cannot be written, or has another ending.
+        InputError: the file cannot be written, or the path has another ending.
     """
     if path.suffix not in ENDINGS:
         raise InputError(f"{path}: need a file that ends with .png, .svg or .pdf")
     text = description(figure)
     content = io.BytesIO()
-    told: dict[str, str | None] = {"Title": text.partition(". ")[0].removesuffix(".")}
+    metadata: dict[str, str | None] = {"Title": text.partition(". ")[0].removesuffix(".")}
     figure.set_dpi(_RESOLUTION if path.suffix == ".png" else PICTURE_RESOLUTION)
     # Not by figure.savefig, which draws everything twice. TrueType, because journals refuse Type 3. Outlines in SVG,
-    # because few readers have the font, and with another one words run into one another. A salt and no dates, because
-    # otherwise the same figure is another file each time.
+    # because few readers have the font, and another font would make words overlap. A salt and no dates, because
+    # otherwise the same figure would give a different file each time.
     with rc_context(
         {
             **_without_matplotlibrc(),
@@ -188,17 +188,17 @@ def save_figure(figure: Figure, path: Path) -> None:
     ):
         match path.suffix:
             case ".png":
-                told |= {"Description": text, "Software": "forficula"}
-                FigureCanvasAgg(figure).print_png(content, metadata=told)  # type: ignore[no-untyped-call]
+                metadata |= {"Description": text, "Software": "forficula"}
+                FigureCanvasAgg(figure).print_png(content, metadata=metadata)  # type: ignore[no-untyped-call]
             case ".svg":
-                told |= {"Description": text, "Creator": "forficula", "Date": None}
-                FigureCanvasSVG(figure).print_svg(content, metadata=told)  # type: ignore[no-untyped-call]
+                metadata |= {"Description": text, "Creator": "forficula", "Date": None}
+                FigureCanvasSVG(figure).print_svg(content, metadata=metadata)  # type: ignore[no-untyped-call]
             case _:
-                told |= {"Subject": text, "Creator": "forficula", "CreationDate": None}
-                FigureCanvasPdf(figure).print_pdf(content, metadata=told)  # type: ignore[no-untyped-call]
+                metadata |= {"Subject": text, "Creator": "forficula", "CreationDate": None}
+                FigureCanvasPdf(figure).print_pdf(content, metadata=metadata)  # type: ignore[no-untyped-call]
     written = content.getvalue()
     if path.suffix == ".svg":
-        # what reads a page aloud takes the text from here; matplotlib has it among the metadata only
+        # screen readers take the text from the root element; matplotlib writes it only into the metadata
         tags = f"</title>\n <desc>{escape(text, quote=False)}</desc>".encode()
         written = written.replace(b"<svg ", b'<svg role="img" ', 1).replace(b"</title>", tags, 1)
     write_bytes(path, written)
@@ -207,18 +207,18 @@ def save_figure(figure: Figure, path: Path) -> None:
 def save_figures(
     drawings: Mapping[str, Drawing], folder: Path, copies: Collection[str] = COPY_ENDINGS
 ) -> dict[str, str]:
-    """Write every figure as PNG at the width of a page, and as SVG and PDF at that of a column.
+    """Write every figure as PNG at the width of a page, and as SVG and PDF at the width of a column.
 
     Args:
-        drawings: by the stem of their file.
-        folder: of the results; the SVG and PDF come into its sub-folder `COPIES`.
-        copies: which of `COPY_ENDINGS` are written.
+        drawings: drawings by the stems of their files.
+        folder: folder of the results; SVG and PDF are written to its sub-folder `COPIES`.
+        copies: endings among `COPY_ENDINGS` to write.
 
     Returns:
-        The text that stands for each, by the stem of its file.
+        Description of each figure, by the stem of its file.
 
     Raises:
-        InputError: one cannot be written.
+        InputError: a file cannot be written.
     """
     texts = {}
     for stem, draw in drawings.items():
@@ -228,16 +228,16 @@ def save_figures(
         column = draw(COLUMN_WIDTH) if copies else page
         for ending in copies:
             save_figure(column, folder / COPIES / f"{stem}{ending}")
-            # the second one has the places that were found for the first
+            # the second copy keeps the layout of the first
             column.set_layout_engine("none")
     return texts
 
 
 def figure_files(stem: str) -> tuple[str, ...]:
-    """Return the files that a figure is kept in, within the folder of the results."""
+    """Return the files of a figure, within the folder of the results."""
     return f"{stem}.png", *copy_files(stem)
 
 
 def copy_files(stem: str) -> tuple[str, ...]:
-    """Return the files of a figure that is as wide as a column, within the folder of the results."""
+    """Return the files of the column-wide copies of a figure, within the folder of the results."""
     return tuple(f"{COPIES}/{stem}{ending}" for ending in COPY_ENDINGS)

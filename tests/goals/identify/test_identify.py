@@ -92,7 +92,7 @@ def test_contradicting_facts_are_reported_to_exclude_one_another(contradicted):
     assert float(result.together_share_high[0, 1]) == pytest.approx(3 / 64, rel=0.05)
     assert result.attrs["most_met"] == 1
     said = [*together_sentences(result), *agrees_sentences(result)]
-    assert "No sample meets all 2 facts, and by a model fitted between the samples no values do" in said[0]
+    assert "No sample meets all 2 facts, and according to a model fitted between the samples no values do" in said[0]
     assert any(each.startswith("No values meet all facts") for each in said)
     assert sorted(result.attrs["met_most"]) == ["few", "many"]
 
@@ -120,7 +120,7 @@ def test_placed_samples_refute_an_accidental_exclusion():
     assert drawn.together.values[0, 1] != Together.EXCLUDED
     # although the hidden values meet both
     assert (
-        "No sample meets all 2 facts, but samples are too few to say that no values do" in together_sentences(drawn)[0]
+        "No sample meets all 2 facts, but there are too few samples to exclude other values" in together_sentences(drawn)[0]
     )
     for each in marginals(drawn):
         planted_at = {"hinge.overbend": np.radians(2.2), "hinge.damping": 3e-4}[each.key]
@@ -234,9 +234,9 @@ def test_a_least_value_is_bounded_by_inconclusive_values_and_the_first_success()
 def test_evidence_for_an_exclusion_is_reported_with_numbers(contradicted):
     many, few = (int(each) for each in (contradicted.met_alone[0, 1], contradicted.met_alone[1, 0]))
     told = together_sentences(contradicted)
-    assert "Exclude one another, as far as samples tell" in told[-2]
-    assert f"many | few: by 0 of 64 that tell, by either alone {many} and {few} (" in told[-1]
-    assert "if independent); at most 4.6 % of what is believed (95 %); by none of" in told[-1]
+    assert "Pairs that exclude one another, as far as samples show" in told[-2]
+    assert f"many | few: 0 of 64 samples meet both, those that meet one: {many} and {few} (" in told[-1]
+    assert "would meet both if independent); at most 4.6 % of the prior (95 %); none of" in told[-1]
     assert int(contradicted.tried_together[0, 1]) == 32
 
 
@@ -257,8 +257,8 @@ def test_names_with_brackets_are_unchanged_in_the_table(capsys):
     said = capsys.readouterr().out
     assert "planted: 1 sample of 2 unknown values of binder2025 drawn; 0 runs" in said
     assert "b [red]/[9 cm]  at least 0" in said
-    # a single sample gives no range between samples
-    assert "Too few samples to say what agrees: 1 ran" in said
+    # of a single sample nothing follows for the values beside it
+    assert "There are too few samples to compute which values agree: 1 ran" in said
     assert "One sample meets the fact." in said
 
 
@@ -269,4 +269,4 @@ def test_reason_is_reported_if_no_sample_can_be_built():
     assert together_sentences(result)[0].startswith(
         "4 samples cannot be built, mostly: binder2025: tendon.distal_attach"
     )
-    assert agrees_sentences(result) == ["None agrees, for none can be built."]
+    assert agrees_sentences(result) == ["No sample agrees, because none can be built."]

@@ -174,7 +174,7 @@ def test_command_writes_its_files_and_reports_agreeing_ranges(tmp_path, capsys):
     (pair,) = told["pairs"]
     assert (pair["facts"], pair["told"], pair["met"]) == (["closes", "never closes"], 4, 0)
     assert (pair["met_alone"], pair["verdict"]) == ([4, 0], "one is never met")
-    assert "Met by none at all: never closes." in told["sentences"]
+    assert "Facts that no sample meets: never closes." in told["sentences"]
     names = {path.name for path in out.iterdir()}
     assert {
         "identified.nc",

@@ -1,4 +1,4 @@
-"""Films: as long, as large and as fast as asked, and the wing in them where the record has it."""
+"""Films have the requested size, length and speed, and show the wing where the record has it."""
 
 import shutil
 import subprocess
@@ -50,14 +50,14 @@ def test_the_wing_is_drawn_where_the_record_has_it(frame, cuts, reference_run, w
     places = frame._view.project(np.concatenate([surface.bars.reshape(-1, 3), surface.faces.reshape(-1, 3)]))
     pixels = frame._axes.transData.transform(places)
     thick = np.ptp(frame._axes.transData.transform([[0, 0], [radius, 0]])[:, 0]) + 2
-    # of the wing alone: without the plots below, the words above and the scale bar
+    # only the wing: without the plots, the words and the scale bar
     there = np.argwhere(with_wing[::-1].sum(axis=2) < 720)[:, ::-1]
     left, right = pixels[:, 0].min() - thick, pixels[:, 0].max() + thick
     low, high = pixels[:, 1].min() - thick, pixels[:, 1].max() + thick
     inside = there[(there[:, 0] > left) & (there[:, 0] < right) & (there[:, 1] > low) & (there[:, 1] < high)]
     assert inside.min(axis=0) == pytest.approx(pixels.min(axis=0), abs=thick)
     assert inside.max(axis=0) == pytest.approx(pixels.max(axis=0), abs=thick)
-    # every tip is a dark vein, at the height and place that the record gives it
+    # every tip is a dark vein at the record's position
     for tip in frame._axes.transData.transform(frame._view.project(surface.bars[1::2, 1])):
         column, row = round(tip[0]), round(tip[1])
         around = with_wing[::-1][row - 3 : row + 4, column - 3 : column + 4]
@@ -94,7 +94,7 @@ def test_a_gif_is_as_large_and_as_long_as_its_film(tmp_path, reference_run, cuts
             durations.append(film.info["duration"])
             corners.add(film.convert("RGB").getpixel((0, SIZE[1] - 1)))
     assert sum(durations) == pytest.approx(1e3 * length, abs=1e3 / RATE)
-    # of the moves every picture is another one; those of a state that is held are one
+    # all pictures of a move differ; those of a held state are equal
     assert len(durations) > RATE * sum(cut.length for cut in cuts if cut.slowed)
     assert corners == {(255, 255, 255)}  # the background is white, whatever the palette
     assert told == [(number + 1, len(told)) for number in range(len(told))]
@@ -108,7 +108,7 @@ def test_an_mp4_has_the_pictures_that_were_asked_for(tmp_path, reference_run, cu
     raw = np.frombuffer(subprocess.run(command, capture_output=True, check=True).stdout, dtype=np.uint8)
     pictures = raw.reshape(-1, SIZE[1], SIZE[0], 3).astype(int)
     assert len(pictures) == round(RATE * sum(cut.length for cut in cuts))
-    # the first picture of the film and the one that was drawn agree but for the compression
+    # the first picture of the film equals the drawn one up to compression
     drawn = FilmFrame(reference_run, cuts, SIZE).draw(*moment(cuts, 0.0)).astype(int)
     assert abs(pictures[0] - drawn).mean() < 4
     assert abs(pictures[0] - pictures[len(pictures) // 2]).mean() > 4
@@ -158,7 +158,7 @@ def test_a_film_that_is_stopped_leaves_nothing(tmp_path, reference_run, name):
     assert not list(tmp_path.iterdir())
 
 
-def test_what_ffmpeg_cannot_write_is_told_in_its_words_and_nothing_is_left(tmp_path, reference_run, monkeypatch):
+def test_errors_of_ffmpeg_are_reported_and_no_file_is_left(tmp_path, reference_run, monkeypatch):
     broken = tmp_path / "ffmpeg"
     broken.write_text("#!/bin/sh\necho 'Unknown encoder libx264' >&2\nexit 1\n")
     broken.chmod(0o755)
@@ -169,14 +169,14 @@ def test_what_ffmpeg_cannot_write_is_told_in_its_words_and_nothing_is_left(tmp_p
 
 
 def test_a_film_of_strains_colours_the_membrane_alone_and_needs_one(reference_run, cuts, frame, tmp_path):
-    # of all moments the one at which it is strained most
+    # the time of the largest strain
     peak = max((each for each in strain_peaks(reference_run) if each.kind == "membranes"), key=lambda each: each.strain)
     fold = next(cut for cut in cuts if cut.first < peak.time < cut.last)
     strained = FilmFrame(reference_run, cuts, (640, 360), strain=True)
     assert strained._strains.vmax == pytest.approx(peak.strain, rel=0.01)
     before, now = (np.asarray(each.draw(fold, peak.time)).astype(int) for each in (frame, strained))
     dark = np.array([round(255 * part) for part in STRAIN_COLOURS(1.0)[:3]])
-    red = (np.abs(now - dark).max(axis=2) < 40)[60:220]  # beneath the bar of colours and above the plots
+    red = (np.abs(now - dark).max(axis=2) < 40)[60:220]  # below the colour bar and above the plots
     assert red.sum() > 50 > (np.abs(before - dark).max(axis=2) < 40)[60:220].sum()
     plates, _ = plates_run()
     with pytest.raises(InputError, match="strain: need a structure with a membrane"):

@@ -47,7 +47,7 @@ def test_when_a_move_ends_the_hinges_are_near_where_they_come_to_rest(cuts, refe
             np.degrees(reference_run.angles("ring")[np.searchsorted(reference_run.time, time)])
             for time in (cut.first, cut.last, rest)
         )
-        # it is 95 % of the way on average over the turns of the veins, too
+        # this is 95 % of the motion, averaged with the turns of the veins
         assert abs(now - then).mean() < 0.1 * abs(then - before).mean()
 
 

@@ -38,7 +38,7 @@ STUCK = {"status": "stuck at -80.0 deg", "folded": False, "opened": False, "fold
 
 @pytest.fixture
 def cycling(reference):
-    """Six cycles that the tests saw in part, the last two of which fail."""
+    """Six cycles, some of them covered by tests, the last two of which fail."""
     runs = (*(run(cycle) for cycle in range(1, 5)), *(run(cycle, **STUCK) for cycle in (5, 6)))
     return Cycling(
         design=reference,
@@ -50,18 +50,18 @@ def cycling(reference):
     )
 
 
-def test_the_figure_shows_what_was_not_seen_and_where_the_wing_stops(cycling):
+def test_the_figure_marks_extrapolated_cycles_and_the_first_failure(cycling):
     figure = draw_cycling(cycling)
     FigureCanvasAgg(figure).draw()
     assert [axes.get_ylabel() for axes in figure.axes] == [
         "energy of the tendons (J)",
         "fold time (s)",
-        "margin: torque over the least slow one",
+        "margin: torque / least slow torque",
     ]
     assert {axes.get_xlabel() for axes in figure.axes} == {"cycle N"}
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert labels == [
-        *("flat", "folded", "opened", "not seen in the tests"),
+        *("flat", "folded", "opened", "not covered by tests"),
         *("first failure, cycle 5", "did not fold and open"),
     ]
     shaded = [
@@ -106,7 +106,7 @@ def test_the_cycles_of_an_earlier_run_go_when_another_run_takes_its_place(cyclin
     assert "record.nc" in files_in(tmp_path / "run")
 
 
-def test_the_page_of_a_run_tells_of_its_cycles(cycling, tmp_path, reference_run):
+def test_the_page_of_a_run_has_a_section_on_cycles(cycling, tmp_path, reference_run):
     ff.page(reference_run, tmp_path / "report.html")
     alone = (tmp_path / "report.html").read_text("utf-8")
     write_cycling(cycling, tmp_path)
@@ -117,7 +117,7 @@ def test_the_page_of_a_run_tells_of_its_cycles(cycling, tmp_path, reference_run)
     assert "<p>Up to cycle 4.</p>" in section
     assert "<li>[2] to 4 seen.</li>" in section
     assert section.count("<small>extrapolated</small>") == 3
-    # what did not fold and open
+    # cycles that did not fold and open
     assert section.count("<mark>stuck at −80.0 deg</mark>") == 2
     assert "<td>1 (0.9 to 1.1)</td><td>1 %</td><td>50 ms</td><td>1 J</td><td>70</td>" in section
 
@@ -128,7 +128,7 @@ def test_the_verdict_and_the_remarks_are_printed(cycling, capsys):
     assert lines == [
         "",
         "Cycles: up to cycle 4",
-        "  margin of the fold torque over the least slow one: 70 at cycle 1, 420 at cycle 6",
-        "  margin of the unfold torque over the least slow one: 4 at cycle 1, 24 at cycle 6",
+        "  ratio of the fold torque to the least slow torque: 70 at cycle 1, 420 at cycle 6",
+        "  ratio of the unfold torque to the least slow torque: 4 at cycle 1, 24 at cycle 6",
         "  [2] to 4 seen",
     ]

@@ -1,4 +1,4 @@
-"""Figures drawn again from what a folder holds: the same ones, byte for byte, and what cannot be had in one line."""
+"""Figures drawn again from a folder are the same byte for byte, and errors are reported in one line."""
 
 from dataclasses import replace
 
@@ -54,7 +54,7 @@ def convergence(reference):
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, reference, reference_run, cycling, convergence):
-    """A folder of every sort of results, with the files that its figures are drawn from."""
+    """A folder of every kind of results, with the files from which its figures are drawn."""
     place = tmp_path_factory.mktemp("out")
     save_record(reference_run, place / "run" / "record.nc")
     for name in ("run", "landscape"):
@@ -91,7 +91,7 @@ def test_a_folder_offers_the_figures_of_its_results(folders, name):
 
 @pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize(("tendons", "kinds"), [(True, ["levels", "rests", "tendon"]), (False, ["rests"])])
-def test_a_landscape_without_one_way_to_fold_offers_where_it_rests(tmp_path, surveyed, tendons, kinds):
+def test_a_landscape_without_a_unique_fold_offers_the_figure_of_equilibria(tmp_path, surveyed, tendons, kinds):
     write_landscape(surveyed("plates" if tendons else "plates without tendons"), tmp_path / "out")
     assert sorted(folder_drawings(tmp_path / "out")) == kinds
 
@@ -105,7 +105,7 @@ def test_a_table_that_does_not_name_its_transitions_is_refused(tmp_path):
 
 
 def assert_drawn_again(folder, drawings, kind, path):
-    """A figure drawn from a folder is the same file as the one drawn from the data that the folder was written of."""
+    """Check that figures drawn from a folder equal those drawn from the data that were written to it."""
     write_figure(folder, kind, path / "again.svg")
     save_figure(drawings[kind](COLUMN_WIDTH), path / "first.svg")
     assert (path / "again.svg").read_bytes() == (path / "first.svg").read_bytes()
@@ -144,7 +144,7 @@ def test_a_landscape_is_surveyed_again_with_its_run_where_its_figure_shows_one(
 
 def test_the_figures_of_a_convergence_study_are_drawn_again(folders, tmp_path, convergence):
     assert_drawn_again(folders / "converge", convergence_drawings(convergence), "times", tmp_path)
-    # its curves are kept with seven digits, of which a figure shows fewer, but not always the same
+    # curves are kept with seven digits; figures show fewer, but not always the same
     write_figure(folders / "converge", "angles", tmp_path / "again.svg")
     assert (tmp_path / "again.svg").read_text().count("<path") > 20
 
@@ -208,7 +208,7 @@ def test_an_unknown_figure_is_refused_with_the_nearest_and_all(folders, tmp_path
     ("name", "what"),
     [("nowhere", "got no such folder"), ("file", "got a file"), ("empty", "with one of record.nc, .*table.nc in")],
 )
-def test_a_folder_that_is_none_of_ours_is_refused(tmp_path, name, what):
+def test_a_folder_that_forficula_did_not_write_is_refused(tmp_path, name, what):
     (tmp_path / "empty").mkdir()
     write_text(tmp_path / "file", "")
     with pytest.raises(InputError, match=f"{name}: need a folder that forficula wrote, {what}"):

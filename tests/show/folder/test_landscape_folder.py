@@ -32,13 +32,13 @@ def test_a_landscape_leaves_its_files_and_the_design_gives_the_same_again(survey
     hinge = content["hinge"]
     assert hinge["time_scale_s"] == pytest.approx(math.sqrt(hinge["inertia_kg_m2"] / (1000 * 0.055**2)))
     assert content["simulation"]["status"] == "folded and opened"
-    # the wing is damped, and its membrane pulls: it is slower than its hinge alone
+    # the wing is damped and its membrane pulls, so it is slower than its hinge alone
     predicted = content["simulation"]["predicted"]["second_hinge"]
     assert predicted["folded_time_s"] < content["simulation"]["folded_time_s"] < 2 * predicted["folded_time_s"]
     assert content["simulation"]["peak_speed_rad_per_s"] < predicted["final_speed_rad_per_s"]
 
 
-def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surveyed, letter_run, tmp_path):
+def test_the_folder_of_plates_has_equilibria_and_hinges_in_their_own_senses(surveyed, letter_run, tmp_path):
     landscape = surveyed("plates")
     write_landscape(landscape, tmp_path / "there", letter_run)
     assert sorted(path.name for path in (tmp_path / "there").iterdir()) == sorted({*FILES, "rests.png"} - {"wing.png"})
@@ -50,10 +50,10 @@ def test_plates_leave_where_they_rest_and_their_hinges_in_their_own_senses(surve
     ]
     for tendon in content["tendons"]:
         assert (max(tendon["angle_deg"]), min(tendon["angle_deg"])) == pytest.approx((175, -3))
-        # of tendon and spring, as the whole structure rests
+        # energy of tendon and spring at rest of the whole structure
         stays = [state["angle_deg"] for state in tendon["stable_states"]]
         assert stays == pytest.approx([rest["angles_deg"][0] for rest in content["rests"][:2]], abs=1e-4)
-        # d energy / d angle, turned round
+        # d energy / d angle, with the opposite sign
         angle, energy = np.radians(tendon["angle_deg"]), np.array(tendon["energy_J"]) + tendon["spring_energy_J"]
         moment = np.array(tendon["moment_N_m"]) + tendon["spring_moment_N_m"]
         assert energy[-1] - energy[0] == pytest.approx(-np.trapezoid(moment, angle), rel=2e-3)
@@ -68,7 +68,7 @@ def test_a_vein_without_a_tendon_has_no_landscape(surveyed, tmp_path):
     write_landscape(surveyed("own tendons"), tmp_path)
     content = read(tmp_path)
     assert [each["hinge"] for each in content["tendons"]] == ["fold0", "fold2"]
-    # vein 2: half of 15 N/cm by the 1.5 cm that it is stretched at straight, but for the axis
+    # vein 2: half of 15 N/cm times the square of the stretch of 1.5 cm at straight, apart from the axis
     assert max(content["tendons"][1]["energy_J"]) < 1500 / 2 * 0.015**2
     assert len(content["partial_folds"][-1]["distal_angle_deg"]) == 3
 
@@ -83,7 +83,7 @@ def test_a_barrier_beside_straight_has_its_angle(surveyed, tmp_path):
 @pytest.mark.parametrize(
     "name", ["without rest length", "without hub", "without overbend", "slack", "without stiffness", "beyond the stop"]
 )
-def test_what_does_not_exist_is_null_and_said_in_a_sentence(surveyed, tmp_path, name):
+def test_missing_values_are_null_and_explained_by_a_sentence(surveyed, tmp_path, name):
     write_landscape(surveyed(name), tmp_path)
     content = read(tmp_path)
     assert content["simulation"] is None
@@ -101,13 +101,13 @@ def test_a_simulation_that_diverged_is_named_and_the_rest_is_written(surveyed, t
     assert (tmp_path / "tendon.png").exists()
 
 
-def test_a_landscape_leaves_all_files_or_none(surveyed, tmp_path, no_figures):  # noqa: ARG001
+def test_all_files_of_a_landscape_are_written_or_none(surveyed, tmp_path, no_figures):  # noqa: ARG001
     landscape = surveyed("reference")
     blocked = tmp_path / "blocked"
     (blocked / "wing.png").mkdir(parents=True)
     with pytest.raises(InputError, match=r"wing\.png"):
         write_landscape(landscape, blocked)
     assert [path.name for path in blocked.iterdir()] == ["wing.png"]
-    with pytest.raises(TypeError):  # a landscape that cannot be written, after the file of its design
+    with pytest.raises(TypeError):  # fails after the file of the design is written
         write_landscape(replace(landscape, remarks=None), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

@@ -67,7 +67,7 @@ def test_without_a_law_the_law_of_an_earlier_material_goes(tpu_material, lawless
     assert (content["law"], content["fit"]) == (None, None)
 
 
-def test_a_material_leaves_all_files_or_none(tpu_material, tmp_path):
+def test_all_files_of_a_material_are_written_or_none(tpu_material, tmp_path):
     (tmp_path / "modulus.png").mkdir()
     with pytest.raises(InputError, match=r"modulus\.png"):
         write_material(tpu_material, tmp_path)

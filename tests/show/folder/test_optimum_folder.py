@@ -1,4 +1,4 @@
-"""What a search leaves: all of it, or what was there before."""
+"""Files of an optimisation: all are written, or earlier ones are kept."""
 
 import pytest
 
@@ -19,7 +19,7 @@ GOAL = {
 }
 
 
-def test_a_disk_that_is_full_leaves_what_was_there_and_what_is_not_best_any_more_goes(tmp_path, monkeypatch):
+def test_a_full_disk_keeps_earlier_files_and_outdated_best_designs_are_removed(tmp_path, monkeypatch):
     optimum_folder.write_optimum(optimise_goal(goal_of(GOAL), tmp_path), tmp_path)
     before = {name: (tmp_path / name).read_text("utf-8") for name in ("best.toml", "optimum.json", "table.csv")}
     none = optimise_goal(goal_of({**GOAL, "limits": {"mass": "<= 1 mg"}}), tmp_path)

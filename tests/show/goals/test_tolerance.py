@@ -1,4 +1,4 @@
-"""What a tolerance leaves: figures that say what they show, a table, text, and the same figures again from its file."""
+"""Results of a tolerance analysis: figures with descriptions, a table, text, and the same figures from the file."""
 
 import json
 from dataclasses import replace
@@ -40,17 +40,17 @@ def table(found):
     return tolerance_table(found)
 
 
-def test_bars_stand_for_the_indices_of_the_factors_in_their_order_and_of_the_others(found, table):
+def test_bars_show_the_indices_of_the_factors_in_order_and_of_the_others(found, table):
     axes = draw_indices(table).axes[0]
     names = [each.get_text() for each in axes.get_yticklabels()]
     assert names == ["tendon left rest length", "facet thickness", "3 others"]
     first = [bar.get_width() for bar in axes.containers[0]]
     assert first == pytest.approx([max(each, 0) for each in found.indices.first[0]])
     assert [bar.get_width() for bar in axes.containers[1]] == pytest.approx(found.indices.total[0].tolist())
-    assert "has to do with tendon left rest length" in description(axes.figure)
+    assert "is due to tendon left rest length" in description(axes.figure)
 
 
-def test_every_sample_is_a_point_of_the_cloud_over_a_cell_for_each_design_of_the_map(found, table):
+def test_the_cloud_has_a_point_for_each_sample_and_the_map_a_cell_for_each_design(found, table):
     axes = draw_cloud(table).axes[0]
     points = {each.get_marker(): len(each.get_xdata()) for each in axes.lines}
     answers = found.samples.answers
@@ -63,7 +63,7 @@ def test_every_sample_is_a_point_of_the_cloud_over_a_cell_for_each_design_of_the
     assert (edge.get_x(), edge.get_width()) == pytest.approx((4.5, 1.0))
 
 
-def test_the_nearest_failure_alone_stands_on_top_where_it_fails(found, table):
+def test_the_nearest_failure_is_in_the_first_row(found, table):
     figure = draw_reaches(table, COLUMN_WIDTH)
     axes = figure.axes[0]
     assert axes.get_yticklabels()[0].get_text() == "tendon left rest length"
@@ -104,7 +104,7 @@ def test_where_there_was_little_time_only_what_is_known_is_drawn(design, tmp_pat
     assert len(axes.get_yticklabels()) == len(FACTORS)
 
 
-def test_a_design_that_fails_has_no_ways_to_failure_to_draw(design, tmp_path, capsys):
+def test_a_design_that_fails_has_no_figure_of_distances_to_failure(design, tmp_path, capsys):
     few = replace(SMALL, rows=16, points=32, cells=3)
     failing = assessed(design, tmp_path / "failing", few, lambda offsets: line(offsets) - 0.2)
     assert set(tolerance_drawings(tolerance_table(failing))) == {"indices", "cloud"}
@@ -112,7 +112,7 @@ def test_a_design_that_fails_has_no_ways_to_failure_to_draw(design, tmp_path, ca
     assert "The nominal design does not work: did not get opened." in capsys.readouterr().out
 
 
-def test_what_is_kept_is_of_every_outcome_and_off_the_least(found):
+def test_kept_runs_cover_every_outcome_with_the_smallest_deviations(found):
     kept = samples_to_keep(found, 4)
     outcomes = [found.samples.outcomes[run.point] for run in kept]
     assert sorted(map(outcomes.count, set(outcomes))) == [2, 2]
@@ -122,7 +122,7 @@ def test_what_is_kept_is_of_every_outcome_and_off_the_least(found):
     assert samples_to_keep(found, 0) == []
 
 
-def test_a_notebook_tells_what_to_tighten(table):
+def test_a_notebook_says_which_tolerance_to_tighten(table):
     assert "Tighten the tolerance of" in table._repr_html_()
     assert "<img" in table._repr_html_()
 

@@ -15,7 +15,7 @@ from forficula.show.landscape.tendon_figure import draw_tendon
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 from tests.show.legible import check_words
 
-# the reference is drawn where its words are read at every width
+# the reference is drawn by tests of words at every width
 NAMES = (
     "small",
     "without rest length",
@@ -84,17 +84,17 @@ def test_the_simulated_tendon_lies_on_the_closed_form_folding_and_opening(survey
         points = labelled(figure, name)
         angle = np.radians(points.get_xdata())
         inside = (angle > -math.pi) & (angle < math.pi)
-        # the engine's tendon is the same spring; rounding is all that tells them apart
+        # the engine's tendon is the same spring, so only rounding errors differ
         assert points.get_ydata()[inside] == pytest.approx(hinge.energy(angle[inside]), abs=1e-9)
         assert np.ptp(points.get_xdata()) > 120
 
 
-def test_a_simulation_that_is_not_there_is_not_in_the_legend(surveyed):
+def test_a_missing_simulation_is_not_in_the_legend(surveyed):
     legend = draw_tendon(surveyed("reference")).legends[0]
     assert not [text.get_text() for text in legend.get_texts() if "simulated" in text.get_text()]
 
 
-def test_what_is_not_there_is_said_in_a_sentence_in_its_place(surveyed):
+def test_a_missing_barrier_is_explained_by_a_sentence(surveyed):
     assert "slack at every angle" in texts(draw_tendon(surveyed("slack")))
     assert "slack at every angle" in texts(draw_fold_path(surveyed("slack")))
     assert "no stiffness" in texts(draw_tendon(surveyed("without stiffness")))
@@ -169,18 +169,18 @@ def test_a_hinge_with_a_spring_is_drawn_with_it_in_its_own_sense(surveyed):
     top, bottom = figure.axes
     tendon, spring, both = (labelled(figure, name) for name in ("tendon (", "spring of", "tendon and"))
     assert both.get_ydata() == pytest.approx(tendon.get_ydata() + spring.get_ydata())
-    # it folds to positive angles, and its spring of 0.02 N m/rad/m by 21 cm rests flat
+    # it folds to positive angles, and its spring (0.02 N m/rad/m times 21 cm) is at rest when flat
     angle = np.radians(spring.get_xdata())
     assert (math.degrees(angle.min()), math.degrees(angle.max())) == pytest.approx((-3, 175))
     assert spring.get_ydata() == pytest.approx(1e3 * 0.02 * 0.21 / 2 * angle**2)
     moment = next(line for line in bottom.lines if line.get_color() == both.get_color() and len(line.get_xdata()) > 60)
-    # the moment is in N cm and opens where positive, which is d energy / d angle of what folds to positive angles
+    # the moment is in N cm and opens where positive: d energy / d angle for a hinge that folds to positive angles
     fall = np.trapezoid(moment.get_ydata() / 100, np.radians(moment.get_xdata()))
     assert both.get_ydata()[-1] - both.get_ydata()[0] == pytest.approx(1e3 * fall, rel=3e-3)
     assert top.get_ylabel() == "stored energy (mJ)"
 
 
-def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed, letter_run):
+def test_a_simulated_hinge_with_a_spring_is_on_the_line_of_the_sum(surveyed, letter_run):
     landscape = surveyed("plates")
     figure = draw_tendon(landscape, letter_run)
     both = labelled(figure, "tendon and")
@@ -193,7 +193,7 @@ def test_a_simulated_hinge_with_a_spring_lies_on_the_line_of_both(surveyed, lett
     assert all("back bend" in text for text in words)
 
 
-def test_where_plates_rest_is_drawn_by_what_stores_it_with_their_angles(surveyed):
+def test_equilibria_of_plates_are_drawn_with_stored_energies_and_angles(surveyed):
     landscape = surveyed("plates")
     top, bottom = draw_rests(landscape).axes
     assert [label.get_text() for label in bottom.get_xticklabels()] == ["flat", "closed", "opened\n(as flat)"]
@@ -214,7 +214,7 @@ def test_rounding_is_not_drawn_as_energies_and_angles(surveyed):
     assert (top.get_ylim(), np.ptp(bottom.get_ylim())) == ((0, 1), pytest.approx(1))
 
 
-def test_what_is_not_there_is_not_drawn(surveyed):
+def test_figures_without_contents_are_left_out(surveyed):
     assert list(landscape_drawings(surveyed("reference"))) == ["tendon", "wing", "levels"]
     assert list(landscape_drawings(surveyed("plates"))) == ["tendon", "rests", "levels"]
     with pytest.raises(InputError, match="letter-fold: has no single folding path"):

@@ -20,22 +20,22 @@ def line(text, start):
     return next(each for each in text.splitlines() if each.startswith(start))
 
 
-def test_the_prediction_stands_beside_the_simulation(surveyed, reference_run):
+def test_prediction_and_simulation_are_side_by_side(surveyed, reference_run):
     text = printed(surveyed("reference"), reference_run)
-    # ideal, of the wing, simulated; the wing is slower than its hinge alone
+    # ideal, wing, simulated; the simulated wing is slower than its hinge alone
     times = [float(word) for word in line(text, "from 1.0° past straight to 150.0°").split()[-6::2]]
     assert 30 < times[0] < times[1] < times[2] < 80
-    # stops yield: it passes 180 deg
+    # stops yield, so it passes 180 deg
     assert len(line(text, "from 1.0° past straight to 180.0°").split()) > 6
     assert "The simulated wing: folded and opened." in text
     assert "sampled every 1 ms" in text
 
 
-def test_without_a_simulation_only_the_prediction_is_there(surveyed):
+def test_without_a_simulation_there_is_only_the_prediction(surveyed):
     assert "simulated" not in printed(surveyed("reference"))
 
 
-def test_what_cannot_give_way_is_rigid(surveyed):
+def test_infinite_stiffness_is_called_rigid(surveyed):
     cells = line(printed(surveyed("reference")), "flat (along").split()
     assert cells[-1] == "rigid"
 
@@ -62,12 +62,12 @@ def test_every_landscape_reads_as_sentences_and_numbers(surveyed, name):
     assert text.rstrip().endswith((".", "rad/s", "none"))
 
 
-def test_a_force_that_is_rounding_reads_zero(surveyed):
+def test_a_force_within_rounding_errors_is_displayed_as_zero(surveyed):
     cells = line(printed(surveyed("without hub")), "that fold").split()
     assert " ".join(cells).startswith("that fold, on every proximal turn axis 0 N cm")
 
 
-def test_a_simulation_that_diverged_or_stuck_is_told_with_what_to_try(surveyed):
+def test_a_diverged_or_stuck_simulation_is_reported_with_advice(surveyed):
     wild = run(load_design("binder2025", {"protocol.timestep": "5 ms"}))
     text = printed(surveyed("reference"), wild)
     assert "The simulated wing: diverged at t = " in text
@@ -78,7 +78,7 @@ def test_a_simulation_that_diverged_or_stuck_is_told_with_what_to_try(surveyed):
     )
 
 
-def test_a_barrier_beside_straight_is_told_with_its_angle(surveyed):
+def test_a_barrier_away_from_straight_is_listed_with_its_angle(surveyed):
     text = printed(surveyed("off the bars"))
     # 10 N/cm, 9 cm, a stop at 3 deg, both attachments 2 mm off: 4.30 mJ at -4.2 deg, 6.8 N cm
     # (docs/model/theory.md, section "Tendon off the hinge axis")
@@ -88,32 +88,32 @@ def test_a_barrier_beside_straight_is_told_with_its_angle(surveyed):
     assert "from 1.0° past its top to 150.0°" in text
 
 
-def test_a_vein_without_a_tendon_is_passed_over(surveyed):
+def test_a_vein_without_a_tendon_is_skipped(surveyed):
     text = printed(surveyed("own tendons"))
     assert "first hinge of the wing" in text
     assert "second hinge" not in text
-    # what holds for one tendon only is said with its name
+    # remarks about one tendon name it
     assert "Vein 2: the tendon is slack from" in text
 
 
 def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed):
     text = printed(surveyed("folds by itself"))
     assert text.startswith("binder2025: stable along its fold: partly folded; ")
-    for barrier in ("flat until its easiest hinge folds alone", "flat to folded, all hinges together"):
+    for barrier in ("flat until its weakest hinge folds alone", "flat to folded, all hinges together"):
         assert line(text, f"wing, {barrier}").split()[-1] == "none"
     assert landscape_summary(surveyed("folds by itself"))["wing"]["single_hinge_barriers_J"] is None
 
 
-def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(surveyed, letter_run):
+def test_plates_are_listed_with_their_equilibria_and_torques(surveyed, letter_run):
     text = printed(surveyed("plates"), letter_run)
     assert text.startswith(
-        "letter-fold: rests stably: flat, closed, opened (as flat); 4 of 4 states with some hinges folded stay"
+        "letter-fold: stable states: flat, closed, opened (as flat); 4 of 4 states with some hinges folded are stable"
     )
     assert "fold angle −3.0°" in line(text, "structure, flat")
     assert "105.6°" in line(text, "structure, closed")
     assert line(text, "crease 0 (left) of the structure, −3.0° to straight").split()[-2:] == ["53.17", "µJ"]
     assert line(text, "that make it get closed, on the creases").split()[-2:] == ["N", "cm"]
-    # springs have no closed form, so only the run times the hinge
+    # a hinge with a spring has no closed form, so only the run has a time
     assert "ideal hinge" not in text
     assert line(text, "from 1.0° past straight to 90.0°").split()[-1] == "s"
     assert "The simulated structure: closed and opened." in text
@@ -121,10 +121,10 @@ def test_plates_are_told_by_where_they_rest_and_by_what_closes_and_opens_them(su
         assert word not in text
 
 
-def test_a_single_hinge_is_told_once_and_has_no_levels_between():
+def test_a_single_hinge_is_listed_once_without_levels():
     landscape = energy_landscape("binder2025-joint")
     assert landscape_kinds(landscape) == ("tendon", "rests")
     text = printed(landscape)
-    assert "binder2025-joint: rests stably: flat, folded, opened (as flat)\n" in text
+    assert "binder2025-joint: stable states: flat, folded, opened (as flat)\n" in text
     assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.025", "mJ"]
     assert "easiest hinge" not in text

@@ -1,4 +1,4 @@
-"""What is drawn, written and printed of a landscape of sliding points."""
+"""Figures, files and printed text of a net's landscape."""
 
 import json
 
@@ -25,7 +25,7 @@ def landscape():
 
 @pytest.fixture(scope="module")
 def record():
-    # a force that grows faster than most snaps it as well
+    # a force that grows faster than most also causes the snap
     return run(pyramid(**{"crease.damping": 1e-4, "drive.push.rise": 0.2, "drive.pull.rise": 0.2}))
 
 
@@ -36,7 +36,7 @@ def printed(landscape, record=None):
     return capture.get()
 
 
-# of those of a page, the one with the most words
+# the page-wide figure with the most words
 @pytest.mark.parametrize(("kind", "width"), [*((kind, COLUMN_WIDTH) for kind in KINDS), ("courses", PAGE_WIDTH)])
 def test_the_words_of_every_figure_can_be_read(landscape, kind, width):
     check_words(landscape_drawings(landscape)[kind](width), width)
@@ -48,7 +48,7 @@ def test_barriers_are_left_out_where_there_is_one_state():
     assert list(landscape_drawings(stiff)) == ["states", "modes", "courses"]
 
 
-def test_the_table_tells_states_barriers_drives_and_loads(landscape):
+def test_the_table_has_states_barriers_drives_and_loads(landscape):
     text = printed(landscape)
     assert "pyramid: 2 stable states were found: up, down" in text
     assert "up to down" in text
@@ -75,7 +75,7 @@ def test_a_folder_holds_figures_numbers_and_a_page(landscape, record, tmp_path):
     assert set(written["rests_apart_m"]) == {"up", "down", "up again"}
     page = (folder / "report.html").read_text("utf-8")
     assert page.count("<img ") == len(KINDS)
-    # the run plays above them
+    # above them the page plays the run
     assert '"kind":"run"' in page
     assert "2 stable states were found: up, down." in page
     assert "http" not in page.replace("http-equiv", "").replace("http://www.w3.org", "")

@@ -59,7 +59,7 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
         for placed in placed_parts(joint, angle):
             corners = placed.mesh.points[placed.mesh.triangles[: placed.mesh.stops]]
             normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-            # to which side of the axis they are
+            # side of the axis
             off = (corners.mean(axis=1) - layout.origin) @ (np.eye(3) - np.outer(axis, axis))
             halves.append([each / np.linalg.norm(each, axis=1)[:, None] for each in (normals, off)])
         (one, here), (other, there) = (each for each in halves if len(each[0]))
@@ -69,14 +69,14 @@ def test_at_a_stop_faces_of_both_halves_lie_on_one_another_and_half_way_none_do(
     assert not meet((layout.lower + layout.upper) / 2)
 
 
-def test_bars_of_several_roles_look_different_and_parts_alike_alike(section):
+def test_bars_of_different_roles_have_different_colours(section):
     looks, own = part_looks(section)
     assert [look.name for look in looks] == ["proximal bar", "distal bar", "pin", "strap", "hub", "root"]
     assert len({look.colour for look in looks}) == len(looks)
     assert all(looks[look].kind == part.kind for part, look in zip(section.parts, own, strict=True))
 
 
-def test_values_are_told_in_the_units_that_parts_are_drawn_in():
+def test_values_have_the_units_of_drawings():
     assert value_text(4e-4, "m") == "0.4 mm"
     assert value_text(1e-10, "m^3") == "0.1 mm³"
     assert value_text(-np.pi, "rad") == "−180 deg"
@@ -86,8 +86,8 @@ def test_values_are_told_in_the_units_that_parts_are_drawn_in():
     assert mass_text(0.00029999) == "0.300 g"
 
 
-def test_straps_weigh_on_the_page_and_in_the_figure_what_their_printed_layers_weigh(joint):
-    """Of the mesh's volume and the density, times the share that whole layers print: 2.4 of 2.5 mm."""
+def test_masses_of_straps_are_those_of_their_printed_layers(joint):
+    """Volume of the mesh times the density, times the share that whole layers print: 2.4 of 2.5 mm."""
     (strap,) = (part for part in joint.parts if part.kind == "strap")
     mass = 2.4 / 2.5 * 1150 * strap.volume
     (row,) = (row for row in bill_of(joint) if row.part == strap.name)

@@ -35,7 +35,7 @@ def test_every_figure_has_units_on_its_axes_and_its_legend_on_the_page(request, 
         assert figure.bbox.padded(1).containsx(legend.get_window_extent(canvas.get_renderer()).x1)
 
 
-def test_a_panel_a_cycle_has_every_specimen_and_the_median_of_both_ways(tpu_material):
+def test_each_cycle_s_panel_has_every_specimen_and_the_medians_of_loading_and_unloading(tpu_material):
     figure = draw_cycles(tpu_material)
     panels = [axes for axes in figure.axes if axes.lines]
     assert [axes.get_title("left") for axes in panels] == ["cycle 1, left out", "cycle 2", "cycle 3", "cycle 4"]
@@ -79,7 +79,7 @@ def test_the_boxes_are_the_quartiles_of_the_classes(tpu_material):
         assert heights == pytest.approx(sorted(getattr(each, kind).upper / 1e6 for each in pooled))
 
 
-def test_the_residual_is_the_law_less_the_data(tpu_material):
+def test_the_residual_is_the_law_minus_the_data(tpu_material):
     panels = draw_fit(tpu_material).axes
     left = np.concatenate([line.get_ydata() for line in panels[2].lines if len(line.get_xdata()) > 2])
     assert np.sqrt(np.mean(left**2)) * 1e6 == pytest.approx(tpu_material.fit.misfit, rel=1e-6)
@@ -100,8 +100,8 @@ def test_a_drift_is_drawn_through_the_specimens_with_its_size(tpu_material):
     assert loss.get_ylabel().startswith("loss per cycle (")
 
 
-def test_what_cannot_be_told_is_said_in_its_place(elastic_material, lawless_material):
+def test_an_unknown_drift_and_a_missing_law_are_reported(elastic_material, lawless_material):
     # two cycles are too few for a drift
-    assert {axes.get_title("left") for axes in draw_drift(elastic_material).axes} == {"drift cannot be told"}
+    assert {axes.get_title("left") for axes in draw_drift(elastic_material).axes} == {"drift unknown"}
     with pytest.raises(InputError, match="tpu: there is no law to draw"):
         draw_fit(lawless_material)

@@ -1,14 +1,14 @@
-"""What a page with a structure and plots must show, whatever its pixels are."""
+"""Required appearance of a page with a structure and plots, independent of exact pixels."""
 
 import io
 
 import numpy as np
 from PIL import Image
 
-_DARKEST, _LIGHTEST = 60, 200  # of 255: grounds of a dark and of a light page are beyond
-_COLOURED = 24  # of 255: between the channels of a colour that is no grey
-_LEAST, _MOST = 0.02, 0.9  # of a stage, that a structure covers
-_INK = 1000  # pixels that a plot has at least
+_DARKEST, _LIGHTEST = 60, 200  # of 255: bounds of the backgrounds of dark and light pages
+_COLOURED = 24  # of 255: difference between the channels of a colour that is not grey
+_LEAST, _MOST = 0.02, 0.9  # share of a stage that a structure covers
+_INK = 1000  # least number of pixels of a plot
 _PARTS = """() => { const box = (each) => { const { x, y, width, height } = each.getBoundingClientRect();
     return [x, y, x + width, y + height]; };
   const shown = (each) => each.checkVisibility();
@@ -37,7 +37,7 @@ def check_shown(opened, scheme="light", *, beside=False):
     (left, top, right, bottom), *_ = found["stage"]
     clip = {"x": left, "y": top, "width": right - left, "height": bottom - top}
     picture = np.asarray(Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int)
-    # what is written over it is grey
+    # text over it is grey
     drawn = np.ptp(picture, axis=2) > _COLOURED
     assert _LEAST < drawn.mean() < _MOST, "nothing is drawn, or it fills all"
     for ground in (found["ground"], picture[0, 0]):

@@ -1,4 +1,4 @@
-"""Runs short enough to be drawn on pages, and a browser to look at these."""
+"""Runs short enough for tests of pages, and a browser."""
 
 import os
 import shutil
@@ -18,12 +18,12 @@ from tests.show.page.goal_results import write_pages_of_goals
 from tests.show.page.live_wing import HALF_SECOND, write_wing
 from tests.show.page.page_kinds import write_pages
 
-# drawn by the processor: a machine that runs tests need not have a graphics chip; then put together by it, too, so that
-# a page is there in half the time; with one sample a pixel, which is a quarter of the work
+# drawn by the processor, because machines that run tests may lack a graphics chip; composed by the processor as well,
+# which halves the time to open a page; one sample per pixel is a quarter of the work
 FLAGS = (
     *("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing", "--no-sandbox"),
     "--webgl-antialiasing-mode=none",
-    # pages of one context share a process, which then has compiled their script once
+    # pages of one context share a process, which compiles their script only once
     "--process-per-site",
 )
 # small, because the processor draws
@@ -51,7 +51,7 @@ def short_run():
 
 @pytest.fixture(scope="session")
 def slow_run():
-    """As short_run, with less torque: it folds later."""
+    """Like short_run with less torque: it folds later."""
     return run(load_design("binder2025", SHORT | {"protocol.fold_torque": "35 N cm"}))
 
 
@@ -70,7 +70,7 @@ def short_outcome(short_run):
 
 @pytest.fixture(scope="session")
 def searched(once, tmp_path_factory):
-    """A search of six tendons at a coarse step, of which some fold, one opens again and one sticks; and its table."""
+    """A search over six tendons at a coarse timestep (some fold, one opens again, one sticks), and its table."""
     study = study_of(
         {
             "name": "few",
@@ -94,7 +94,7 @@ def searched(once, tmp_path_factory):
 
 
 def missing(what: str) -> None:
-    """Skip, or fail where a browser must be there."""
+    """Skip, or fail if a browser is required."""
     reason = f"{what}: pages are not tested as a browser shows them"
     if os.environ.get("FORFICULA_NEED_BROWSER") == "1":
         pytest.fail(reason)
@@ -102,7 +102,7 @@ def missing(what: str) -> None:
 
 
 class Chromium:
-    """Chromium from the system, started once for all tests of this folder that follow each other.
+    """Chromium from the system, started once for consecutive tests of this folder.
 
     While it runs, so does an event loop, therefore not beyond them.
     """
@@ -112,7 +112,7 @@ class Chromium:
         self._context = None
 
     def context(self):
-        """For pages from files, with the network cut; one that stays open keeps the process that all of them share."""
+        """Return a context for pages from files, without network; an open page keeps its shared process alive."""
         if self._context is None:
             self._context = self._start().new_context(offline=True, **DEFAULTS)
             blank = Path(self._running.enter_context(TemporaryDirectory())) / "blank.html"
@@ -145,7 +145,7 @@ CHROMIUM = Chromium()
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_teardown(nextitem):
-    """End the browser where the next test is in another folder."""
+    """Close the browser if the next test is in another folder."""
     try:
         return (yield)
     finally:
@@ -155,14 +155,14 @@ def pytest_runtest_teardown(nextitem):
 
 @pytest.fixture(scope="session")
 def chromium():
-    """Which ends with the tests, too, where they stop at a failure."""
+    """Chromium, which is closed when tests end, even at a failure."""
     yield CHROMIUM
     CHROMIUM.end()
 
 
 @pytest.fixture(scope="module")
 def context(chromium):
-    """Of Chromium, for pages from files, with the network cut."""
+    """A context of Chromium for pages from files, without network."""
     return chromium.context()
 
 
@@ -180,7 +180,7 @@ def until(page, expression, seconds=20.0):
 
 
 class Watched:
-    """A page in the browser, and what it should not do: write to the console, ask for anything.
+    """A page in the browser, with the console messages and requests that it should not make.
 
     pixels: of the screen for one of the page, in one direction.
     """
@@ -204,18 +204,18 @@ class Watched:
         self.time_when_opened = self.page.evaluate("window.forficula?.clock?.time")
 
     def show(self, width=DEFAULTS["viewport"]["width"], height=DEFAULTS["viewport"]["height"], scheme="light"):
-        """Make the window this large, light or dark."""
+        """Set the size of the window and the colour scheme."""
         self.page.set_viewport_size({"width": width, "height": height})
         self.page.emulate_media(color_scheme=scheme)
         self.settle()
 
     def hear(self, message):
-        """Keep what is said on the console, but for what Chromium says of its own flags."""
+        """Keep console messages, except Chromium's about its own flags."""
         if "GPU stall due to ReadPixels" not in message.text:
             self.messages.append(message.text)
 
     def settle(self):
-        """Wait until what has changed is drawn, before all other pages: those behind are drawn once a second."""
+        """Wait until changes are drawn, in front of other pages: pages in the background are drawn once per second."""
         self.page.bring_to_front()
         self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
@@ -235,7 +235,7 @@ def watching(context):
 
 @pytest.fixture
 def watch(context):
-    """Open pages from files with the network cut; still, unless motion is asked for."""
+    """Open pages from files without network; without motion unless it is requested."""
     with watching(context) as watch:
         yield watch
 
@@ -256,7 +256,7 @@ def recorded(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def goals(once, tmp_path_factory):
-    """What was tried for a goal, within tolerances and for an identification, with the page of each, by its kind."""
+    """Results of an optimisation, a tolerance analysis and an identification with their pages, by kind."""
     return once("goals", lambda: write_pages_of_goals(tmp_path_factory.mktemp("goals")))
 
 

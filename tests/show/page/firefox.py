@@ -1,4 +1,4 @@
-"""Firefox from the system, spoken to in WebDriver BiDi (https://w3c.github.io/webdriver-bidi/), without a driver."""
+"""Firefox from the system, controlled by WebDriver BiDi (https://w3c.github.io/webdriver-bidi/) without a driver."""
 
 import base64
 import io
@@ -36,13 +36,13 @@ SCHEMES = {"dark": 0, "light": 1}
 
 
 def firefox_path():
-    """Of the browser's program, or None."""
+    """Return the path of the browser's program, or None."""
     names = ("firefox", "firefox-esr")
     return os.environ.get("FORFICULA_FIREFOX") or next(filter(None, map(shutil.which, names)), None)
 
 
 class Firefox:
-    """A browser with one window; `messages` are those of its console, `requests` the addresses it asked for."""
+    """A browser with one window; `messages` are those of its console, `requests` the requested addresses."""
 
     def __init__(self, socket):
         self._socket = socket
@@ -54,7 +54,7 @@ class Firefox:
         self._window = self._command("browsingContext.getTree")["contexts"][0]["context"]
 
     def open(self, path, width, height):
-        """Show a file, or an address, in a window of this many pixels, as if nothing had been shown before; itself."""
+        """Open a file, or an address, in a new window of a size in pixels; returns itself."""
         viewport = {"width": width, "height": height}
         self._command("browsingContext.setViewport", context=self._window, viewport=viewport)
         self.messages, self.requests = [], []
@@ -63,7 +63,7 @@ class Firefox:
         return self
 
     def evaluate(self, expression):
-        """What an expression of the page's script comes to, as JSON has it; a promise is waited for."""
+        """Return the value of an expression of the page's script as JSON; promises are awaited."""
         text = f"(async () => JSON.stringify((await ({expression})) ?? null))()"
         target = {"context": self._window}
         answer = self._command("script.evaluate", expression=text, target=target, awaitPromise=True)
@@ -77,12 +77,12 @@ class Firefox:
             time.sleep(0.05)
 
     def press(self, *keys):
-        """Press keys one after another, as a person does; a letter is itself, others have the names of `KEYS`."""
+        """Press keys one after another; a letter is itself, others have the names of `KEYS`."""
         strokes = [{"type": kind, "value": KEYS.get(key, key)} for key in keys for kind in ("keyDown", "keyUp")]
         self._act({"type": "key", "id": "keyboard", "actions": strokes})
 
     def click(self, selector):
-        """Press the middle of an element with a mouse."""
+        """Click the centre of an element."""
         self.evaluate(f"document.querySelector({json.dumps(selector)}).scrollIntoView({{ block: 'center' }})")
         box = self._box(selector)
         middle = {axis: round(box[axis] + box[size] / 2) for axis, size in (("x", "width"), ("y", "height"))}
@@ -94,7 +94,7 @@ class Firefox:
         self._act({"type": "pointer", "id": "mouse", "actions": strokes})
 
     def picture(self, selector):
-        """An element as it is seen."""
+        """Take a screenshot of an element."""
         self.evaluate(f"document.querySelector({json.dumps(selector)}).scrollIntoView({{ block: 'center' }})")
         clip = {"type": "box", **self._box(selector)}
         answer = self._command("browsingContext.captureScreenshot", context=self._window, clip=clip)
@@ -108,7 +108,7 @@ class Firefox:
         self._command("input.performActions", context=self._window, actions=[actions])
 
     def _command(self, method, **parameters):
-        """Send a command and wait for its answer; what is told meanwhile is kept."""
+        """Send a command and wait for its reply; events received meanwhile are kept."""
         number = next(self._numbers)
         self._socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
         while True:
@@ -143,7 +143,7 @@ def running(program, folder: Path, scheme="light"):
 
 @contextmanager
 def _screen():
-    """Options of Firefox and its environment for a screen that no one sees.
+    """Return options of Firefox and its environment for an invisible screen.
 
     Without any screen Firefox on Linux has no WebGL, not even by the processor: where Xvfb is, it makes one.
     """
@@ -157,7 +157,7 @@ def _screen():
 
 @contextmanager
 def _process(command, **streams):
-    """A program that ends with what needs it."""
+    """A program that ends with the context."""
     with subprocess.Popen(command, **({"stdout": subprocess.DEVNULL} | streams)) as process:
         try:
             yield process
@@ -169,7 +169,7 @@ def _process(command, **streams):
 
 
 def _address(process):
-    """Where it listens, which it says on its standard error."""
+    """Return the address at which it listens, which it prints on its standard error."""
     said = []
     for line in process.stderr:
         said.append(line.decode(errors="replace"))

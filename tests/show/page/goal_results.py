@@ -1,4 +1,4 @@
-"""Results of goals of one joint, of real runs, small enough to be had while one waits."""
+"""Results of goals for one joint, from real runs, fast enough for tests."""
 
 from dataclasses import dataclass
 
@@ -57,7 +57,7 @@ OFF = {
 
 @dataclass(frozen=True, kw_only=True)
 class Tried:
-    """What was asked, what came out, and the runs that were kept."""
+    """A question, its result, and the kept runs."""
 
     asked: object
     table: xarray.Dataset
@@ -72,7 +72,7 @@ def tried_goal(folder, tables=TABLES):
 
 
 def tried_tolerance(folder, count=32):
-    """A joint built many times; its indices are made up."""
+    """A joint built many times, with invented sensitivity indices."""
     design = goal_of(TABLES).base
     deviations = read_deviations(OFF, design)
     shares = qmc.Sobol(len(deviations), rng=np.random.default_rng(3)).random(count)
@@ -97,7 +97,7 @@ def tried_tolerance(folder, count=32):
 
 
 def _made_up(deviations, works):
-    """What decides and how far it is to a failure, in the shape of `tolerance_table`, of no run."""
+    """Invented indices and distances to failures, in the shape of `tolerance_table`."""
     keys = [each.key for each in deviations]
     first = np.array([0.6, 0.25, 0.02])
     off = {"first_index": 0.0, "first_index_low": -0.08, "first_index_high": 0.1}
@@ -120,7 +120,7 @@ def _made_up(deviations, works):
 
 
 def made_up_cells(design, deviations):
-    """A map over the first two values, of no run."""
+    """An invented map over the first two values."""
     first, second = deviations[:2]
     ends = np.linspace(-1.5, 1.5, 9)
     across, upwards = (
@@ -131,7 +131,7 @@ def made_up_cells(design, deviations):
 
 
 def write_pages_of_goals(folder):
-    """A page of each kind into folders of their own; returns what was tried and the page's path, by kind."""
+    """Write a page of each kind into a folder of its own; returns the results and the page's path, by kind."""
     paths = {kind: folder / kind / "report.html" for kind in GOAL_KINDS}
     for path in paths.values():
         path.parent.mkdir(parents=True)
@@ -148,7 +148,7 @@ def write_pages_of_goals(folder):
 
 
 def tried_identification(table):
-    """Facts made up of a tolerance's runs, in the shape of an identification."""
+    """Facts derived from the runs of a tolerance analysis, in the shape of an identification."""
     names = [str(name) for name in table.data_vars if "key" in table[name].attrs]
     facts = ["it works", "stiff", "slack", "never"]
     rest, area = table["tendon_rest_length"].values, table["tendon_area"].values

@@ -1,8 +1,8 @@
-"""A page as a keyboard has it: what is reached, what is seen to have the keys, and what comes of them."""
+"""Keyboard access of a page: which elements are reached, whether focus is visible, and what keys do."""
 
 CONTROLS = "button, a[href], select, input, summary, [tabindex='0']"
 SEEN = f'[...document.querySelectorAll("{CONTROLS}")].filter((each) => each.checkVisibility())'
-# what has the keys: its place among all controls, whether that is seen, and whether nothing lies on it
+# the focused element: its index among all controls, whether it is visible, and whether nothing covers it
 _FOCUSED = f"""(() => {{
   const at = document.activeElement, box = at.getBoundingClientRect();
   const style = getComputedStyle(at.querySelector(":scope > circle") ?? at);
@@ -14,7 +14,7 @@ _FOCUSED = f"""(() => {{
     ringed: ring >= 2 || parseFloat(style.strokeWidth) >= 3,
     clear: there !== null && (at.contains(there) || there.contains(at)) }}; }})()"""
 
-# counts what a key changes: the document, what is chosen in it, and pictures that are drawn; what is said comes later
+# counts what a key changes: the document, the selection, and drawn pictures; announcements come later
 _WATCH = f"""(elsewhere) => window.watched = (() => {{
   let mutations = 0;
   let before = null;
@@ -67,7 +67,7 @@ _WATCH = f"""(elsewhere) => window.watched = (() => {{
 
 
 def walk(opened, key):
-    """Press a key until all of the page is passed: what had the keys, one after another."""
+    """Press a key until the whole page is passed; returns the focused elements in order."""
     page, stops = opened.page, []
     page.evaluate("document.activeElement.blur(); getSelection().removeAllRanges(); scrollTo(0, 0)")
     for _ in range(400):
@@ -80,7 +80,7 @@ def walk(opened, key):
 
 
 def try_controls(page, elsewhere=":not(*)"):
-    """Press the key of every control that there is and that comes: names that were tried, and those that did nothing.
+    """Press the key of every control, also of new ones; returns names that were tried, and those without effect.
 
     Of controls whose names differ by numbers only one is tried.
 
@@ -93,7 +93,7 @@ def try_controls(page, elsewhere=":not(*)"):
     while left := [name for name in page.evaluate("watched.names()") if name not in seen]:
         seen.add(left[0])
         key = page.evaluate("(name) => watched.choose(name)", left[0])
-        if key is None:  # was there only beside what another one has closed
+        if key is None:  # existed only beside an element that another key has closed
             continue
         tried.add(left[0])
         if "download" in left[0].lower():

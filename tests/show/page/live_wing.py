@@ -1,4 +1,4 @@
-"""A wing that is moved in its page as a reader does, whichever browser shows it."""
+"""A wing that is moved in its page as by a reader, in any browser."""
 
 import json
 import time
@@ -12,10 +12,10 @@ from forficula.show.page import write_run_page
 from forficula.show.page.data.live_data import shown_measures
 from forficula.study.running.runs import run
 
-SMALL = {"width": 200, "height": 200}  # pixels of a window, which are soon drawn
-SECONDS = 60  # for what takes a few, on a machine that is busy
+SMALL = {"width": 200, "height": 200}  # pixels of a window that is drawn quickly
+SECONDS = 60  # timeout of steps that take a few seconds, on a busy machine
 _RELEASE = {"drive": "none", "until": "rest", "hold": "10 ms", "time_limit": "0.1 s"}
-# the reference in half a second, at its own step: at twice that, what is opened while it swings may diverge
+# the reference in half a second, at its own timestep: at twice that, opening while it swings may diverge
 HALF_SECOND = {
     "protocol.window": "10 ms",
     "protocol.stages.0.time_limit": "20 ms",
@@ -26,7 +26,7 @@ HALF_SECOND = {
     "protocol.stages.3.time_limit": "0.2 s",
     "protocol.stages.4": _RELEASE | {"name": "release opened"},
 }
-# of a record's numbers: angles in deg, times in s, energies by the largest
+# tolerances of a record's numbers: angles in deg, times in s, energies as shares of the largest
 _ANGLE, _TIME, _ENERGY = 0.01, 1e-4, 1e-4
 _BUTTON = "[...document.querySelectorAll('.trial button')].find((each) => each.textContent === {})"
 _SAID = "document.querySelector('.verdict').textContent"
@@ -37,7 +37,7 @@ _SLIDE = """(([key, share]) => {
 
 
 def write_wing(path, keys, name="binder2025"):
-    """Write the page of a named design with other values of keys; its record and its outcome."""
+    """Write the page of a named design with other values of keys; returns its record and outcome."""
     record = run(load_design(name, keys))
     outcome = measure(record)
     write_run_page(record, outcome, path)
@@ -65,22 +65,22 @@ class LiveWing:
         self.evaluate(f"{_BUTTON.format(json.dumps(name))}.click()")
 
     def do(self, name):
-        """Press a button and wait for what the page says of what comes of it."""
+        """Press a button and wait for the outcome that the page reports."""
         self.press(name)
         self.until(f"{_SAID} !== ''")
         return self.evaluate(_SAID)
 
     def pace(self, value):
-        """So many times as fast as real time, which no choice of the page has above 1: less is drawn on the way."""
+        """Set a multiple of real time, which the page's menu limits to 1: fewer frames are drawn."""
         self.evaluate(f"window.forficula.trial.panel.engine.tell({{ act: 'pace', value: {value} }})")
 
     def rest(self):
-        """Stand still until it is told something, so that nothing is drawn meanwhile."""
+        """Pause until the next command, so that nothing is drawn meanwhile."""
         self.evaluate("window.forficula.trial.panel.engine.tell({ act: 'pause' })")
 
     def slide(self, shares=None):
-        """Put sliders to shares of their ranges, by key, and the others back to where the run has them."""
-        self.press("All as in this run")
+        """Set sliders to shares of their ranges, by key, and reset the others to the run's values."""
+        self.press("Reset all to this run")
         for key, share in (shares or {}).items():
             self.put(key, share)
 
@@ -93,7 +93,7 @@ class LiveWing:
 
     @property
     def ended(self):
-        """What came of the stages since a button was pressed."""
+        """Return the outcome of the stages since a button was pressed."""
         return self.evaluate("window.forficula.trial.panel.frame.ended")
 
     @property
@@ -103,7 +103,7 @@ class LiveWing:
 
 
 def check_as_recorded(found, record):
-    """Stages, times, works, states and words of an outcome in a page are those of a record."""
+    """Check that stages, times, works, states and words of an outcome in a page are those of a record."""
     outcome = measure(record)
     assert found["status"] == outcome.status
     assert found["verdict"] == outcome.verdict

@@ -1,4 +1,4 @@
-"""Every kind of page, of what is quick to compute: for what must hold of all of them."""
+"""Pages of every kind, from results that are quick to compute, for requirements on all pages."""
 
 import io
 from collections.abc import Callable, Iterator
@@ -31,7 +31,7 @@ from forficula.study.running.kept_runs import KeptRun
 from tests.show.page.goal_results import GOAL_KINDS
 from tests.show.study.test_maps import many_ends, sampled
 
-# those that move have a script, the next two have none; those of goals have one
+# the first group moves and has a script, the next two kinds have none; those of goals have one
 MOVING = ("run", "compare", "landscape", "curves", "study", "drawn study", "parts")
 _WRITTEN = (*MOVING, "converge", "material")
 KINDS = (*_WRITTEN, *GOAL_KINDS)
@@ -48,7 +48,7 @@ _SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "tim
 
 
 def write_pages(folder, run, slow_run, landscape, material, write_study_file):
-    """Write a page of each of `KINDS`, but for those of goals, into a folder; returns their paths.
+    """Write a page of each of `KINDS`, except those of goals, into a folder; returns their paths.
 
     Figures are left out of them, which take most of the time: each is a dot with its text.
 
@@ -108,7 +108,7 @@ def _run_with_cycles(run, path):
 
 
 def _cycling(design):
-    """Two cycles, the second of which fails and was not seen in tests."""
+    """Two cycles, the second of which fails and is extrapolated."""
     worked = {"status": "folded and opened", "folded": True, "opened": True, "flat_energy_J": 0.5}
     worked |= {"folded_energy_J": 0.0, "opened_energy_J": 0.5, "fold_time_s": 0.05, "fold_work_J": 1.0}
     worked |= {"unfold_time_s": 0.01, "unfold_work_J": 2.0}
@@ -144,7 +144,7 @@ def _landscape_with_map(landscape, run, study, path):
 
 
 def _study(study, run, slow_run, path):
-    """Of a planted table; two points of it can be played."""
+    """A page of a planted table; two of its points can be played."""
     kept = [
         KeptRun(point=point, part=part, folder=f"runs/{point + 1}-{part}", record=each, outcome=measure(each))
         for point, part, each in ((0, "folding", run), (0, "opening", slow_run), (1, "folding", slow_run))
@@ -159,7 +159,7 @@ def _drawn_study(write_study_file, path):
 
 
 def _parts(path):
-    """Of one joint, with a check that holds, one that fails and one that is not made."""
+    """A page of one joint, with a check that holds, one that fails and one that is not made."""
     parts = make_parts("binder2025-joint")
     checks = [check for check in strength_checks(parts) if check.name in ("bending of the pegs", "straps tear")]
     write_parts_page(parts, [*checks, replace(checks[0], ok=False)], path)

@@ -1,4 +1,4 @@
-"""What holds of every kind of page for readers who see, press or hear it otherwise: WCAG 2.2, levels A and AA."""
+"""Accessibility of every kind of page: WCAG 2.2, levels A and AA, by vision, keyboard and screen reader."""
 
 import json
 
@@ -11,14 +11,14 @@ from tests.show.page.page_kinds import KINDS
 
 WIDE, NARROW = (1280, 600), (390, 844)
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-# What depends on the scheme is contrast, what depends on the width is what scrolls and how large a target is: with all
-# rules in a wide light window and these on a dark phone, every rule is asked wherever its answer can be another one. A
-# wide window has all columns of the tables in sight, without which contrast is not told; they have the colours of those
-# that a phone shows.
+# Contrast depends on the scheme; scrolling and the size of targets depend on the width. All rules are checked in a wide
+# light window and these rules on a dark phone, so every rule is checked wherever its result can differ. A
+# wide window displays all columns of the tables, without which contrast is not reported; their colours are the same
+# on a phone.
 ALL = {"runOnly": {"type": "tag", "values": TAGS}, "rules": {"target-size": {"enabled": True}}}
 DARK_PHONE = {"runOnly": {"type": "rule", "values": ["color-contrast", "scrollable-region-focusable", "target-size"]}}
-# Colours that axe does not tell: signs that are no letters, and letters on a picture, a pattern or a band. The style's
-# colours are held to their contrasts in test_page.py, and maps write their signs on plain ground.
+# Colours that axe does not check: signs that are not letters, and letters on a picture, a pattern or a band. The
+# style's contrasts are checked in test_page.py, and maps write their signs on a plain background.
 UNTOLD = ".stage, .what, .grid, .tick, .views, .scatter, .ball, .map-legend, .map-place, .filter, .drawn"
 
 FAULTS = """(() => {
@@ -27,9 +27,9 @@ FAULTS = """(() => {
   main.querySelector("img").removeAttribute("alt");
   document.querySelector("p").style.color = "#565d66"; // that of a light page
   main.querySelector(".table").removeAttribute("tabindex"); })()"""
-# Pages of the same parts as another kind's, which have its layout on a phone, its dark colours, its order of controls.
+# Pages with the parts of another kind, which have its phone layout, dark colours and order of controls.
 SAME_PARTS = ("curves", "drawn study", "converge", "tolerance", "identify")
-# a player is the same on every page: all of it is tried on that of a run
+# the player is the same on every page: it is tested completely on the page of a run
 TRIED_ELSEWHERE = {
     "compare": ".transport, .keys",
     **dict.fromkeys(("landscape", "parts", "optimise", "tolerance"), ".player"),
@@ -40,11 +40,11 @@ LEAST_TRIED = {
         *("CANVAS", "BUTTON play", "INPUT time", "BUTTON b folded", "SELECT speed", "SELECT show", "BUTTON turn left"),
         *("BUTTON top: view from above", "BUTTON nearer", "SUMMARY Keys", "A Download design.toml"),
     },
-    "compare": {"BUTTON one scale: all wings as large as they are by each other", "BUTTON turn left"},
-    "landscape": {"BUTTON barrier close up", "BUTTON whole curve"},
+    "compare": {"BUTTON one scale: draw all wings at the same scale", "BUTTON turn left"},
+    "landscape": {"BUTTON barrier enlarged", "BUTTON whole curve"},
     "curves": {"INPUT distal angle along the curve", "INPUT mean distal angle along the curve"},
     "study": {
-        *("point", "SELECT show", "BUTTON pin, to compare it with another", "BUTTON unpin point #", "SUMMARY Commands"),
+        *("point", "SELECT show", "BUTTON pin to compare with another", "BUTTON unpin point #", "SUMMARY Commands"),
         *("INPUT", "BUTTON open point #", "BUTTON Download table.csv", "BUTTON outcome"),
     },
     "optimise": {
@@ -74,7 +74,7 @@ def opened(context, pages, kind):
 
 
 def asked(page, options, within=":root"):
-    """What axe-core finds wrong on a page, and what it cannot tell: rules with the elements of which it says so.
+    """Return the violations that axe-core finds on a page, and the rules that it cannot decide, with their elements.
 
     Args:
         page: of Playwright.
@@ -113,14 +113,14 @@ def test_the_keyboard_reaches_every_control_in_its_order_and_shows_where_it_is(o
 
 
 def test_every_control_does_something_when_its_key_is_pressed(opened, kind):
-    opened.show()  # where less is drawn; a narrower window hides controls
+    opened.show()  # a small window is drawn faster; a narrower one hides controls
     tried, idle = try_controls(opened.page, TRIED_ELSEWHERE.get(kind, ":not(*)"))
     assert idle == []
     assert LEAST_TRIED.get(kind, set()) <= tried
 
 
 def test_a_page_with_faults_fails(watch, pages):
-    """A control: each fault is found in the window and the scheme in which it can be."""
+    """Control: each fault is found in the window and scheme where it can be visible."""
     opened = watch(pages["converge"])
     opened.page.evaluate(FAULTS)
     opened.show(*WIDE)

@@ -1,4 +1,4 @@
-"""The page of a design whose structure a reader moves, in a browser with the network cut."""
+"""Page of a design whose structure a reader moves, in a browser without network."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SECONDS = 60
 
 @pytest.fixture(scope="module")
 def bench(watch_all, tmp_path_factory):
-    """The page that the command line writes of a sheet of three panels."""
+    """The page that the command line writes for a sheet of three panels."""
     path = tmp_path_factory.mktemp("bench") / "letter.html"
     main(["open", "letter-fold", "--set", "tendon.0.stiffness=0.6 N/cm", "--out", str(path)])
     opened = watch_all(path)
@@ -23,7 +23,7 @@ def bench(watch_all, tmp_path_factory):
     return opened
 
 
-def test_a_sheet_closes_at_a_press_without_a_run_in_the_page(bench):
+def test_a_sheet_closes_in_a_page_without_a_run(bench):
     page = bench.page
     assert page.locator("#player").count() == 0
     assert page.locator(".slider", has_text="Tendon 0 stiffness").locator("output").inner_text() == "0.6 N/cm"
@@ -35,6 +35,6 @@ def test_a_sheet_closes_at_a_press_without_a_run_in_the_page(bench):
     assert bench.messages == []
 
 
-def test_what_a_page_would_move_otherwise_is_refused_with_the_command_that_moves_it():
+def test_a_structure_that_the_page_cannot_simulate_is_refused_with_the_command_that_can():
     with pytest.raises(InputError, match=r"miura-sheet: cannot be moved in a page: .*forficula run miura-sheet"):
         bench_page(load_design("miura-sheet"))

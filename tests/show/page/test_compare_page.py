@@ -1,4 +1,4 @@
-"""Runs side by side, and what is refused."""
+"""Page of several runs, and refused arguments."""
 
 import os
 
@@ -14,7 +14,7 @@ from tests.show.page.appearance import check_shown
 
 @pytest.fixture(scope="module")
 def folders(short_run, slow_run, tmp_path_factory):
-    """Two runs as they lie in folders: a quick and a slow one."""
+    """Folders of two runs: a fast and a slow one."""
     above = tmp_path_factory.mktemp("runs")
     for name, record in (("quick", short_run), ("slow", slow_run)):
         (above / name).mkdir()
@@ -35,7 +35,7 @@ def show(opened, span, moment):
     opened.settle()
 
 
-def test_wings_stand_side_by_side_without_a_request_or_a_word_on_the_console(opened):
+def test_wings_are_side_by_side_without_requests_or_console_messages(opened):
     assert opened.messages == []
     assert len(opened.requests) == 1
     cells = opened.page.locator(".cell")
@@ -65,7 +65,7 @@ def test_runs_that_differ_in_fold_time_are_seen_to_differ(opened, short_run, slo
     assert texts[1].startswith("fold ·" if quick < slow else "release folded")
 
 
-def test_all_wings_are_seen_from_one_side_whoever_is_turned(opened):
+def test_turning_one_wing_turns_the_view_of_all(opened):
     before = opened.page.locator("canvas").first.screenshot()
     opened.page.get_by_role("button", name="top: view from above").click()
     opened.settle()
@@ -77,7 +77,7 @@ def test_wings_are_drawn_to_one_scale_or_each_to_its_own_as_is_chosen(opened):
     show(opened, "whole runs", 0.03)
     eye = "(index) => { const { eye } = forficula.player.stage; eye.aim(index); return eye.camera.position.toArray(); }"
     shared = [opened.page.evaluate(eye, index) for index in (0, 1)]
-    choice = opened.page.get_by_role("button", name="one scale: all wings as large as they are by each other")
+    choice = opened.page.get_by_role("button", name="one scale: draw all wings at the same scale")
     choice.click()
     own = [opened.page.evaluate(eye, index) for index in (0, 1)]
     choice.click()
@@ -110,7 +110,7 @@ def test_in_a_narrow_window_the_clock_stays_in_sight_of_every_wing(opened):
         assert 0 <= play["y"] < 400 - play["height"]
 
 
-def test_wings_plots_and_a_legend_are_shown_none_over_another(opened):
+def test_wings_plots_and_legend_do_not_overlap(opened):
     opened.show(width=1280, height=1000)
     show(opened, "whole runs", 0.03)
     opened.page.evaluate("forficula.player.stage.eye.show({ towards: [0.37, -0.695, 0.616] })")
@@ -123,7 +123,7 @@ def refusal(*arguments):
     return str(caught.value)
 
 
-def test_what_is_no_run_is_refused_with_what_is_needed(folders, tmp_path):
+def test_a_folder_without_a_run_is_refused_with_the_requirement(folders, tmp_path):
     page, empty, file = tmp_path / "page.html", tmp_path / "empty", tmp_path / "file"
     empty.mkdir()
     file.write_text("no record", "utf-8")
@@ -140,7 +140,7 @@ def test_what_is_no_run_is_refused_with_what_is_needed(folders, tmp_path):
     assert not page.exists()
 
 
-def test_a_folder_whose_name_is_no_text_is_shown_as_well_as_it_can_be(folders, tmp_path):
+def test_a_folder_name_that_is_not_text_is_displayed_with_replacements(folders, tmp_path):
     quick, slow = folders
     odd = tmp_path / os.fsdecode(b"caf\xe9")
     try:
@@ -152,7 +152,7 @@ def test_a_folder_whose_name_is_no_text_is_shown_as_well_as_it_can_be(folders, t
     assert "<h1>quick and caf\ufffd</h1>" in (tmp_path / "page.html").read_text("utf-8")
 
 
-def test_folders_of_one_name_are_told_apart_by_those_above(folders, tmp_path):
+def test_folders_with_equal_names_are_labelled_with_their_parents(folders, tmp_path):
     quick, slow = folders
     for above, folder in (("first", quick), ("second", slow)):
         (tmp_path / above).mkdir()

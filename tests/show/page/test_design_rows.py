@@ -17,7 +17,7 @@ def test_a_named_design_differs_in_nothing_from_itself(reference):
 
 
 def test_explanations_of_sections_do_not_depend_on_docstrings():
-    # which PYTHONOPTIMIZE=2 takes away
+    # PYTHONOPTIMIZE=2 removes docstrings
     parts = list(_subclasses(Section))
     assert {"TendonSection", "MakeSection", "FanProtocol", "MiuraOri", "FacetSection"} <= {
         part.__name__ for part in parts
@@ -54,11 +54,11 @@ def test_exactly_what_was_changed_differs_with_both_values_and_units():
         ({"name": "my wing", "pattern.units": 3}, "my wing"),
     ],
 )
-def test_the_title_names_what_sets_a_design_apart_from_the_named_one(values, title):
+def test_the_title_lists_differences_from_the_named_design(values, title):
     assert design_title(load_design("binder2025", values)) == title
 
 
-def test_where_much_differs_the_title_counts_it_and_the_hash_tells_two_apart():
+def test_with_many_differences_the_title_has_their_number_and_the_hash():
     wings = [
         load_design("binder2025", {"pattern.units": 2, "tendon.rest_length": "2 cm", "tendon.stiffness": stiffness})
         for stiffness in ("20 N/cm", "30 N/cm")
@@ -109,7 +109,7 @@ def test_a_design_of_another_name_is_compared_with_the_reference(reference, name
     assert base_design(with_values(reference, {"name": name})).name == base
 
 
-def test_of_several_designs_only_keys_in_which_they_differ_are_listed():
+def test_only_keys_that_differ_between_designs_are_listed():
     designs = [load_design("binder2025", {"tendon.stiffness": f"{value} N/cm"}) for value in (10, 20, 20)]
     assert differing_rows(designs) == [("tendon.stiffness", ["10 N/cm", "20 N/cm", "20 N/cm"])]
     assert differing_rows(designs[1:]) == []

@@ -1,4 +1,4 @@
-"""Where arrows of drives stand, and rods of what is held fast: of any structure, by what it is built of."""
+"""Positions of arrows of drives and of rods along fixed parts, for any structure."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from forficula.structure import built_points, structure_of
 from forficula.structure.sheets.flaps import flap_angles
 
 
-def test_an_arrow_is_about_the_axis_about_which_the_hinge_turns_wherever_it_is(short_run):
+def test_arrows_of_torques_follow_the_axes_of_their_hinges(short_run):
     rows = np.arange(len(short_run.time))
     efforts = efforts_of(short_run, rows)
     assert [drive.name for drive in efforts.drives] == ["fold", "unfold"]
@@ -50,7 +50,7 @@ def test_a_right_handed_turn_of_the_left_flap_about_a_creases_arrow_folds_it_in_
 
 
 @pytest.mark.parametrize(("name", "rods"), [("binder2025", 2), ("letter-fold", 4), ("kresling-cell", 0)])
-def test_rods_lie_along_what_is_held_fast(name, rods):
+def test_rods_are_drawn_along_fixed_parts(name, rods):
     structure = structure_of(load_design(name))
     found = fixed_rods(structure)
     assert found.shape == (rods, 2, 3)

@@ -1,4 +1,4 @@
-"""The engine of the pages, in Node.js and without a browser, beside the engine of the package."""
+"""The engine of the pages, in Node.js without a browser, compared with the engine of the package."""
 
 import gzip
 import hashlib
@@ -34,7 +34,7 @@ from tests.show.page.live_wing import check_as_recorded
 
 BUILT = resources.files("forficula.show.page") / "built"
 WEB = Path(__file__).parents[3] / "web" / "src"
-TIME = 1e-4  # s, of a record's
+TIME = 1e-4  # s, tolerance of a record's times
 
 
 def node_path():
@@ -51,7 +51,7 @@ def node_path():
 
 @pytest.fixture(scope="module")
 def run_in_page(tmp_path_factory):
-    """Outcomes of the pages' engine, of a design with several settings, each of dotted keys in SI."""
+    """Return outcomes of the pages' engine for a design with several settings, each of dotted keys in SI."""
     node = node_path()
     if node is None:
         reason = "Node.js is missing; install it, as with: apt-get install nodejs: the pages' engine is not tested"
@@ -81,7 +81,7 @@ def outcomes(answered):
     return [answer["outcome"] for answer in answered["answers"]]
 
 
-def test_the_engine_is_the_published_one_and_its_hash_stands_in_the_script_that_starts_it():
+def test_the_engine_is_the_published_one_and_its_script_contains_its_hash():
     stamp = built("engine.js").partition("\n")[0]
     program = gzip.decompress((BUILT / "engine.wasm.gz").read_bytes())
     assert f"engine.wasm {hashlib.sha256(program).hexdigest()} " in stamp
@@ -100,8 +100,8 @@ def test_the_reference_folds_and_opens_in_a_page_as_it_is_recorded(run_in_page):
     check_as_recorded(found, record)
 
 
-def test_what_is_asked_of_a_page_is_of_the_design_but_for_the_values_that_are_asked(run_in_page):
-    """Whatever a reader has changed meanwhile, as while a map is refined."""
+def test_a_page_simulates_the_design_with_only_the_requested_values_changed(run_in_page):
+    """Independent of what a reader has changed meanwhile, as while a map is refined."""
     stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
     design = with_timestep(load_design("binder2025", {"protocol.stages": stages}))
     alone, _, after = outcomes(run_in_page(design, [{}, {"tendon.damping": 0.9, "protocol.fold_torque": 0.4}, {}]))
@@ -109,7 +109,7 @@ def test_what_is_asked_of_a_page_is_of_the_design_but_for_the_values_that_are_as
 
 
 @pytest.mark.parametrize("name", ["binder2025-coupled", "binder2025-joint", "letter-fold"])
-def test_other_structures_that_a_page_can_move_go_as_they_are_recorded(run_in_page, name):
+def test_other_structures_move_in_a_page_as_recorded(run_in_page, name):
     record = run(load_design(name))
     (found,) = outcomes(run_in_page(record.design, [{}]))
     check_as_recorded(found, record)
@@ -139,8 +139,8 @@ to = "vertex 3"
 @pytest.mark.parametrize(
     "pattern", [miura(2), vertex([60, 95, 120, 85], "VVVM", fold="25 deg")], ids=["Miura sheet", "degree-4 vertex"]
 )
-def test_plates_that_close_loops_go_as_they_are_recorded_with_any_stiffness_and_rest_angle(run_in_page, pattern):
-    """Their steps are those of Runge and Kutta, and speed takes of their torques."""
+def test_plates_in_loops_move_in_a_page_as_recorded(run_in_page, pattern):
+    """With Runge-Kutta steps and torques that depend on speed."""
     stages = [{"name": "fold", "drive": "fold", "limit": "0.1 s"}]
     design = plates(pattern, crease=LOOPS, more=TURNED, stages=stages, step="0.1 ms")
     settings = [
@@ -154,21 +154,21 @@ def test_plates_that_close_loops_go_as_they_are_recorded_with_any_stiffness_and_
         assert found["stages"][0]["work_J"] != 0
 
 
-def test_what_comes_apart_in_loops_is_not_to_be_trusted_in_a_page_either(run_in_page):
-    """With steps that welds cannot follow."""
+def test_loops_that_come_apart_are_untrusted_in_a_page(run_in_page):
+    """With timesteps that are too long for welds."""
     stages = [{"name": "swing", "limit": "0.2 s"}]
     stiff = LOOPS.replace("1e-3", "2e-2").replace("1e-5", "0")
     design = plates(miura(3), crease=stiff, stages=stages, step="3 ms")
     (record,) = simulate([compile_model(design)])
     (found,) = outcomes(run_in_page(design, [{}]))
     assert found["verdict"] == "untrusted"
-    # it stands on no edge, from which one could move away
+    # the outcome is far from any threshold
     assert found["advice"] == measure(record).advice != ""
     check_as_recorded(found, record)
 
 
-def test_work_of_torques_that_speed_takes_of_is_that_of_the_record(run_in_page):
-    """As of servos, which do a small part of what the same torques would do to the end."""
+def test_work_of_torques_that_depend_on_speed_is_that_of_the_record(run_in_page):
+    """For servos, which do a small part of the work of constant torques."""
     stages = load_design("binder2025").as_tables()["protocol"]["stages"][:2]
     keys = {"protocol.no_load_speed": "3000 deg/s", "protocol.stages": stages}
     record = run(with_timestep(load_design("binder2025", keys)))
@@ -177,10 +177,10 @@ def test_work_of_torques_that_speed_takes_of_is_that_of_the_record(run_in_page):
 
 
 def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
-    """Some of Binder et al. 2025, table 1, with 50 N cm and at the design's own step."""
+    """Some designs of Binder et al. 2025, table 1, with 50 N cm and at the design's own timestep."""
     design = with_timestep(load_design("binder2025"))
     settle, fold, release = design.as_tables()["protocol"]["stages"][:3]
-    # whether they stay folded is seen by then; how those that did not fold swing for two seconds more tells nothing
+    # by then it is known whether they stay folded; two more seconds of swinging would add nothing
     design = with_values(design, {"protocol.stages": [settle, fold, release | {"time_limit": "0.15 s"}]})
     tendons = [
         {"tendon.stiffness": 1000.0 * tens, "tendon.rest_length": length / 100}
@@ -198,7 +198,7 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
         assert time == (None if took.time is None else pytest.approx(took.time, abs=TIME))
 
 
-def test_what_the_engine_would_move_otherwise_is_refused_with_a_reason():
+def test_structures_that_the_engine_simulates_differently_are_refused_with_a_reason():
     for name, why in (
         ("miura-sheet", "its creases are no joints"),
         ("binder2025-built", "air or water"),
@@ -209,8 +209,8 @@ def test_what_the_engine_would_move_otherwise_is_refused_with_a_reason():
         assert why in refused["refused"]
 
 
-def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, monkeypatch):
-    """As one of another version might: a control, for else numbers would go to the wrong places without a word."""
+def test_an_engine_with_another_model_layout_is_refused(run_in_page, monkeypatch):
+    """As with an engine of another version. A control: otherwise numbers could go to wrong positions silently."""
     design = with_timestep(load_design("binder2025"))
     live = live_of(design)
     live["layout"]["jnt_dofadr"][3] += 1
@@ -218,13 +218,13 @@ def test_an_engine_that_lays_the_model_out_otherwise_is_refused(run_in_page, mon
     answered = run_in_page(design, [])
     assert answered["loaded"] == {
         "said": "refused",
-        "why": "the engine in this page lays the model out otherwise (jnt_dofadr)",
+        "why": "the engine in this page has another layout of the model (jnt_dofadr)",
         "to": 0,
     }
 
 
-def test_text_alone_would_fold_otherwise_for_older_engines_stretch_membranes_otherwise(run_in_page, monkeypatch):
-    """What makes the numbers necessary: with the source alone the wing takes an eighth longer."""
+def test_numbers_are_needed_because_older_engines_stretch_membranes_differently(run_in_page, monkeypatch):
+    """Why numbers are needed: with the source alone the wing takes an eighth longer."""
     design = with_timestep(load_design("binder2025"))
     live = live_of(design) | {"numbers": {}}
     monkeypatch.setitem(globals(), "live_of", lambda _: live)
@@ -233,7 +233,7 @@ def test_text_alone_would_fold_otherwise_for_older_engines_stretch_membranes_oth
 
 
 def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_in_page, monkeypatch, searched):
-    """Of the search of the paper's table, with fewer torques: what is least, and what became of it, in its words."""
+    """The search of the paper's table with fewer torques: least values and outcomes in words."""
     study, table = searched
     live = study_live(study)
     assert "refused" not in live
@@ -252,9 +252,9 @@ def test_a_page_answers_as_a_study_would_at_points_that_fold_stick_and_open(run_
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
 def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
-    """Each is handed over as data, with its fields in braces: copies drift."""
+    """Sentences are provided as data, with their fields in braces: copies would diverge."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
-    texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "which moves with the time"]
+    texts = [*ENDING_TEXTS.values(), *SEARCH_TEXTS.values(), APART_TEXT, SHORTER_STEP, "moving over time"]
     texts += ["time by torque", *LIVE_OUTCOME_TEXTS.values()]
     pieces = {piece.strip() for text in texts for piece in re.split(r"\{\w+\}", text)}
     long = {piece for piece in pieces if piece.count(" ") > 1}
@@ -264,10 +264,10 @@ def test_no_script_of_a_page_repeats_a_sentence_of_the_package():
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
 def test_no_script_of_a_page_has_signs_of_outcomes_or_units_of_its_own():
-    """What became of a point, and the unit in which a number reads well, are decided once."""
+    """Outcomes of points and legible units are decided in one place."""
     sources = "\n".join(path.read_text(encoding="utf-8") for path in WEB.glob("*.js"))
     written = re.sub(r"\\u([0-9a-f]{4})", lambda found: chr(int(found[1], 16)), sources)
-    signs = [sign for sign in _PATTERNS if sign not in "·×–"]  # these are punctuation, too
+    signs = [sign for sign in _PATTERNS if sign not in "·×–"]  # these are also punctuation
     assert [sign for sign in signs if sign in written] == []
     units = {unit for names in READING_UNITS.values() for unit, _, _ in names if len(unit) > 1} - {"deg", "cm", "mm"}
     assert [unit for unit in sorted(units) if f'"{unit}"' in written] == []

@@ -7,7 +7,7 @@ from forficula.show.page.playback import kept_frames
 
 
 def drawn_between(time, points, rows):
-    """The points at all times, where only those of some rows are kept."""
+    """Return the points at all times, interpolated between some rows."""
     flat = points.reshape(len(time), -1)
     columns = [np.interp(time, time[rows], column[rows]) for column in flat.T]
     return np.stack(columns, axis=1).reshape(points.shape)
@@ -19,7 +19,7 @@ def furthest(time, points, rows):
 
 @pytest.fixture
 def snap():
-    """A point that rests, snaps within 10 ms and rests again; another that never moves."""
+    """A point that rests, snaps within 10 ms and rests again; another one that never moves."""
     time = np.linspace(0, 1, 1001)
     height = 0.1 * np.clip((time - 0.5) / 0.01, 0, 1) ** 2
     points = np.zeros((1001, 2, 3))
@@ -27,7 +27,7 @@ def snap():
     return time, points
 
 
-def test_rest_takes_few_rows_and_a_snap_all_of_its_own(snap):
+def test_few_frames_are_kept_at_rest_and_all_frames_of_a_snap(snap):
     rows = kept_frames(*snap, moments=[], most=1000, tolerance=1e-9)
     assert set(range(500, 511)) <= set(rows)
     assert len(rows) <= 13
@@ -47,7 +47,7 @@ def test_straight_motion_needs_only_its_corners():
     st.sampled_from([0.0, 1e-3, 0.1]),
     st.integers(0, 1000),
 )
-def test_what_is_left_out_is_within_the_tolerance_or_the_rows_are_as_many_as_asked(
+def test_omitted_frames_are_within_the_tolerance_unless_the_number_of_frames_is_reached(
     count, most, moments, tolerance, seed
 ):
     random = np.random.default_rng(seed)
@@ -62,7 +62,7 @@ def test_what_is_left_out_is_within_the_tolerance_or_the_rows_are_as_many_as_ask
     assert len(rows) <= max(most, len(moments) + 2)
 
 
-def test_more_rows_never_draw_the_wing_worse(short_run):
+def test_more_frames_never_increase_the_error(short_run):
     points = short_run.series["point_position"]
     rows = [kept_frames(short_run.time, points, [], most=most, tolerance=0.0) for most in (10, 30, 100)]
     errors = [furthest(short_run.time, points, each) for each in rows]
@@ -74,7 +74,7 @@ def test_more_rows_never_draw_the_wing_worse(short_run):
 def test_rows_that_are_not_finite_are_left_out(snap):
     time, points = snap
     points[990:] = np.nan
-    points[0] = 1e300  # finite, but not as a float of four bytes
+    points[0] = 1e300  # finite, but not as a 4-byte float
     rows = kept_frames(time, points, [1.0], most=1000, tolerance=1e-9)
     assert rows.min() == 1
     assert rows.max() == 989

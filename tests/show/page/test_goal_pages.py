@@ -1,4 +1,4 @@
-"""Pages of goals hold what was asked, what came out, and nothing that a text could smuggle in."""
+"""Pages of goals contain the question, the result, and no text that acts as HTML."""
 
 import html
 import json
@@ -39,14 +39,14 @@ def data(page):
 
 
 def cells(page, caption):
-    """The texts of a table's rows, without notes."""
+    """Return the texts of a table's rows, without notes."""
     found = re.search(rf"<caption>{caption}.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
     rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in re.findall(r"<tr>(.*?)</tr>", found)]
     return [[html.unescape(re.sub(r"<small>.*?</small>|<[^>]+>", "", cell)) for cell in row] for row in rows]
 
 
 def values(page, name):
-    """A column of what the script has, by a factor's key or a quantity's name."""
+    """Return a column of the script's data, by a factor's key or a quantity's name."""
     study = data(page)["study"]
     named = [each for each in study["factors"] if each["key"] == name]
     return np.array((named or [each for each in study["quantities"] if each["name"] == name])[0]["values"], dtype=float)
@@ -63,7 +63,7 @@ def test_every_design_that_was_tried_is_on_the_page_in_the_units_of_its_goal(opt
     assert [word == "meets the goal" for word in words] == table["feasible"].values.tolist()
 
 
-def test_each_limit_stands_with_the_value_of_the_best_and_its_margin(optimised, optimum_page):
+def test_each_limit_is_listed_with_the_value_and_margin_of_the_best_design(optimised, optimum_page):
     best = shown_candidate(optimised.asked)
     torque = float(optimised.table["hinge_holding_torque"].values[best])
     rows = {row[0]: row[2:] for row in cells(optimum_page, "Limits")}
@@ -88,7 +88,7 @@ def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, op
     assert rows["runs saved"] == str(effort.spared_runs + effort.spared_neighbours)
 
 
-def test_where_nothing_meets_the_goal_the_page_says_which_limit_would_have_to_give(optimised):
+def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised):
     found = optimised.asked
     table = found.table.copy()
     for name in ("best", "front", "feasible"):
@@ -119,7 +119,7 @@ def test_designs_that_cannot_be_built_are_not_kept(optimised):
     assert [(run.point, run.name) for run in designs_to_keep(designs, [0, 1, 1])] == [(1, "2")]
 
 
-def test_the_probability_stands_with_its_interval_and_what_decides_most_is_first(goals, built):
+def test_probabilities_have_intervals_and_the_most_sensitive_factor_is_first(goals, built):
     page = goals["tolerance"][1].read_text("utf-8")
     share = float(built.table["probability"].values[0])
     assert cells(page, "Probability")[0][2].startswith(f"{100 * share:.3g} % (")
@@ -128,7 +128,7 @@ def test_the_probability_stands_with_its_interval_and_what_decides_most_is_first
     assert rows[0][2:] == ["60 % (52 to 70)", "72 % (63 to 85)"]
 
 
-def test_groups_are_ordered_by_what_they_decide_and_the_others_are_last(built):
+def test_groups_are_ordered_by_sensitivity_and_the_remaining_factors_are_last(built):
     table = built.table.copy(deep=True)
     table["total_index"].values[0] = [0.2, 0.5, 0.9]
     assert ranked_keys(table) == ["tendon.area", "tendon.rest_length"]
@@ -139,7 +139,7 @@ def test_groups_are_ordered_by_what_they_decide_and_the_others_are_last(built):
     assert [len(row) for row in cells(page, "Shares of the scatter")] == [3, 3, 3]
 
 
-def test_the_nearest_failure_is_told_down_and_up_and_where_none_was_found(goals):
+def test_the_nearest_failure_is_listed_in_both_directions(goals):
     rows = {row[0]: row[2:] for row in cells(goals["tolerance"][1].read_text("utf-8"), "The nearest failure")}
     assert next(iter(rows)) == "tendon rest length"
     assert rows["tendon rest length"] == ["0.4", "beyond 3"]
@@ -152,18 +152,18 @@ def test_the_design_itself_is_marked_in_the_cloud(goals, built):
     assert own["tendon.rest_length"] == pytest.approx(100 * design.tendon.rest_length)
 
 
-def test_facts_stand_with_the_share_that_meets_them_and_pairs_that_exclude_one_another_are_marked(goals):
+def test_facts_are_listed_with_their_shares_and_exclusive_pairs_are_marked(goals):
     tried, path = goals["identify"]
     page = path.read_text("utf-8")
-    facts = cells(page, "Share of the samples drawn")
+    facts = cells(page, "Share of the drawn samples")
     assert [row[0] for row in facts] == ["1. it works", "2. stiff", "3. slack", "4. never"]
-    pairs = cells(page, "How many of the")
+    pairs = cells(page, "Number of the")
     both = tried.table["met"].values.astype(int)
     assert [[int(re.sub(r"\D", "", cell)) for cell in row[1:]] for row in pairs] == (both.T @ both).tolist()
     assert [[cell.startswith("✕") for cell in row[1:]].count(True) for row in pairs] == [0, 1, 1, 0]
 
 
-def test_unknowns_of_which_the_facts_tell_most_come_first(goals):
+def test_unknowns_that_the_facts_narrow_most_come_first(goals):
     table = goals["identify"][0].table.copy(deep=True)
     names = list(table.attrs["unknowns"])
     for name in names:

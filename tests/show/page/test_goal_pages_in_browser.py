@@ -1,4 +1,4 @@
-"""Pages of goals, in a browser with the network cut."""
+"""Pages of goals, in a browser without network."""
 
 import csv
 import io
@@ -32,7 +32,7 @@ def identify(pages_of_goals):
 
 
 def as_it_opens(opened):
-    """Nothing asked of the axes, the window at its first size."""
+    """Without selected ranges, in a window of the initial size."""
     page = opened.page
     page.set_default_timeout(10_000)
     opened.show()
@@ -57,7 +57,7 @@ def choose(page, label, option):
 
 
 def shown(page):
-    """Numbers of the rows that the table shows."""
+    """Return the numbers of the rows that the table displays."""
     return [int(text) for text in page.locator("#points tbody tr:not([hidden]) th").all_inner_texts()]
 
 
@@ -94,13 +94,13 @@ def test_the_page_opens_with_the_best(watch, goals):
     assert page.locator(".scatter text.best").text_content() == "most margin"
 
 
-def test_a_press_on_a_line_opens_the_point_that_it_is_of(optimise, goals):
+def test_pressing_a_line_opens_its_point(optimise, goals):
     page, (tried, _) = optimise.page, goals["optimise"]
     page.locator(".lines .drawn").scroll_into_view_if_needed()
     box = page.locator(".lines .drawn").bounding_box()
     rest = tried.table["tendon_rest_length"].values
     point = int(np.argmax(rest))
-    # on the first axis, a little below its end
+    # on the first axis, slightly below its end
     axis = page.locator(".lines svg path.axis").first.evaluate(
         "each => { const { x, y, height } = each.getBBox(); return [x, y, height]; }"
     )
@@ -108,7 +108,7 @@ def test_a_press_on_a_line_opens_the_point_that_it_is_of(optimise, goals):
     assert page.evaluate("forficula.panel.point") == point
 
 
-def test_handles_leave_out_what_lies_beyond_them_in_the_lines_the_plane_and_the_table(optimise, goals):
+def test_handles_filter_the_lines_the_plane_and_the_table(optimise, goals):
     page, (tried, _) = optimise.page, goals["optimise"]
     mass = tried.table["mass"].values
     low, high = mass.min(), mass.max()
@@ -120,7 +120,7 @@ def test_handles_leave_out_what_lies_beyond_them_in_the_lines_the_plane_and_the_
     assert shown(page) == (within + 1).tolist()
     assert page.locator(".scatter .out").count() == len(mass) - len(within)
     assert f"{len(within)} of {len(mass)} designs" in page.locator(".lines [role=status]").inner_text()
-    # it keeps the keys, and the other end stays where it is
+    # it keeps the focus, and the other end does not move
     assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "most mass"
     assert handle(page, "most mass").get_attribute("aria-valuenow") == "80"
     assert handle(page, "least mass").get_attribute("aria-valuenow") == "0"
@@ -131,7 +131,7 @@ def test_handles_leave_out_what_lies_beyond_them_in_the_lines_the_plane_and_the_
 
 
 def ends(page, name):
-    """Middle of an axis, and where it ends below and above, in the window."""
+    """Return the centre of an axis, and its lower and upper ends, in the window."""
     page.locator(".lines .drawn").scroll_into_view_if_needed()
     least, most = (handle(page, f"{end} {name}").bounding_box() for end in ("least", "most"))
     return least["x"] + least["width"] / 2, least["y"], most["y"] + most["height"]
@@ -182,7 +182,7 @@ def test_arrows_go_from_point_to_point_to_the_right(optimise, goals):
     assert page.locator(".scatter [data-point][tabindex='0']").count() == 1
 
 
-def test_an_axis_is_taken_away_and_brought_back_with_what_is_asked_of_it(optimise):
+def test_an_axis_keeps_its_selected_range_when_it_is_hidden_and_displayed_again(optimise):
     page = optimise.page
     page.locator(".lines summary").click()
     box = page.get_by_label("tendon area", exact=True)
@@ -203,7 +203,7 @@ def test_the_table_that_is_downloaded_is_the_one_of_the_folder(optimise, goals):
     assert [float(row["mass_kg"]) for row in rows] == goals["optimise"][0].table["mass"].values.tolist()
 
 
-def test_the_cloud_lies_over_the_map_of_verdicts_of_its_first_two_values(tolerance):
+def test_samples_are_drawn_over_the_map_of_verdicts_of_two_values(tolerance):
     page = tolerance.page
     assert page.locator(".scatter rect.map-works, .scatter rect.map-fails").count() == 81
     failing = page.locator(".scatter .unfolded[data-point]").count()
@@ -225,7 +225,7 @@ def test_a_sample_that_works_and_one_that_fails_can_both_be_played(tolerance, go
     assert tolerance.messages == []
 
 
-def test_a_pair_that_is_pressed_is_shown_large(identify):
+def test_pressing_a_pair_enlarges_it(identify):
     page = identify.page
     pair = page.locator(".pairs button").last
     upwards, across = pair.get_attribute("aria-label").removesuffix(", large").split(" over ")
@@ -234,7 +234,7 @@ def test_a_pair_that_is_pressed_is_shown_large(identify):
     assert chosen[:2] == [across, upwards]
 
 
-def test_what_agrees_lies_in_front_of_all_that_was_drawn(identify, goals):
+def test_samples_that_agree_are_drawn_in_front_of_all_drawn_samples(identify, goals):
     page, (tried, _) = identify.page, goals["identify"]
     agrees = tried.table["agrees"].values & ~tried.table["directed"].values
     assert page.locator(".marginals figure").count() == len(tried.table.attrs["unknowns"])

@@ -1,4 +1,4 @@
-"""The page of a landscape: curves of energy, and where a run is on them."""
+"""Page of a landscape: energy curves, and the position of a run on them."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ from tests.show.page.test_page import HOSTILE, data_of
 
 
 def posed_points(structure, angles):
-    """Where the structure's points are at angles of its hinges, m, (point, 3), and its pose."""
+    """Return the positions of the structure's points at hinge angles, m, (point, 3), and its pose."""
     tree = tree_of(structure)
     at = pose(tree, angles[np.newaxis])
     carried = carried_points(
@@ -29,7 +29,7 @@ def posed_points(structure, angles):
 
 
 def on_line(course, line):
-    """Energies of a line at the angles of a course, J, nan beyond its ends."""
+    """Return the energies of a line at the angles of a course, J, nan beyond its ends."""
     order = np.argsort(line.angle)
     return np.interp(course.angle, line.angle[order], line.energy[order], left=np.nan, right=np.nan)
 
@@ -45,19 +45,19 @@ def test_every_tendon_that_was_simulated_is_on_the_curve_of_statics(curves, shor
     for ball in curve.balls:
         assert len(ball.angle) == len(short_run.time)
         apart = np.abs(ball.energy - on_line(ball, curve.lines[0]))
-        # 1e-4 of 0.18 J; beyond its stops the run goes by some hundredths of a degree
+        # 1e-4 of 0.18 J; the run exceeds its stops by some hundredths of a degree
         assert np.nanmax(apart) < 2e-5
         assert np.isfinite(apart).mean() > 0.3
 
 
-def test_between_its_places_a_line_is_as_round_as_the_closed_form(curves, surveyed):
+def test_interpolated_lines_follow_the_closed_form(curves, surveyed):
     landscape, line = surveyed("reference"), curves[0].lines[0]
     own = landscape.tendons[1]
     exact = own.stored_energy(own.sense * line.angle)
     assert np.abs(line.energy - exact).max() < 1e-6 * exact.max()
 
 
-def test_at_rest_the_wing_is_on_the_curve_along_its_fold_and_in_the_snap_its_membrane_takes_it_off(curves, short_run):
+def test_a_run_is_on_the_curve_at_rest_and_leaves_it_during_the_snap(curves, short_run):
     curve, ends = curves[1], [end.end for end in short_run.stages]
     apart = np.abs(curve.balls[0].energy - on_line(curve.balls[0], curve.lines[0]))
     rows = np.searchsorted(short_run.time, [ends[2], ends[-1]]) - 1
@@ -65,7 +65,7 @@ def test_at_rest_the_wing_is_on_the_curve_along_its_fold_and_in_the_snap_its_mem
     assert np.nanmax(apart) == pytest.approx(short_run.series["membrane_energy"].max(), rel=0.2)
 
 
-def test_weight_is_counted_from_where_statics_counts_it():
+def test_gravitational_energy_has_the_reference_level_of_statics():
     still = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "20 ms"}
     design = load_design("binder2025", {"protocol.gravity": "9.81 m/s^2", "protocol.stages": [still]})
     record = run(design)
@@ -99,10 +99,10 @@ def test_every_landscape_with_a_curve_has_its_states_on_it(surveyed, name):
         curve_data(curve)
 
 
-def test_a_run_that_diverged_is_told_and_not_played(surveyed, short_run, tmp_path):
+def test_a_diverged_run_is_reported_and_not_played(surveyed, short_run, tmp_path):
     page = landscape_page(surveyed("reference"), tmp_path, {}, replace(short_run, diverged_at=0.01))
     assert data_of(page)["kind"] == "curves"
-    assert "The run beside it" not in page
+    assert "Run of this design" not in page
     assert "The simulated wing: diverged" in page
 
 
@@ -127,7 +127,7 @@ def opened(watch_all, pages):
 
 
 def balls(page, curve=0):
-    """Where balls are drawn, and where they should be, pixels, (ball, 2)."""
+    """Return where balls are drawn, and where they should be, pixels, (ball, 2)."""
     script = """(number) => {
         const { chart, now } = forficula.curves[number], box = chart.over.getBoundingClientRect();
         const drawn = [...chart.over.querySelectorAll(".ball")].map((ball) => {
@@ -137,13 +137,13 @@ def balls(page, curve=0):
     return np.array(page.evaluate(script, curve))
 
 
-def test_the_balls_are_where_the_run_is_when_its_clock_goes_on(opened, curves, short_run):
+def test_the_balls_follow_the_clock(opened, curves, short_run):
     for row in np.linspace(0, len(short_run.time) - 1, 4).astype(int):
         opened.page.evaluate("(moment) => { forficula.clock.seek(moment); }", float(short_run.time[row]))
         opened.settle()
         now = np.array(opened.page.evaluate("forficula.curves[0].now"))
         for (angle, energy), ball in zip(now, curves[0].balls, strict=True):
-            # what lies between two frames is in proportion
+            # interpolated between frames
             assert angle == pytest.approx(np.degrees(ball.angle[row]), abs=0.2)
             assert energy == pytest.approx(ball.energy[row], abs=2e-4)
         drawn, wanted = balls(opened.page)
@@ -151,7 +151,7 @@ def test_the_balls_are_where_the_run_is_when_its_clock_goes_on(opened, curves, s
     assert opened.messages == []
 
 
-def test_where_the_curve_is_pressed_the_clock_goes_to_when_the_run_was_there(opened):
+def test_pressing_a_curve_moves_the_clock_to_the_nearest_time(opened):
     page = opened.page
     for angle, energy in ((-30.0, 0.12), (-170.0, 0.0)):
         script = "([x, y]) => { const { chart } = forficula.curves[0], box = chart.over.getBoundingClientRect();"
@@ -165,7 +165,7 @@ def test_where_the_curve_is_pressed_the_clock_goes_to_when_the_run_was_there(ope
 
 def test_the_barrier_can_be_seen_close_up(opened):
     page = opened.page
-    page.get_by_role("button", name="barrier close up").click()
+    page.get_by_role("button", name="barrier enlarged").click()
     opened.settle()
     low, high = page.evaluate("[forficula.curves[0].chart.scales.y.min, forficula.curves[0].chart.scales.y.max]")
     # 0.69 mJ of 0.18 J
@@ -216,7 +216,7 @@ def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the
         opened.settle()
         vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
         points, _ = posed_points(structure, path.angles[place])
-        # every drawn end of a bar is where the kinematics has it
+        # every drawn end of a bar agrees with the kinematics
         ends = np.array([points[point] for bar in structure.bars for point in bar.points])
         away = np.linalg.norm(ends[:, None] - np.reshape(vertices, (-1, 3)), axis=2).min(axis=1)
         assert away.max() < 1e-6
@@ -227,7 +227,7 @@ def test_without_a_run_a_slider_moves_the_structure_along_its_rigid_fold_and_the
 def test_a_hinge_that_turns_alone_moves_its_plate_and_what_ties_hinges_says_why_nothing_is_drawn(surveyed, tmp_path):
     plates = surveyed("plates")
     data = data_of(landscape_page(plates, tmp_path, {}))
-    assert data["curves"][0]["drawn"] == "This hinge turns alone; the others are as at the start."
+    assert data["curves"][0]["drawn"] == "This hinge turns alone; all others keep their starting angles."
     shown = inner_hinge(plates)
     poses = poses_of(plates, shown)
     assert np.ptp(poses.angles, axis=0) == pytest.approx(

@@ -1,4 +1,4 @@
-"""A wing that is moved in its page, from a file with the network cut, in Chromium and in Firefox."""
+"""A wing that is moved in its page, from a file without network, in Chromium and in Firefox."""
 
 import functools
 import os
@@ -16,8 +16,8 @@ from tests.show.page.live_wing import SMALL, LiveWing, check_as_recorded, write_
 
 SETTLE = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
 FOLD = {"name": "fold", "drive": "fold", "until": "folded", "hold": "0 s", "time_limit": "0.1 s"}
-LEAK = 40e6  # bytes: half a megabyte a fold; what a collector of garbage has not taken yet comes to 25e6
-# presses a button so many times, each when it has been answered; how many of them were folds
+LEAK = 40e6  # bytes: half a megabyte per fold; memory not yet collected amounts to 25e6
+# presses a button several times, each after the reply; returns the number of folds
 AGAIN = """(async () => {
   const button = [...document.querySelectorAll(".trial button")].find((each) => each.textContent === "%(name)s");
   const verdict = document.querySelector(".verdict");
@@ -28,7 +28,7 @@ AGAIN = """(async () => {
     folds += verdict.textContent.startsWith("The wing folded in ");
   }
   return folds; })()"""
-# shares of the ranges of sliders, by their keys
+# shares of the ranges of sliders, by key
 SETTINGS_OF_SLIDERS = (
     {"tendon.stiffness": 0.74},
     {"tendon.rest_length": 0.2, "tendon.stiffness": 0.65},
@@ -41,7 +41,7 @@ SETTINGS_OF_SLIDERS = (
 
 @pytest.fixture(scope="module", params=["Chromium", "Firefox"])
 def show(request, tmp_path_factory):
-    """Open a page in a window: what evaluates expressions in it, with the messages and requests of its browser."""
+    """Open a page in a window; returns a function that evaluates expressions, with messages and requests."""
     if request.param == "Chromium":
         with watching(request.getfixturevalue("context")) as watch:
             yield lambda path, width, height: watch(path, viewport={"width": width, "height": height})
@@ -79,7 +79,7 @@ def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, 
     assert wing.do("Start again") == "Settled."
     assert wing.do("Fold").startswith("The wing folded in ")
     folded = np.degrees(outcome.states["folded"].readings["distal_angle"].mean)
-    assert wing.angles == pytest.approx(folded, abs=6)  # of a fold that still swings there
+    assert wing.angles == pytest.approx(folded, abs=6)  # the fold still swings
     assert wing.do("Unfold").startswith("The wing opened again in ")
     opened = np.degrees(outcome.states["opened"].readings["distal_angle"].mean)
     assert wing.angles == pytest.approx(opened, abs=0.5)
@@ -87,11 +87,11 @@ def test_it_folds_at_a_press_to_the_angles_of_the_summary_and_opens_again(wing, 
 
 @pytest.fixture(scope="module")
 def simulated(recorded):
-    """The package's record of a setting, which is the same whichever browser shows it."""
+    """The package's record of a setting, which is the same for every browser."""
     return functools.cache(lambda changes: run(with_values(recorded[0].design, dict(changes))))
 
 
-def test_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
+def test_sliders_give_the_outcomes_of_the_package(wing, simulated):
     verdicts = set()
     wing.pace(4)
     for shares in SETTINGS_OF_SLIDERS:
@@ -111,7 +111,7 @@ def test_settings_of_sliders_come_to_what_the_package_says(wing, simulated):
 def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
     wing.slide({"protocol.fold_torque": 0})
     wing.do("Start again")
-    # it swings for longer than it is said to settle
+    # it swings longer than the settling stage lasts
     wing.until("window.forficula.trial.panel.frame.time_s > 0.3")
     assert wing.do("Fold") == "Did not fold."
     # advice on torques needs statics, which a page does not have
@@ -120,12 +120,12 @@ def test_without_a_torque_it_sticks_and_says_what_to_try(wing):
 
 
 @pytest.mark.usefixtures("one_wing")
-def test_it_says_nothing_on_the_console_and_asks_for_nothing(shown):
+def test_there_are_no_console_messages_and_no_requests(shown):
     assert shown.messages == []
     assert [url for url in shown.requests if not url.startswith(("file:", "data:", "blob:"))] == []
 
 
-def test_what_the_engine_would_move_otherwise_is_told_with_the_reason(show, tmp_path):
+def test_a_structure_that_the_engine_cannot_simulate_is_reported_with_the_reason(show, tmp_path):
     keys = {"protocol.stages": [SETTLE], "protocol.timestep": "0.2 ms"}
     write_wing(tmp_path / "report.html", keys, "binder2025-built")
     page = show(tmp_path / "report.html", **SMALL)
@@ -144,13 +144,13 @@ def test_memory_does_not_grow_over_a_hundred_folds(show, tmp_path, request):
     for count in (20, 80):
         assert wing.evaluate(AGAIN % {"count": count, "name": "Whole protocol"}) == count
         held.append(sum(map(resident, psutil.Process().children(recursive=True))))
-    # a control: the browser is among these processes
+    # control: the browser is among these processes
     assert held[0] > 50e6
     assert held[1] - held[0] < LEAK
 
 
 def resident(process):
-    """Bytes of a process; of one that has ended, none."""
+    """Return the memory of a process, bytes; 0 if it has ended."""
     try:
         return process.memory_info().rss
     except psutil.Error:

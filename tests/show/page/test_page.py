@@ -32,18 +32,18 @@ def test_only_the_packed_script_may_run_and_nothing_may_be_fetched():
     assert f"script-src 'sha256-{digest}';" in policy
     assert policy.startswith("default-src 'none';")
     assert "http" not in policy
-    # no element asks for anything
+    # no element requests anything
     assert re.findall(r'<(?:script|link|img|iframe)[^>]*(?:src|href)="(?!data:)', page) == []
 
 
-def test_numbers_that_are_none_are_refused_for_the_page_would_not_be_read():
+def test_nan_and_infinity_are_refused_in_page_data():
     with pytest.raises(ValueError, match="not JSON compliant"):
         page_html("wing", "", {"value": float("nan")})
 
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the script are not there")
 def test_the_packed_script_is_that_of_its_sources():
-    """Else: make page."""
+    """If this fails: make page."""
     files = sorted(path for path in (WEB / "src").iterdir() if path.is_file())
     first = ("build.js", "engine.js", "licences/mujoco.txt", "package-lock.json", "package.json")
     sources = [WEB / name for name in first] + files
@@ -55,7 +55,7 @@ def test_the_packed_script_is_that_of_its_sources():
         assert digest.hexdigest() in built(name).partition("\n")[0], f"{name} is stale: run make page"
 
 
-def test_the_licences_of_what_is_packed_stand_beside_it():
+def test_the_licences_of_packed_code_are_included():
     licences = built("LICENSES.txt")
     for words in ("three", "Copyright © 2010", "uplot", "Copyright (c) 2022 Leon Sorokin"):
         assert words in licences
@@ -74,13 +74,13 @@ def test_a_table_names_its_columns_and_rows_and_marks_what_it_should():
     assert '<th scope="colgroup" colspan="1">flat</th>' in made
     assert '<tr class="changed"><th scope="row">0</th><td><mark>3.0</mark></td></tr>' in made
     assert "<thead>" not in table("Plain", ("", ""), [["a", "b"]])
-    # what the keyboard can stop at has a name, and no caption is empty
+    # focusable elements have names, and no caption is empty
     named = table("", ("time", "angle"), [["1 s", "2 deg"]])
     assert 'tabindex="0" role="group" aria-label="time, angle"' in named
     assert "<caption>" not in named
 
 
-# what stands on what: letters by 4.5 : 1, lines, rings and bars by 3 : 1 (WCAG 2.2, 1.4.3 and 1.4.11)
+# pairs of foreground and background: letters 4.5 : 1, lines, rings and bars 3 : 1 (WCAG 2.2, 1.4.3 and 1.4.11)
 LETTERS = {
     "ink": ("page", "raised", "picture-top", "picture-foot", "band", "mark"),
     "muted": ("page", "raised", "picture-top", "picture-foot"),
@@ -95,7 +95,7 @@ MARKS = {
 
 
 def luminance(colour):
-    """Relative luminance of sRGB as WCAG has it."""
+    """Return the relative luminance of sRGB as in WCAG."""
     parts = [int(colour[at : at + 2], 16) / 255 for at in (1, 3, 5)]
     linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
     return sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
@@ -103,7 +103,7 @@ def luminance(colour):
 
 @pytest.mark.skipif(not WEB.is_dir(), reason="the sources of the style are not there")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_colours_stand_out_from_what_they_stand_on_by_day_and_by_night(scheme):
+def test_colours_have_sufficient_contrast_in_light_and_dark_pages(scheme):
     light, dark = re.findall(r":root \{(.*?)\}", (WEB / "src" / "page.css").read_text("utf-8"), re.S)
     colours = dict(re.findall(r"--([\w-]+): (#\w{6});", light + dark * (scheme == "dark")))
     for pairs, least in ((LETTERS, 4.5), (MARKS, 3.0)):

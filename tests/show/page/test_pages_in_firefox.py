@@ -1,4 +1,4 @@
-"""Every kind of page in a second browser, with the network cut: `make browsers`, before a release."""
+"""Every kind of page in a second browser, without network: `make browsers`, before a release."""
 
 import os
 
@@ -22,7 +22,7 @@ _INKS = """[...document.querySelectorAll('.chart canvas')].map((canvas) => {
 _CLOCK = "(window.forficula.clock ?? window.forficula.panel.playing.clock)"
 
 
-# a minute that every run of the tests would take, for what changes seldom
+# saves a minute in every run of the tests, for code that changes rarely
 pytestmark = pytest.mark.skipif(
     os.environ.get("FORFICULA_EVERY_BROWSER") != "1", reason=f"{WHY}: that is make browsers, before a release"
 )
@@ -38,7 +38,7 @@ def firefox(request, tmp_path_factory):
 
 
 def asked(firefox):
-    """Addresses that a page asked for, but for what is written in them."""
+    """Return the addresses that a page requested, except data in the page itself."""
     return [url for url in firefox.requests if not url.startswith(("file:", "data:", "blob:"))]
 
 
@@ -77,7 +77,7 @@ def test_plots_and_the_structure_are_drawn_and_play_moves_them(firefox, pages, k
 
 
 def test_what_a_page_should_not_do_is_heard(firefox, tmp_path):
-    """A control: were the console or the network not listened to, the other tests could not fail."""
+    """Control: if the console or the network were not observed, the other tests could not fail."""
     (tmp_path / "bad.html").write_text(
         "<!doctype html><title>bad</title><script>console.error('said'); fetch('http://example.invalid/')"
         ".catch(() => { window.cut = true; }); setTimeout(() => nothing.at.all);</script>",

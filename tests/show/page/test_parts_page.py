@@ -1,4 +1,4 @@
-"""The page of parts to make, in a browser with the network cut."""
+"""Page of parts to make, in a browser without network."""
 
 import dataclasses
 import itertools
@@ -18,9 +18,9 @@ from forficula.show.page.parts_page import parts_page, write_parts_page
 from forficula.structure import built_points
 from tests.show.page.conftest import until
 
-QUANTISED = 1e-6  # m: half of 1/65535 of 120 mm, and what floats of four bytes leave
+QUANTISED = 1e-6  # m: half of 1/65535 of 120 mm, and rounding of 4-byte floats
 SMALL = (400, 400)  # pixels: the processor draws
-BOWED = 2e-4  # m: between two bows that the page has
+BOWED = 2e-4  # m: error of interpolation between two stored shapes
 CHECKS = (
     Check(name="least gap", part="fold0", ok=False, value=2.1e-4, limit=4e-4, unit="m", text="too near by 0.19 mm"),
     Check(name="stop", part="fold0", ok=True, value=math.pi / 60, limit=math.pi / 60, unit="rad", text="they meet"),
@@ -32,7 +32,7 @@ CHECKS = (
 
 @pytest.fixture(scope="module")
 def parts(short_run):
-    """A section of three veins, whose joints turn by half a turn."""
+    """A section of three veins whose joints turn by half a turn."""
     return make_parts(short_run.design, "section")
 
 
@@ -64,12 +64,12 @@ def opened(one_page):
 
 
 def drawn(opened, name):
-    """Corners of the triangles of a part that are drawn now, m, (corner, 3)."""
+    """Return the corners of the triangles of a part as drawn now, m, (corner, 3)."""
     return np.array(opened.page.evaluate("name => forficula.shape.verticesOf(name)", name)).reshape(-1, 3)
 
 
 def corners(part, parts):
-    """The same corners as the part is built, m."""
+    """Return the same corners in the built shape, m."""
     mesh = part_mesh(part, parts.joints)
     return mesh.points[mesh.triangles].reshape(-1, 3)
 
@@ -84,7 +84,7 @@ def hinge_to(opened, angle):
 
 
 def rigid(one, other):
-    """The rotation and the way that take places to others (Kabsch 1976)."""
+    """Return the rotation and translation between two sets of points (Kabsch 1976)."""
     middles = one.mean(axis=0), other.mean(axis=0)
     left, _, right = np.linalg.svd((one - middles[0]).T @ (other - middles[1]))
     turn = (left @ np.diag([1, 1, np.linalg.det(left @ right)]) @ right).T
@@ -106,7 +106,7 @@ def test_slack_straps_bow_as_elasticas_and_taut_ones_are_straight(opened, parts)
         hinge_to(opened, angle)
         pose = poses_at(parts, angle)[joint.distal.body]
         exact = strap_line(place, place.ends[0, 0], pose.of(place.ends[0, 1]), joint.frame[:, 1], 1)
-        # of the tube's sides the four corners at every place but the last, two triangles a side
+        # four sides of the tube at every point except the last, two triangles each
         rails = drawn(opened, "strap0")[: 32 * 24].reshape(32, 4, 6, 3)[:, :, 0].mean(axis=1)
         shares = np.linspace(0, 1, len(exact))
         line = np.column_stack([np.interp(np.arange(32) / 32, shares, axis) for axis in exact.T])
@@ -125,11 +125,11 @@ def test_the_recorded_run_moves_bars_as_the_simulator_did(opened, parts, short_r
             turn, way = rigid(corners(part, parts), drawn(opened, part.name))
             own = [number for number, point in enumerate(structure.points) if point.body == part.body]
             there = short_run.series["point_position"][row, own]
-            # angles are floats of four bytes, and rows between two kept ones are interpolated
+            # angles are 4-byte floats, interpolated between kept rows
             assert np.abs(built[own] @ turn.T + way - there).max() < 1e-5, (row, part.name)
 
 
-def test_taken_apart_every_part_is_as_far_away_as_it_is_told(opened, parts):
+def test_in_the_exploded_view_every_part_has_its_displacement(opened, parts):
     slider = opened.page.get_by_label("take apart")
     slider.focus()
     slider.press("End")
@@ -139,7 +139,7 @@ def test_taken_apart_every_part_is_as_far_away_as_it_is_told(opened, parts):
             assert np.abs(drawn(opened, part.name) - corners(part, parts) - way).max() < QUANTISED, part.name
     hub, *rods = (drawn(opened, part.name) for part in parts.parts if part.kind in ("hub", "root"))
     assert len(rods) == 3
-    # the way back from its rods is along x
+    # the direction away from its rods is x
     assert all(rod[:, 0].min() > hub[:, 0].max() for rod in rods)
 
 
@@ -154,13 +154,13 @@ def test_the_keyboard_turns_joints_degree_by_degree_and_from_stop_to_stop(opened
     slider.press("Home")
     opened.settle()
     assert re.search(r"straps slack by \d", slider.get_attribute("aria-valuetext"))
-    assert page.get_by_role("button", name="stop of the fold").get_attribute("aria-pressed") == "true"
+    assert page.get_by_role("button", name="folding stop").get_attribute("aria-pressed") == "true"
     slider.press(" ")
     until(page, "forficula.clock.playing")
     slider.press(" ")
 
 
-def test_what_is_hidden_is_not_drawn_and_a_press_tells_what_a_part_is(opened, parts):
+def test_hidden_parts_are_not_drawn_and_pressing_a_part_describes_it(opened, parts):
     page = opened.page
     seen = "forficula.shape.group.children.filter(each => each.isMesh && each.visible).length"
     assert page.evaluate(seen) == len(parts.parts)
@@ -172,7 +172,7 @@ def test_what_is_hidden_is_not_drawn_and_a_press_tells_what_a_part_is(opened, pa
     assert re.fullmatch(r"distal1: distal bar of petg, [\d.]+ g, [\d.]+ × [\d.]+ × [\d.]+ mm", told)
     page.get_by_label("root, 3").uncheck()
     page.locator("canvas").scroll_into_view_if_needed()
-    # where the middle of the hub is seen
+    # position of the hub's centre in the window
     hub = drawn(opened, "hub").mean(axis=0).tolist()
     x, y = page.evaluate(
         """place => { const { stage } = forficula; const { camera, target } = stage.eye;
@@ -185,7 +185,7 @@ def test_what_is_hidden_is_not_drawn_and_a_press_tells_what_a_part_is(opened, pa
     assert page.get_by_role("button", name="hub").get_attribute("aria-pressed") == "true"
 
 
-def test_checks_are_told_in_words_what_fails_first(opened):
+def test_checks_are_described_in_words_and_failures_come_first(opened):
     page = opened.page
     rows = page.locator("#checks tbody tr").all_inner_texts()
     assert [row.split("\t")[1:] for row in rows] == [
@@ -199,7 +199,7 @@ def test_checks_are_told_in_words_what_fails_first(opened):
     assert links == ["stl/proximal0.stl", "a%20b.csv"]
 
 
-def test_on_a_telephone_nothing_is_wider_than_the_page_and_nothing_was_said_or_asked_for(opened):
+def test_the_page_fits_a_phone_without_console_messages_or_requests(opened):
     for scheme, width in itertools.product(("light", "dark"), (390, 1280)):
         opened.show(width, 844, scheme)
         assert opened.page.evaluate("document.documentElement.scrollWidth") == width
@@ -209,7 +209,7 @@ def test_on_a_telephone_nothing_is_wider_than_the_page_and_nothing_was_said_or_a
 
 def test_the_same_parts_give_the_same_bytes_and_another_run_is_refused(parts, short_run, letter_run):
     assert parts_page(parts, CHECKS, short_run) == parts_page(parts, CHECKS, short_run)
-    with pytest.raises(InputError, match="record: need one of the design that the parts are of, binder2025"):
+    with pytest.raises(InputError, match="record: need a run of the design of the parts, binder2025"):
         parts_page(parts, CHECKS, letter_run)
 
 

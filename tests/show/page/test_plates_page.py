@@ -19,7 +19,7 @@ from tests.show.plates import PARTS
 
 @pytest.fixture(autouse=True)
 def without_warnings(monkeypatch):
-    """No file describes the plates, and nothing builds them again."""
+    """Without a file that describes the plates, and without code that builds them again."""
     for name in ("structure_warnings", "timestep_warnings", "run_warnings"):
         monkeypatch.setattr(page_of_a_run, name, lambda *_: [])
 
@@ -38,7 +38,7 @@ def test_every_run_has_a_page_with_its_own_words(plates_runs, name):
     json.dumps(data, allow_nan=False)
 
 
-def test_the_page_tells_what_happened(plates_runs):
+def test_the_page_reports_the_outcome(plates_runs):
     record, outcome = plates_runs["whole"]
     page = run_page(record, outcome)
     assert "three-plates closed in 64 ms with 6 N cm on a crease" in page
@@ -74,14 +74,14 @@ def test_structures_of_all_kinds_are_compared(plates_runs, short_run, short_outc
         re.search(r'id="data">(.*?)</script>', compare_page([*chosen[:2], fan]).replace("\\u003c", "<"), re.S)[1]
     )
     assert data["whole"] == "structure"
-    assert [plot["title"] for plot in data["plots"]] == ["what is furthest from its goal", "energy of all tendons"]
+    assert [plot["title"] for plot in data["plots"]] == ["reading furthest from its goal", "energy of all tendons"]
     assert [span["name"] for span in data["spans"]] == ["closing", "opening", "whole runs from their start"]
     page = compare_page(chosen)
     assert '<tr><th scope="row">mouth after closing</th><td>11.48 cm</td>' in page
     assert "elastic energy" in page
 
 
-def test_a_design_of_no_named_kind_is_compared_with_none(plates_runs):
+def test_a_design_of_a_kind_without_a_named_design_is_not_compared(plates_runs):
     tables = "".join(design_tables(plates_runs["whole"][0].design))
     assert "named design" not in tables
     assert "<mark>" not in tables
@@ -104,7 +104,7 @@ def test_the_page_of_plates_works_in_a_browser(plates_runs, watch, tmp_path):
     assert page.locator("#readout thead th").all_inner_texts() == ["crease 1", "crease 2", "mouth", "pull"]
 
 
-def test_the_page_tells_what_weighs_how_much_and_what_comes_first(plates_runs):
+def test_the_page_has_dimensionless_groups_and_what_dominates(plates_runs):
     record, _ = plates_runs["whole"]
     told = re.sub(r"<[^>]*>", " ", groups_table(record))
     groups = groups_of(record.structure, record.design.protocol.timestep)
@@ -114,7 +114,7 @@ def test_the_page_tells_what_weighs_how_much_and_what_comes_first(plates_runs):
         assert re.search(rf"\b{group.name}\s+{re.escape(f'{group.value:.3g}')}\s", told), group.name
 
 
-def test_a_page_of_what_has_no_groups_says_nothing_of_them(plates_runs):
+def test_a_page_without_groups_has_no_section_about_them(plates_runs):
     record, _ = plates_runs["whole"]
     bare = replace(
         record.structure, tendons=(), hinges=tuple(replace(h, stiffness=0.0) for h in record.structure.hinges)

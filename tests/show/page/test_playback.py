@@ -21,7 +21,7 @@ def unpacked(text, kind):
 
 @pytest.fixture(scope="module")
 def data(short_run, short_outcome):
-    """A clip as the page has it: through JSON and back."""
+    """Return a clip as the page has it: converted to JSON and back."""
     return json.loads(json.dumps(clip_data(make_clip(short_run, short_outcome))))
 
 
@@ -77,10 +77,10 @@ def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by
     page = run_page(record, measure(record))
     assert "diverged at t = 0.035 s" in page
     assert "are not shown." not in page
-    # of a balance that does not close no share is worth saying
+    # the residual of a balance that does not close is not reported
     assert "The energy balance misses" not in page
     assert make_clip(record, measure(record)).time[-1] == record.time[-1]
-    # what other versions recorded
+    # versions of an earlier recording
     shown = len(record.time) // 2
     series = {name: values.copy() for name, values in record.series.items()}
     turn = record.structure.motors[0].hinges
@@ -89,7 +89,7 @@ def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by
     assert "in which a hinge has passed its stops by a full turn, are not shown." in run_page(turned, measure(turned))
     clip = make_clip(turned, measure(turned))
     assert clip.time[-1] == record.time[shown - 1]
-    # 0 and 1 are not beyond a turn, but come after nonsense
+    # 0 and 1 are within a turn, but follow meaningless rows
     series = {name: values.copy() for name, values in record.series.items()}
     series["hinge_angle"][1], series["hinge_angle"][2] = np.nan, np.inf
     broken = replace(record, series=series)

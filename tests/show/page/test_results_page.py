@@ -1,4 +1,4 @@
-"""Pages of results that are figures and tables."""
+"""Pages of results that consist of figures and tables."""
 
 import re
 
@@ -18,7 +18,7 @@ HOSTILE = '</section></main><script>alert("1")</script>'
 
 @pytest.fixture
 def shown():
-    """What a terminal shows: a verdict, a table under a line in italics, one with a title, and sentences."""
+    """Terminal output: a verdict, a table under a line in italics, a table with a title, and sentences."""
     first, second = Table(), Table(title="Titled")
     first.add_column("", justify="left")
     first.add_column(Text(f"value {HOSTILE}"))
@@ -29,7 +29,7 @@ def shown():
     return Group(*parts, Text("hinge.damping is large"), f"mind this {HOSTILE}")
 
 
-def test_what_the_terminal_shows_is_on_the_page(shown):
+def test_terminal_output_is_on_the_page(shown):
     found = laid_out(shown)
     assert found.heading == "wing: it folds"
     assert [re.search("<caption>(.*?)</caption>", each)[1] for each in found.tables] == ["Sums", "Titled"]
@@ -53,7 +53,7 @@ def test_text_stays_text_and_the_figure_has_a_text_and_a_form_for_phones(shown, 
     assert re.findall(r'(?:src|href|srcset)="(?!data:)', page) == []
 
 
-def test_a_section_that_is_added_again_takes_the_place_of_the_first(shown):
+def test_a_section_that_is_added_again_replaces_the_first(shown):
     page = results_page("landscape", "wing", laid_out(shown), [])
     once = with_section(page, "map", section("Map", "<p>first</p>", name="map"))
     twice = with_section(once, "map", section("Map", "<p>second</p>", name="map"))

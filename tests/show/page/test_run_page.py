@@ -1,4 +1,4 @@
-"""The page of a run, in a browser with the network cut."""
+"""Page of a run, in a browser without network."""
 
 import io
 import re
@@ -19,12 +19,12 @@ from forficula.study.running.runs import run
 from tests.show.page.appearance import check_shown
 from tests.show.page.conftest import until
 
-# positions are floats of four bytes, and between two frames off by half of this at most
+# positions are 4-byte floats, and interpolation between frames adds half of this
 EXACT = 1e-6  # m
 FRAME = 1000 / 60  # ms
 
 WIDTHS = "(bands) => bands.map((band) => band.style.width)"
-# how far the drawn vertices reach from the middle of the picture, across and upwards, 1 at its edges, at many moments
+# largest distances of the drawn vertices from the picture's centre, across and upwards, 1 at its edges, over time
 REACHES = """(towards) => { const { clock, player } = forficula; const { stage } = player; const { eye } = stage;
 eye.show({ towards });
 return Array.from({ length: 41 }, (_, step) => {
@@ -70,7 +70,7 @@ def pixels(page, selector="canvas"):
 
 
 def go_to(opened, state):
-    """The state of this number."""
+    """Return the state of an index."""
     opened.page.evaluate("(state) => forficula.clock.seekClip(0, forficula.clips[0].marks[state].time)", state)
     opened.settle()
 
@@ -84,12 +84,12 @@ def readout_texts(page, row):
 
 
 def readout(page, row):
-    """Numbers of a row, without what stands behind ±."""
+    """Return the numbers of a row, without uncertainties."""
     return [float(text.replace("−", "-").partition(" ")[0]) for text in readout_texts(page, row)]
 
 
 def drawn(page):
-    """Vertices that are drawn now, m, (vertex, 3)."""
+    """Return the vertices drawn now, m, (vertex, 3)."""
     vertices = page.evaluate("Array.from(forficula.player.stage.views[0].shape.vertices)")
     return np.array(vertices).reshape(-1, 3)
 
@@ -100,7 +100,7 @@ def record_points(record, row):
 
 
 def furthest(points, vertices):
-    """How far the worst of some points is from the nearest vertex, m."""
+    """Return the largest distance of some points from the nearest vertex, m."""
     return np.linalg.norm(points[:, None] - vertices[None], axis=2).min(axis=1).max()
 
 
@@ -162,7 +162,7 @@ def test_scrubbed_to_folded_the_wing_has_the_angles_that_the_summary_states(open
     page.get_by_role("button", name="b folded").click()
     opened.settle()
     assert time(page) == pytest.approx(stated["time_s"])
-    # as written, to a tenth of a degree
+    # as displayed, to a tenth of a degree
     shown = readout(page, "distal angle (deg)")
     assert shown == pytest.approx(stated["distal_angle_deg"], abs=0.0501)
     assert max(shown) < -150
@@ -215,15 +215,15 @@ def test_from_every_side_the_wing_fills_the_picture_and_stays_in_it_all_through_
     for towards in ([0.37, -0.695, 0.616], [0, -0.0005, 1], [0.9, 0.3, -0.3]):
         reaches = np.array(opened.page.evaluate(REACHES, towards))
         assert reaches.max() < 1
-        # largest in the direction that limits it; while it snaps, what came just before and after has room, too
+        # largest in the limiting direction; during the snap there is space for the moments before and after
         assert np.median(reaches.max(axis=1)) > 0.8
         assert reaches.max(axis=1).min() > 0.5
 
 
-def test_followed_no_longer_the_wing_is_seen_from_one_place(opened):
+def test_without_following_the_camera_is_fixed(opened):
     page = opened.page
     places = []
-    follow = page.get_by_role("button", name="follow: keep the picture filled as it moves")
+    follow = page.get_by_role("button", name="follow: keep the picture filled during the motion")
     for pressed in ("false", "true"):
         follow.click()
         assert follow.get_attribute("aria-pressed") == pressed
@@ -263,9 +263,9 @@ def test_a_tendon_that_is_slack_is_drawn_as_long_as_it_is_at_rest_and_a_taut_one
     for end in short_run.stages[1:3]:
         seek(opened, end.start)
         now = short_run.series["tendon_length"][np.argmin(np.abs(short_run.time - end.start))]
-        # chords of a parabola are shorter than it
+        # chords of a parabola are shorter than its arc
         assert opened.page.evaluate(lengths) == pytest.approx(np.maximum(now, rests), rel=5e-3)
-    assert now.max() < rests.min()  # the folded wing's are slack
+    assert now.max() < rests.min()  # the folded wing's tendons are slack
 
 
 def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own_again(opened, short_run):
@@ -278,7 +278,7 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
         "(() => { const { strains, vertices } = forficula.player.stage.views[0].shape;"
         " return [...strains.at(vertices)]; })()"
     )
-    # as the figure of strains has them, by face
+    # equal to the strains by face in the figure
     expected = face_strains(shape, surface_at(short_run, shape, end.start))
     assert max(found) == pytest.approx(expected.max(), rel=1e-2)
     scale = opened.page.locator(".legend .energy:visible").last.inner_text()
@@ -331,7 +331,7 @@ def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, sho
     assert page.evaluate("forficula.clock.playing")
     page.keyboard.press(" ")
     assert not page.evaluate("forficula.clock.playing")
-    # a voice that is written down presses letters and numbers: they act only where they are asked for
+    # dictated text presses letters and digits, so they work only in the player
     page.evaluate("document.activeElement.blur()")
     opened.settle()  # the camera follows what was played in the next frame
     before = (time(page), page.evaluate(eye))
@@ -340,7 +340,7 @@ def test_the_keyboard_plays_steps_goes_to_the_states_turns_and_zooms(opened, sho
     assert (time(page), page.evaluate(eye)) == before
 
 
-def test_who_hears_the_page_is_told_what_the_picture_and_the_plots_show_and_where_the_clock_is(opened):
+def test_screen_readers_hear_the_picture_the_plots_and_the_time(opened):
     page = opened.page
     assert "3 veins" in page.locator("canvas").first.get_attribute("aria-label")
     for plot in page.locator(".chart").all():
@@ -374,7 +374,7 @@ def test_dark_windows_get_light_text_on_dark_ground(opened):
     assert pixels(page).mean() < 120
 
 
-def test_where_a_browser_forces_its_own_colours_what_is_chosen_is_still_seen(opened):
+def test_selected_elements_are_visible_with_forced_colours(opened):
     page = opened.page
     page.emulate_media(forced_colors="active")
     widths = page.evaluate(
@@ -398,7 +398,7 @@ def test_the_wing_moves_by_itself_only_for_readers_who_have_not_asked_for_less_m
     [(1280, 1000, "light"), (1280, 1000, "dark"), (360, 600, "light")],
     ids=["light", "dark", "phone"],
 )
-def test_the_wing_plots_and_a_legend_are_shown_none_over_another(opened, width, height, scheme):
+def test_the_wing_plots_and_legend_do_not_overlap(opened, width, height, scheme):
     opened.show(width, height, scheme)
     for state in (0, 1):
         go_to(opened, state)
@@ -415,8 +415,8 @@ def test_the_wing_plots_and_a_legend_are_shown_none_over_another(opened, width, 
         ("document.querySelector('.plots').style.marginTop = '-500px'", "one thing lies on another"),
     ],
 )
-def test_a_page_that_does_not_show_them_is_seen_to_do_so(opened, fault, what):
-    """A control: without it the checks of what is shown could not fail."""
+def test_the_overlap_check_detects_missing_elements(opened, fault, what):
+    """Control: otherwise the checks of appearance could not fail."""
     opened.show(1280, 1000)
     go_to(opened, 1)
     opened.page.evaluate(fault)
@@ -440,7 +440,7 @@ def test_downloaded_the_design_repeats_the_run(opened, short_run, tmp_path):
     assert "forficula run design.toml" in opened.page.locator("#repeat").inner_text()
 
 
-def test_what_is_said_aloud_is_not_said_in_every_frame(opened):
+def test_announcements_are_not_made_in_every_frame(opened):
     live = opened.page.locator("[aria-live], [role=status], output")
     assert [each.get_attribute("class") for each in live.all()] == ["spoken"]
 
@@ -474,7 +474,7 @@ def test_without_webgl_a_sentence_says_so_and_the_numbers_stay(context, report):
 
 
 def test_the_work_for_a_frame_leaves_most_of_it_to_the_graphics_chip(opened):
-    """At 60 frames a second one takes 16.7 ms; drawing itself is not timed, it is done without a graphics chip here."""
+    """A frame at 60 per second lasts 16.7 ms; drawing itself is not timed, because there is no graphics chip."""
     page = opened.page
     times = page.evaluate(
         """() => { const { clock, player, plots } = forficula; const { stage } = player; const { span } = clock;

@@ -19,13 +19,13 @@ def wing(request, short_run, large_record):
 
 
 def vertex_positions(mesh, points):
-    """Where the page draws the vertices, (..., vertex, 3), with the points at (..., point, 3)."""
+    """Return where the page draws the vertices, (..., vertex, 3), for points at (..., point, 3)."""
     first, second = points[..., mesh.between[:, 0], :], points[..., mesh.between[:, 1], :]
     return first + mesh.share[:, np.newaxis] * (second - first)
 
 
 def vein_positions(record):
-    """Hub end, ring vertex and tip of every vein, (time, vein, point, 3)."""
+    """Return hub end, ring vertex and tip of every vein, (time, vein, point, 3)."""
     roles = [
         [number for number, point in enumerate(record.structure.points) if point.role == role]
         for role in ("hub", "ring", "tip")
@@ -38,7 +38,7 @@ def test_the_sheet_is_the_surface_of_the_record_at_any_time(wing):
     for row in (0, len(record.time) // 3, len(record.time) - 1):
         corners = vertex_positions(mesh, points[row])[mesh.triangles]
         surface = surface_at(record, shape_of(record.structure), float(record.time[row]))
-        # two triangles of three corners in place of each quadrilateral of four
+        # two triangles with three corners replace each quadrilateral with four
         assert len(corners) == 2 * len(surface.faces)
         assert np.allclose(corners.reshape(len(surface.faces), 6, 3)[:, [0, 1, 2, 5]], surface.faces, atol=1e-12)
         assert np.array_equal(mesh.regions[::2], surface.regions)
@@ -63,7 +63,7 @@ def test_veins_and_tendons_are_where_the_record_has_them(wing):
     assert np.allclose(drawn[:, :, 1, 1], veins[:, :, 2], atol=1e-12)
     tendons = positions[:, np.array(ends["tendon"])]
     lengths = np.linalg.norm(tendons[:, :, 1] - tendons[:, :, 0], axis=-1)
-    # lengths to the rounding of the model's units
+    # lengths are exact up to rounding of the model's units
     assert np.allclose(lengths, record.series["tendon_length"], atol=1e-9)
 
 
@@ -94,7 +94,7 @@ def test_the_dashes_of_a_crease_lie_on_the_ring_fold_and_mountains_differ_from_v
             along = (end - start) / np.linalg.norm(end - start)
             away = [place - start - ((place - start) @ along) * along for place in (first, second)]
             beside.append(np.linalg.norm(away, axis=1).max())
-        # the start is not quite flat: the edge of the margin stands a little off the line
+        # the start is not exactly flat: the edge of the margin is slightly off the line
         assert min(beside) < 2e-3
         lengths[tube.crease].add(round(float(np.linalg.norm(second - first)), 4))
     assert len(lengths["M"]) > 1
@@ -114,7 +114,7 @@ def test_triangles_of_the_flat_wing_are_counterclockwise_from_above(reference):
 def test_more_rows_of_the_membrane_make_more_triangles_and_no_other_veins(reference):
     finer = load_design("binder2025", {"membrane.proximal_rows": [0.3, 0.6], "membrane.distal_rows": [0.5]})
     coarse, fine = (shape_mesh(structure_of(design)) for design in (reference, finer))
-    # each of two panels, margin and rest, has two quadrilaterals more
+    # each of two panels (margin and rest) gains two quadrilaterals
     assert len(fine.triangles) == len(coarse.triangles) + 2 * 2 * 2 * 2
     assert [tube for tube in fine.tubes if tube.kind == "bar"] != []
     assert len(fine.joints) == len(coarse.joints)

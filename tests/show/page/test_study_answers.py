@@ -1,4 +1,4 @@
-"""A study's page answers where it kept no run, in a browser with the network cut."""
+"""Answers of a study's page for points without kept runs, in a browser without network."""
 
 import numpy as np
 import pytest
@@ -17,14 +17,14 @@ def table(searched):
 
 @pytest.fixture(scope="module")
 def answering(watch_all, searched, tmp_path_factory):
-    """The page of a small study that kept no run at all."""
+    """The page of a small study that kept no run."""
     path = tmp_path_factory.mktemp("study") / "report.html"
     write_study_page(*searched, path, [], 0)
     assert path.stat().st_size < 5e6
     return watch_all(path)
 
 
-def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_study_says(answering, table):
+def test_a_cell_without_a_run_is_simulated_on_request_with_the_study_s_outcome(answering, table):
     page = answering.page
     assert "This run was not kept" in page.locator("#run").inner_text()
     page.get_by_role("button", name="Simulate it here").click()
@@ -36,14 +36,14 @@ def test_a_cell_without_a_run_is_simulated_at_a_press_and_comes_to_what_the_stud
         least = table["least_fold_torque"].values.ravel()[point]
         told = f"least fold torque {100 * least:g} N cm"
         assert (told in page.evaluate(SAID)) == bool(np.isfinite(least))
-    # what is live has the point's values
+    # the live structure has the point's values
     shown = page.locator(".slider", has_text="Tendon rest length").locator("output").inner_text()
     assert shown == "4 cm"
     assert answering.messages == []
 
 
-def test_of_cells_that_are_pressed_in_quick_succession_only_the_last_one_is_waited_for(answering):
-    """Those before it are not begun."""
+def test_only_the_last_of_several_requests_is_answered(answering):
+    """Earlier requests are not started."""
     page = answering.page
     page.evaluate(
         """() => { const { panel } = forficula.panel.answers; const { ask } = panel.engine;

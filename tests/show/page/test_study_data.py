@@ -1,4 +1,4 @@
-"""Data of a study's page: every number and every reason is where the table has it."""
+"""Data of a study's page: every number and every reason agrees with the table."""
 
 import json
 import math
@@ -24,7 +24,7 @@ distribution = "uniform"
 low = "0 cm"
 high = "9 cm"
 """
-# SI to the unit that stands beside the numbers
+# factors from SI to the displayed units
 FACTORS = {"N cm": 100, "mN cm": 1e5, "s": 1, "ms": 1000, "J": 1, "mJ": 1000}
 
 
@@ -54,7 +54,7 @@ def test_numbers_are_those_of_the_table_in_the_unit_beside_them(study):
 
 
 def test_quantities_say_of_which_transition_they_are(study):
-    """By its number, so that a page knows which kept run they come from; None of none."""
+    """By index, so that a page can relate kept runs to quantities; None for quantities without transition."""
     table = many_ends()
     table.attrs |= {"start_state": "flat", "transitions": transitions_text(structure_of(study.base), study.search)}
     for state in ("flat", "folded", "opened"):
@@ -77,7 +77,7 @@ def test_fold_times_have_a_map_for_every_torque_that_was_tried(study):
         assert np.allclose(given, expected, rtol=1e-6, equal_nan=True)
 
 
-def test_where_a_value_is_missing_its_reason_is_that_of_the_figure(study):
+def test_reasons_for_missing_values_are_those_of_the_figures(study):
     table = many_ends()
     data = study_data(study, table)
     for name in ("least_fold_torque", "unfold_work", "opened_energy"):
@@ -147,7 +147,7 @@ def test_drawn_points_have_a_value_of_every_factor_each(study_file):
     assert [len(factor["values"]) for factor in data["factors"]] == [12, 12]
 
 
-def test_it_is_json_without_numbers_that_json_does_not_have(study):
+def test_the_data_are_valid_json_without_nan_or_infinity(study):
     for table in (many_ends(), planted(TWO, np.full((3, 4), "did not fold", dtype=object))):
         text = json.dumps(study_data(study, table), allow_nan=False)
         assert json.loads(text)["points"] == 12

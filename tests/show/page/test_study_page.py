@@ -1,4 +1,4 @@
-"""The page of a study holds its numbers, its runs within bounds, and nothing that a text could smuggle in."""
+"""The page of a study has its numbers, a limited size of its runs, and no text that acts as HTML."""
 
 import csv
 import html
@@ -28,7 +28,7 @@ def study(study_file):
 
 @pytest.fixture
 def kept(reference_run, reference_outcome):
-    """A kept run at a point."""
+    """Return a kept run at a point."""
 
     def keep(point, part="opening"):
         folder = f"runs/{point + 1}-{part}"
@@ -42,8 +42,8 @@ def data(page):
 
 
 def rows(page):
-    """The texts of the table of all points."""
-    body = re.search(r"<caption>One row a point[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+    """Return the texts of the table of all points."""
+    body = re.search(r"<caption>One row for each point[^<]*</caption>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
     return [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", body)]
 
 
@@ -74,7 +74,7 @@ def test_every_run_says_which_point_it_is_what_it_did_and_where_it_lies(study, k
     assert "opened again" in run["text"]
 
 
-def test_the_table_on_the_page_has_a_row_a_point_with_the_numbers_of_the_file(study):
+def test_the_table_on_the_page_has_one_row_for_each_point_with_the_numbers_of_the_file(study):
     table = many_ends()
     found = rows(study_page(study, table, (), 0))
     expected = list(csv.DictReader(io.StringIO(table_csv(study, table))))
@@ -93,13 +93,13 @@ def test_the_file_to_download_is_the_file_of_the_folder(study):
     assert data(study_page(study, table, (), 0))["csv"] == table_csv(study, table)
 
 
-def test_of_many_points_there_is_a_map_and_a_pointer_to_the_file(study_file):
+def test_a_study_with_many_points_has_a_map_and_a_reference_to_the_file(study_file):
     factors = '"tendon.stiffness" = "1..61 N/cm step 1"\n"tendon.rest_length" = "0..49 mm step 1"'
     study = load_study(study_file(factors, 'ask = "least-torques"'))
     table = planted(TWO)
     places = {name: np.arange(size) % table.sizes[name] for name, size in zip(TWO, (61, 50), strict=True)}
     page = study_page(study, table.isel(places), (), 0)
-    assert "The 3050 points are too many for a table here; table.csv has them all." in page
+    assert "A table of 3050 points is too long for this page; table.csv lists all." in page
     assert data(page)["csv"] is None
     assert len(data(page)["study"]["statuses"]) == 3050
 
@@ -114,7 +114,7 @@ def test_the_sentence_counts_what_folds_and_opens(study, study_file):
     assert study_sentence(load_study(study_file(GRID)), plain) == "12 points: 3 fold, 0 fold and open again."
 
 
-def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own():
+def test_the_last_factor_varies_fastest_and_drawn_points_have_their_own_values():
     factors = [{"values": [1, 2, 3]}, {"values": [1, 2, 3, 4]}]
     assert [places({"sampled": False, "factors": factors}, point) for point in (0, 1, 4, 11)] == [
         [0, 0],
@@ -125,12 +125,12 @@ def test_the_last_factor_runs_fastest_and_drawn_points_have_values_of_their_own(
     assert places({"sampled": True, "factors": factors}, 2) == [2, 2]
 
 
-def test_the_papers_claims_stand_on_the_page_where_they_are_given(study):
+def test_the_page_lists_the_claims_of_the_paper_if_there_are_any(study):
     table = many_ends()
-    assert "Beside the paper" not in study_page(study, table, (), 0)
+    assert "Comparison with the paper" not in study_page(study, table, (), 0)
     compared = compare(replace(study, reproduces="binder2025"), table)
     page = study_page(study, table, (), 0, compared)
-    assert "Beside the paper" in page
+    assert "Comparison with the paper" in page
     assert "claims of Binder, Costi, Izzo, Seidl (Biomimetics 11(1):9, 2025, doi 10.3390/biomimetics11010009)" in page
     for claim in compared.claims:
         assert html.escape(claim.claim) in page
@@ -153,7 +153,7 @@ def test_drawn_points_and_plain_runs_have_a_page_too(study_file):
     assert "12 values drawn" in page
 
 
-def test_choices_stand_side_by_side_with_what_folds_at_each(study_file):
+def test_choices_are_listed_with_the_number_of_wings_that_fold(study_file):
     dampings = '"hinge.damping" = ["1e-4 N m s/rad", "1e-2 N m s/rad"]\n"vein.diameter" = ["3 mm", "10 mm"]'
     grid = '[grid]\n"tendon.stiffness" = ["10 N/cm", "20 N/cm"]\n"tendon.rest_length" = ["0 cm", "3 cm", "6 cm"]'
     head = 'vary = "one-at-a-time"\nask = "least-torques"'
@@ -168,7 +168,7 @@ def test_choices_stand_side_by_side_with_what_folds_at_each(study_file):
         ["vein diameter 5 mm, as in binder2025", "4"],
         ["vein diameter 10 mm", "3"],
     ]
-    # maps are over the grid, and begin at the base
+    # maps show the grid, and begin with the base design
     shown = data(page)["study"]
     assert [factor["key"] for factor in shown["factors"]] == ["choice", "tendon.stiffness", "tendon.rest_length"]
     assert (shown["axes"], shown["cuts"]) == ([1, 2, 0], [0, 1, 1])

@@ -1,4 +1,4 @@
-"""The page of a study, in a browser with the network cut."""
+"""Page of a study, in a browser without network."""
 
 import csv
 import io
@@ -19,11 +19,11 @@ from tests.show.study.test_maps import many_ends, planted, sampled
 FACTORS = '"tendon.stiffness" = ["10 N/cm", "60 N/cm"]\n"tendon.rest_length" = ["0 cm", "5 cm", "8 cm"]'
 SEARCH = '[search]\nfold_torques = "0..50 N cm step 25"\nunfold_torques = "50..100 N cm step 25"'
 LEAST = ("least_fold_torque", "least_unfold_torque")
-EXACT = 1e-6  # m, as floats of four bytes have it
+EXACT = 1e-6  # m, precision of 4-byte floats
 
 
 class StudyPage:
-    """A page, what it was made of, and what is asked of it often."""
+    """A page, its study and frequent queries."""
 
     def __init__(self, path, table, text, kept):
         self.path, self.table, self.text = path, table, text
@@ -33,10 +33,10 @@ class StudyPage:
 
 @pytest.fixture(scope="module")
 def small(tmp_path_factory, write_study_file):
-    """A search of six tendons; the runs of three that fold are kept."""
+    """A search over six tendons; the runs of three that fold are kept."""
     folder = tmp_path_factory.mktemp("study")
     path = write_study_file(folder / "small.toml", FACTORS, 'ask = "least-torques"', SEARCH)
-    # with 500 N cm a longer step blows up
+    # with 500 N cm a longer timestep diverges
     path.write_text(path.read_text("utf-8").replace('timestep = "0.4 ms"', 'timestep = "0.1 ms"'), "utf-8")
     study = load_study(path)
     table = run_study(study, folder)
@@ -53,7 +53,7 @@ def one_page(watch_all, small):
 
 @pytest.fixture
 def opened(one_page):
-    """The page as it opens: the outcomes, all rows in order."""
+    """The page at its start: outcomes, all rows in order."""
     page = one_page.page
     page.set_default_timeout(10_000)
     choose(page, "show", "outcome")
@@ -92,7 +92,7 @@ def chosen(page, label):
 
 
 def check_paired_plots(page, records):
-    """Of two runs side by side each has its own angles and energies, in pairs over one range, with their own stages."""
+    """Check that two runs side by side have their own angles and energies, with common ranges and their own stages."""
     headings = page.locator(".plots h2").all_inner_texts()
     titles = [heading.split("\n")[0] for heading in headings]
     assert titles[0::2] == titles[1::2] == ["Distal hinge angle (deg)", "Turn about its own axis (deg)", "Energy (J)"]
@@ -111,7 +111,7 @@ def check_paired_plots(page, records):
 
 
 def shown_points(page):
-    """Numbers of the points in the table, as they stand."""
+    """Return the numbers of the points in the table, in displayed order."""
     return [int(text) for text in page.locator("#points tbody tr:visible th").all_inner_texts()]
 
 
@@ -165,11 +165,11 @@ def test_a_click_on_a_cell_plays_the_run_that_was_kept_of_it(opened, small, part
             assert np.linalg.norm(tips[:, None] - drawn[None], axis=2).min(axis=1).max() < EXACT
 
 
-def test_of_points_that_came_furthest_the_page_opens_the_run_that_folds_with_the_least_torque(one_page, small):
+def test_the_page_opens_the_most_successful_run_with_the_least_torque(one_page, small):
     page = one_page.page
     page.reload()
     until(page, "window.forficula !== undefined")
-    # those that came furthest have the least number
+    # the most successful outcomes have the least numbers
     ranks = page.evaluate("forficula.model.study.verdicts")
     kept = {point for point, part in small.kept if part == "folding"}
     furthest = [point for point in kept if ranks[point] == min(ranks[each] for each in kept)]
@@ -179,14 +179,14 @@ def test_of_points_that_came_furthest_the_page_opens_the_run_that_folds_with_the
 
 
 def open_folding(page, point):
-    """Open a point, and its folding where another run of it, which failed, is played first."""
+    """Open a point, and its folding even if a failed run of it is played first."""
     cell(page, point).click()
     button = page.locator(".parts [data-part=folding]")
     if button.count():
         button.click()
 
 
-def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, small):
+def test_the_view_is_kept_from_cell_to_cell(opened, small):
     page = opened.page
     first, second = sorted({point for point, _ in small.kept})[:2]
     cell(page, first).click()
@@ -195,11 +195,11 @@ def test_what_a_reader_has_turned_and_zoomed_stays_from_cell_to_cell(opened, sma
         page.keyboard.press(key)
     places = []
     for point in (first, second):
-        open_folding(page, point)  # an opening of another point would start folded, seen from 7 % further away
+        open_folding(page, point)  # an opening run of another point would start folded, seen from 7 % further away
         page.evaluate("forficula.panel.playing.clock.seek(0)")
         opened.settle()
         places.append(page.evaluate("forficula.panel.playing.player.stage.eye.camera.position.toArray()"))
-    # the wings are alike but for their tendons, and flat
+    # the wings differ only in their tendons, and are flat
     assert np.allclose(*places, rtol=0.02)
     look = page.evaluate("forficula.panel.playing.player.stage.eye.look.closer")
     assert look == pytest.approx(1.15**-2)
@@ -222,7 +222,7 @@ def test_a_pinned_run_moves_beside_the_one_that_is_opened_after_it_each_from_its
     page = opened.page
     first, second = sorted({point for point, part in small.kept if part == "folding"})[:2]
     open_folding(page, first)
-    page.get_by_role("button", name="pin, to compare it with another").click()
+    page.get_by_role("button", name="pin to compare with another").click()
     open_folding(page, second)
     page.evaluate("forficula.panel.playing.clock.seek(0.012)")
     opened.settle()
@@ -283,13 +283,13 @@ def test_arrows_move_between_cells_and_enter_opens_one(opened):
     assert page.locator("#point h2").inner_text() == "Point 1"
     page.keyboard.press("Enter")
     assert page.locator("#point h2").inner_text() == "Point 5"
-    page.keyboard.press("ArrowUp")  # there is none above
+    page.keyboard.press("ArrowUp")  # there is no row above
     page.keyboard.press("End")
     assert page.evaluate(focused) == 5
     page.keyboard.press("Home")
     page.keyboard.press(" ")
     assert page.locator("#point h2").inner_text() == "Point 4"
-    # one stop of the tabulator for all cells
+    # one tab stop for all cells
     assert page.locator(".grid td[tabindex='0']").count() == 1
 
 
@@ -307,14 +307,14 @@ def test_cells_have_their_values_and_where_there_is_none_a_sign_and_a_reason(ope
             word = small.table["fold_outcome"].values.ravel()[point]
             assert (text, label.endswith(word)) == ({"did not fold": "×", "still folding": "▷"}[word], True)
             assert "gradient" in cell(page, point).evaluate("cell => getComputedStyle(cell).backgroundImage")
-    # lightness rises with the value: the order survives grey print
+    # lightness rises with the value, so the order is kept in grey print
     lightness = [
         np.dot([0.299, 0.587, 0.114], [int(part) for part in re.findall(r"\d+", colours[key])[:3]])
         for key in sorted(colours)
     ]
     assert lightness == sorted(lightness)
     assert len(set(lightness)) == len(colours) > 1
-    assert "known of" in page.locator(".map > .note").inner_text()
+    assert "known for" in page.locator(".map > .note").inner_text()
 
 
 def test_the_table_is_filtered_by_outcome(opened, small):
@@ -359,7 +359,7 @@ def test_the_table_that_is_downloaded_is_the_one_of_the_folder(opened, small):
     assert download.value.path().read_text("utf-8") == small.text
 
 
-def test_a_run_that_is_left_gives_back_its_graphics_memory(opened, small):
+def test_closing_a_run_frees_its_graphics_memory(opened, small):
     page = opened.page
     points = [point for point, part in small.kept if part == "folding"]
     cell(page, points[0]).click()
@@ -379,7 +379,7 @@ def test_nothing_is_wider_than_the_window_of(watch, small, width, height):
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     assert page.evaluate("devicePixelRatio") == 2
     # on one column, a press leads to the numbers and the playback below the map
-    assert -1 <= page.locator("#point").bounding_box()["y"] < height  # half a pixel is lost in rounding
+    assert -1 <= page.locator("#point").bounding_box()["y"] < height  # tolerance of half a pixel by rounding
     # and the map stays above them
     for part in ("#point", "#run .note, #run .player"):
         page.locator(part).first.evaluate("each => each.scrollIntoView()")
@@ -430,7 +430,7 @@ def test_drawn_points_lie_at_their_values_and_can_be_opened(watch, planted_page)
     assert watched.messages == []
 
 
-def test_the_structure_plots_and_a_legend_are_shown_none_over_another(opened):
+def test_the_structure_plots_and_legend_do_not_overlap(opened):
     opened.show(1280, 1000)
     open_folding(opened.page, 2)
     opened.page.evaluate(

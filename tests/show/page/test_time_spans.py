@@ -12,7 +12,7 @@ def clips(short_run, slow_run):
     return [make_clip(record, measure(record)) for record in (short_run, slow_run)]
 
 
-def test_a_run_is_shown_whole_and_each_driven_stage_close_up(clips):
+def test_a_run_has_spans_for_the_whole_and_for_each_driven_stage(clips):
     whole, fold, unfold = run_spans(clips[0])
     assert (whole.start, whole.end) == (clips[0].time[0], clips[0].time[-1])
     assert (whole.whole, fold.whole, unfold.whole) == (True, False, False)
@@ -22,13 +22,13 @@ def test_a_run_is_shown_whole_and_each_driven_stage_close_up(clips):
         assert span.end - span.start < 0.5 * (whole.end - whole.start)
 
 
-def test_runs_are_lined_up_at_the_start_of_folding_and_close_up_at_the_start_of_each_stage(clips):
+def test_compared_runs_are_aligned_at_the_start_of_folding_and_of_each_stage(clips):
     whole, folding, unfolding, *rest = shared_spans(clips)
     starts = [tuple(clip.stages[stage].start for clip in clips) for stage in (1, 3)]
     assert (whole.name, whole.origins) == ("whole runs", starts[0])
     assert (folding.origins, unfolding.origins) == (starts[0], starts[1])
     assert starts[1][0] != starts[1][1]
-    # both settle as long: lined up at their own starts they would look the same
+    # runs that settle equally long would look the same aligned at their own starts
     assert rest == []
     for clip, origin in zip(clips, unfolding.origins, strict=True):
         goal = clip.stages[3].goal_time - origin
@@ -40,7 +40,7 @@ def test_runs_that_settle_for_different_times_can_also_be_seen_from_their_starts
     assert [span.name for span in shared_spans([clips[0], later])][-1] == "whole runs from their start"
 
 
-def test_beside_a_wing_that_never_unfolds_another_one_is_shown_from_the_fold(clips):
+def test_a_run_without_unfolding_does_not_remove_the_span_of_folding(clips):
     folds_only = replace(clips[1], stages=clips[1].stages[:3])
     names = [span.name for span in shared_spans([clips[0], folds_only])]
     assert names == ["whole runs", "folding"]

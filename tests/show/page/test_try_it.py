@@ -11,12 +11,12 @@ from tests.show.page.live_wing import SMALL, LiveWing, write_wing
 from tests.show.page.test_accessible_pages import ALL, asked
 
 MOST = 5e6  # bytes of a page
-WINDOW = {"width": 500, "height": 500}  # pixels, which are soon drawn
+WINDOW = {"width": 500, "height": 500}  # pixels of a window that is drawn quickly
 
 
 @pytest.fixture(scope="module")
 def diverging_page(tmp_path_factory):
-    """Of a design whose steps are too long for it, driven or not."""
+    """The page of a design whose timestep is too long, with or without drives."""
     path = tmp_path_factory.mktemp("diverging") / "report.html"
     write_wing(path, {"protocol.timestep": "3 ms"})
     return path
@@ -38,12 +38,12 @@ def trial(one_page):
 
 
 def begin_again(opened, shares=None):
-    """The wing settled again with sliders at these shares of their ranges, by key, the others as in the run."""
+    """Let the wing settle again with sliders at shares of their ranges, by key, and others as in the run."""
     opened.live.slide(shares)
     assert opened.live.do("Start again") == "Settled."
 
 
-def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_asked(watch, context, recorded):
+def test_a_page_with_the_engine_is_small_and_starts_it_only_on_request(watch, context, recorded):
     assert recorded[-1].stat().st_size < MOST
     others = len(context.pages)
     opened = watch(recorded[-1])
@@ -53,7 +53,7 @@ def test_a_page_with_its_engine_is_small_and_says_nothing_of_it_until_it_is_aske
     assert opened.page.workers == []
 
 
-def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
+def test_folding_is_reported_before_rest(trial):
     begin_again(trial)
     trial.page.get_by_label("speed").last.select_option("1/20")
     trial.live.press("Fold")
@@ -65,8 +65,8 @@ def test_that_it_folded_is_told_before_it_has_come_to_rest(trial):
     assert re.fullmatch(r"The wing folded in \d+(\.\d+)? ms for \d\.\d+ J of work\.", said)
 
 
-def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its_design_file(trial):
-    """Which has the values that stand there in the end, from its start."""
+def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(trial):
+    """The file has the final values, from the start."""
     note = trial.page.locator(".trial .note").first
     begin_again(trial, {"tendon.stiffness": 0.7})
     trial.live.do("Whole protocol")
@@ -81,7 +81,7 @@ def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its
     assert "which no run of a design file does" in note.inner_text()
     begin_again(trial)
     assert note.inner_text() == ""
-    # a torque that does not act yet changes nothing of what was
+    # a torque that does not act yet does not change the motion so far
     trial.live.put("protocol.fold_torque", 0.5)
     assert trial.live.do("Fold").startswith("The wing folded in")
     assert note.inner_text() == ""
@@ -92,13 +92,13 @@ def test_what_was_changed_or_pushed_on_the_way_is_not_passed_off_as_a_run_of_its
     assert "which no run of a design file does" in note.inner_text()
 
 
-def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page):
-    """Nothing goes on from there when it is let go, changed or pushed, and the simulator answers all the same."""
+def test_a_diverged_simulation_stays_diverged_until_a_restart(watch, diverging_page):
+    """Release, changes and pushes have no effect, and the simulator still replies."""
     opened = watch(diverging_page, viewport=SMALL)
     live = LiveWing(opened.page.evaluate)
     push = "forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })"
     for act in (
-        lambda: live.press("Let go"),
+        lambda: live.press("Release"),
         lambda: live.put("protocol.gravity", 0.5),
         lambda: opened.page.evaluate(push),
     ):
@@ -110,7 +110,7 @@ def test_what_has_diverged_stays_so_until_it_begins_again(watch, diverging_page)
         assert live.do("Fold").startswith("Diverged at t = ")
 
 
-def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, recorded):
+def test_settings_are_saved_as_a_design_file(trial, recorded):
     begin_again(trial, {"tendon.stiffness": 0.7, "protocol.fold_torque": 0.5})
     changes = trial.live.changes
     assert set(changes) == {"tendon.stiffness", "protocol.fold_torque"}
@@ -120,18 +120,18 @@ def test_a_setting_comes_out_as_the_design_file_that_has_it(trial, recorded):
     assert design_from_text(text).hash == with_values(recorded[0].design, changes).hash
 
 
-def test_sliders_have_a_mark_where_the_run_is_and_go_back_there(trial):
+def test_sliders_mark_the_values_of_the_run_and_can_be_reset(trial):
     begin_again(trial, {"tendon.stiffness": 0.9})
     slider = trial.page.locator(".slider", has_text="Tendon stiffness")
     assert "changed" in slider.get_attribute("class")
     mark, thumb = slider.locator(".home").bounding_box(), slider.locator("input").bounding_box()
-    trial.page.get_by_role("button", name="All as in this run").click()
+    trial.page.get_by_role("button", name="Reset all to this run").click()
     assert slider.locator("output").inner_text() == "10 N/cm"
     share = int(slider.locator("input").input_value()) / int(slider.locator("input").get_attribute("max"))
     assert mark["x"] + 1 == pytest.approx(thumb["x"] + 8 + share * (thumb["width"] - 16), abs=1.5)
 
 
-def test_a_tip_that_is_pushed_moves_and_comes_back_when_it_is_left(trial):
+def test_a_pushed_tip_returns_when_it_is_released(trial):
     begin_again(trial)
     page = trial.page
     page.locator("#try canvas").scroll_into_view_if_needed()

@@ -23,7 +23,7 @@ from tests.analysis.test_outcome import ENDS, REFERENCE, planted
 
 @pytest.fixture
 def told(short_outcome):
-    """The sentence on a short run whose outcome is another one in part."""
+    """Return the sentence about a short run with a partly changed outcome."""
 
     def tell(status=short_outcome.status, **changed):
         both = {name: {**getattr(short_outcome, name), **value} for name, value in changed.items()}
@@ -41,7 +41,7 @@ def test_a_wing_that_folded_and_opened_is_told_in_one_sentence_with_its_numbers(
     assert sentence.endswith(" of work), and stayed open.")
 
 
-def test_what_failed_is_told_with_its_torque(told):
+def test_a_failure_is_reported_with_its_torque(told):
     stuck = told("stuck at -40.0 deg", holds={"folded": False, "opened": False})
     assert stuck == "wing: stuck at -40.0 deg, with 50 N cm on every proximal joint."
     shut = told("did not open", holds={"opened": False})
@@ -51,13 +51,13 @@ def test_what_failed_is_told_with_its_torque(told):
 
 
 def sprung_back(angle):
-    """A wing folded to -170 deg whose release, which ends in no state, leaves it at an angle, deg."""
+    """A wing folded to -170 deg whose release, without a named state, leaves it at an angle, deg."""
     named = with_values(REFERENCE, {"protocol.stages.1.state": "folded"})
     return measure(planted((0.3, 0.4, 0.6), (0, -170, angle), ends=ENDS[:3], design=named))
 
 
 @pytest.mark.parametrize("angle", [3.0, -178.0])
-def test_a_stage_without_a_state_makes_no_claim_and_the_angles_when_released_are_told(angle):
+def test_without_a_named_state_the_angles_after_release_are_reported_without_a_claim(angle):
     outcome = sprung_back(angle)
     sentence = outcome_sentence("wing", outcome)
     went = f"went from -170.0 deg to {angle:.1f} deg when released (largest of distal angle)"
@@ -72,7 +72,7 @@ def test_a_release_that_ends_in_the_state_is_claimed_and_needs_no_further_senten
 
 
 def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_folding():
-    """As of binder2025-joint, which is pushed to -20 deg and then snaps."""
+    """Like binder2025-joint, which is pushed to -20 deg and then snaps."""
     pushed = with_values(REFERENCE, {"protocol.stages.1.until": "distal_angle < -20 deg"})
     outcome = measure(planted((0.3, 0.4, 0.6), (0, -21, -170), ends=ENDS[:3], design=pushed))
     sentence = outcome_sentence("wing", outcome)
@@ -80,13 +80,13 @@ def test_the_time_of_a_stage_that_ends_on_the_way_is_not_called_the_time_of_fold
     assert "folded in" not in sentence
 
 
-def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_run, short_outcome):
+def test_remarks_have_advice_swinging_states_and_the_energy_residual(short_run, short_outcome):
     states = {**short_outcome.states, "folded": replace(short_outcome.states["folded"], swings=True)}
     states["flat"] = replace(states["flat"], swings=False)
     odd = replace(short_outcome, status="did not open", advise=lambda: Advice(text="Raise it."), states=states)
     remarks = outcome_remarks(short_run, odd)
     assert remarks[0] == "Did not open. Raise it."
-    assert any(remark.startswith("Where the folded state is taken, the wing still moves") for remark in remarks)
+    assert any(remark.startswith("In the folded state the wing still moves") for remark in remarks)
     series = {name: values.copy() for name, values in short_run.series.items()}
     series["stop_work"][-1] += 1.0  # J
     unsound = replace(short_run, series=series)
@@ -98,13 +98,13 @@ def test_remarks_tell_what_to_try_what_swings_and_what_the_balance_misses(short_
     assert sentence.startswith("wing: unreliable: the energy balance misses ")
 
 
-def test_a_wing_that_never_rests_is_told(short_run, short_outcome):
+def test_a_wing_that_never_rests_is_reported(short_run, short_outcome):
     ends = [replace(end, goal_time=None) if end.stage.until == "rest" else end for end in short_run.stages]
     remarks = outcome_remarks(replace(short_run, stages=tuple(ends)), short_outcome)
     assert 'In the stage "release folded" the wing did not come to rest within 100 ms.' in remarks
 
 
-def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
+def test_plots_are_described_by_the_values_in_the_states(short_run, short_outcome):
     clip = make_clip(short_run, short_outcome)
     angles = [np.degrees(state.readings["distal_angle"].mean) for state in short_outcome.states.values()]
     text = reading_text(clip.readings[0], angles, clip)
@@ -113,15 +113,15 @@ def test_plots_are_told_by_the_values_in_the_states(short_run, short_outcome):
     assert text.count("°") >= 3
     assert [text.find(name) > 0 for name in ("flat", "folded", "opened")] == [True, True, True]
     assert "0 J folded" in energy_text(clip)
-    # which the record knows of every step, and the frames do not
+    # the record knows it for every step, the frames do not
     assert f"kinetic {readable(short_run.kinetic_peak[1], 'J')}" in energy_text(clip)
 
 
-def test_a_structure_is_told_by_what_it_is_or_by_its_parts(short_run):
-    told = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, which"
-    assert structure_text(short_run.structure).startswith(told)
+def test_a_structure_is_described_by_its_text_or_by_its_parts(short_run):
+    start = "A fan of 3 veins and 2 membrane panels, each vein 12 cm long up to the ring fold and 10 cm beyond it, "
+    assert structure_text(short_run.structure).startswith(start)
     nameless = replace(short_run.structure, appearance=replace(short_run.structure.appearance, text=""))
-    counted = "A wing of 6 bars, 2 membranes, 12 hinges and 3 tendons, 22 cm in size, which moves with the time."
+    counted = "A wing of 6 bars, 2 membranes, 12 hinges and 3 tendons, 22 cm in size, moving over time."
     assert structure_text(nameless) == counted
 
 

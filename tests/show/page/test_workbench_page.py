@@ -1,4 +1,4 @@
-"""The page of a workbench in a browser: what is changed there is built by the package, and folds as in Python."""
+"""The page of a workbench in a browser: changes are built by the package, and fold as in Python."""
 
 import base64
 import json
@@ -16,7 +16,7 @@ from tests.show.page.test_accessible_pages import ALL, DARK_PHONE, asked
 from tests.workbench.serving import SECONDS, serving
 from tests.workbench.test_server import SQUARE
 
-# a coarse protocol, so that it is soon over
+# a coarse protocol, which is computed quickly
 SETTINGS = {
     "protocol.timestep": "0.4 ms",
     "stops.time_constant": "2 ms",
@@ -48,12 +48,12 @@ def address(served):
     return served.address
 
 
-SMALL = {"width": 500, "height": 500}  # of a window, in which the wing is soon drawn
+SMALL = {"width": 500, "height": 500}  # size of a window in which the wing is drawn quickly
 OPENED = "JSON.stringify(forficula.asked)"
 
 
 class Bench:
-    """The page, with what it writes to the console."""
+    """The page, with its console messages."""
 
     def __init__(self, context, address, viewport=SMALL):
         self.page = context.new_page()
@@ -67,14 +67,14 @@ class Bench:
         self.as_opened = None
 
     def built(self):
-        """Wait until what was asked is there, or refused."""
+        """Wait until a request is answered or refused."""
         says = "document.querySelector('.says p[role=status]').textContent"
         until(self.page, f"!{says}.endsWith('\\u2026')", SECONDS)
-        # what stands still until it is told something is not drawn
+        # a paused structure is not drawn
         self.page.evaluate("forficula.wing.panel?.engine.tell({ act: 'pause' })")
 
     def begin_again(self):
-        """All as it was opened, before other pages."""
+        """Restore the initial state, in front of other pages."""
         self.page.bring_to_front()
         if self.page.evaluate(OPENED) != self.as_opened:
             self.page.evaluate("(keys) => forficula.open({ design: '', files: [], unit: '' }, keys)", SETTINGS)
@@ -84,7 +84,7 @@ class Bench:
         self.page.get_by_role("tab").first.click()
 
     def field(self, key):
-        """The field of a key, which is looked for as a reader does."""
+        """Return the field of a key, found as by a reader."""
         self.page.get_by_label("Find a key").fill(key)
         return self.page.locator(".field:visible").filter(has=self.page.locator(f'[data-key="{key}"]'))
 
@@ -96,7 +96,7 @@ class Bench:
         self.settled()
 
     def settled(self):
-        """Wait until what was just done has come to something."""
+        """Wait until the last action has taken effect."""
         self.page.wait_for_timeout(100)
         self.page.evaluate("forficula.idle()")
         self.built()
@@ -107,7 +107,7 @@ class Bench:
         self.settled()
 
     def design(self):
-        """The design that is downloaded."""
+        """Return the design that is downloaded."""
         link = self.page.get_by_role("link", name="Download the design")
         return design_from_text(base64.b64decode(link.get_attribute("href").partition("base64,")[2]).decode())
 
@@ -120,7 +120,7 @@ class Bench:
 
 @pytest.fixture(scope="module")
 def connected(browser, served):
-    """Pages that reach the workbench, in a browser that has been let in."""
+    """Pages that reach the workbench, in an authorised browser."""
     context = browser.new_context(**DEFAULTS)
     name, _, value = served.cookie.partition("=")
     context.add_cookies([{"name": name, "value": value, "url": served.address}])
@@ -138,7 +138,7 @@ def test_a_browser_is_let_in_once_from_the_file_it_is_given(browser, served, tmp
     until(page, "document.querySelector('h1').textContent.includes('binder2025')", SECONDS)
     # no script reads the cookie
     assert page.evaluate("document.cookie") == ""
-    # again, or in another tab, the address typed by hand
+    # again, or in another tab with the address typed by hand
     assert context.request.get(served.address).status == 200
     refused = context.new_page()
     assert refused.goto(address).status == 403
@@ -156,7 +156,7 @@ def opened(connected, address):
 
 @pytest.fixture
 def bench(opened):
-    """The page as it was opened; it is the same for all tests, for each opens a simulator."""
+    """The page at its start; one for all tests, because each page starts a simulator."""
     opened.messages.clear()
     opened.begin_again()
     yield opened
@@ -193,7 +193,7 @@ def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     assert page.evaluate("forficula.wing.panel.stage.eye.look.towards.z") > 0.99
     assert "pattern.units=2" in page.locator(".taking code").inner_text()
     assert page.locator("#view-wing canvas").count() == len(page.workers) == 1
-    # it is there after a reload, and undone it is what it was
+    # it is kept over a reload, and undo restores the design's value
     page.reload()
     until(page, "window.forficula !== undefined", SECONDS)
     bench.built()
@@ -203,17 +203,17 @@ def test_a_pattern_of_more_veins_is_built_and_the_page_goes_on(bench):
     assert len(bench.design().tendons) == 3
 
 
-def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench):
+def test_a_bad_value_is_reported_beside_its_key_and_the_last_working_model_is_kept(bench):
     before = bench.design().hash
     bench.put("pattern.hub_radius", "-3 cm")
     field = bench.field("pattern.hub_radius")
     assert field.locator(".wrong").inner_text() == "pattern.hub_radius: need >= 0, got -3 cm"
     assert field.locator("input").get_attribute("aria-invalid") == "true"
     assert field.locator("input").input_value() == "-3 cm"
-    assert "the last good model stays" in bench.alert()
+    assert "the last working model is kept" in bench.alert()
     assert bench.design().hash == before
     assert bench.page.evaluate("forficula.wing.panel.frame.readings[0].length") == 3
-    # another key is changed meanwhile, and the bad one can be mended
+    # another key is changed meanwhile, and the bad value can be corrected
     bench.put("pattern.sector_angle", "19 deg")
     assert bench.design().pattern.sector_angle == pytest.approx(np.radians(19))
     assert bench.field("pattern.hub_radius").locator("input").input_value() == "-3 cm"
@@ -222,7 +222,7 @@ def test_a_bad_value_is_told_beside_its_key_and_the_last_good_model_stays(bench)
     assert bench.design().pattern.hub_radius == pytest.approx(0.016)
 
 
-def test_values_that_are_allowed_together_alone_are_taken_once_both_are_there(bench):
+def test_values_that_are_only_allowed_together_are_accepted_together(bench):
     bench.put("protocol.initial_overbend", "4 deg")
     assert "last good model" in bench.alert()
     bench.put("hinge.overbend", "5 deg")
@@ -259,17 +259,17 @@ def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
     assert page.locator("h1").inner_text() == "door"
 
 
-def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench):
+def test_a_landscape_can_be_awaited_or_stopped(bench):
     page = bench.page
     page.get_by_role("tab", name="Landscape").click()
-    bench.press("Survey it")
+    bench.press("Compute it")
     bench.press("Stop")
     until(page, "document.querySelector('#view-landscape .note').textContent === 'Stopped.'", SECONDS)
     page.locator("#which-design").select_option("binder2025-joint")
     bench.settled()
     assert page.locator("h1").inner_text() == "binder2025-joint"
-    bench.press("Survey it")
-    # what has changed while it is surveyed is not what is shown then
+    bench.press("Compute it")
+    # changes made during the survey are not part of the result
     page.locator("#which-design").select_option("letter-fold")
     bench.settled()
     assert page.locator("h1").inner_text() == "letter-fold"
@@ -277,10 +277,10 @@ def test_a_landscape_is_surveyed_while_it_is_waited_for_and_can_be_stopped(bench
     shown = page.frame_locator("#view-landscape iframe")
     shown.get_by_role("heading", name="binder2025-joint").wait_for()
     said = page.locator("#view-landscape .note").first.inner_text()
-    assert said == "This is of the design before its last change."
+    assert said == "This result belongs to the design before its last change."
 
 
-def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(bench):
+def test_building_can_be_stopped_and_the_last_working_model_is_kept(bench):
     bench.page.locator("#which-design").select_option("miura-sheet")
     bench.settled()
     before = bench.design()
@@ -290,31 +290,31 @@ def test_a_building_that_takes_long_is_stopped_and_the_last_good_model_stays(ben
     entry.press("Enter")
     bench.press("Stop building")
     bench.settled()
-    assert bench.alert() == "building it was stopped \u2013 the last good model stays."
+    assert bench.alert() == "building was stopped \u2013 the last working model is kept."
     assert bench.design() == before
     bench.put("pattern.columns", "3")
     assert bench.design().pattern.columns == 3
 
 
-def test_the_design_file_is_written_by_hand(bench):
+def test_the_design_file_can_be_edited(bench):
     page = bench.page
     page.get_by_role("tab", name="File").click()
     area = page.get_by_label("The design file")
     text = area.input_value()
     area.fill(text.replace('diameter = "5 mm"', 'diameter = "4 mm"'))
-    bench.press("Build what stands here")
+    bench.press("Build this text")
     bench.settled()
     assert bench.design().vein.diameter == pytest.approx(4e-3)
     area.fill("diameter = ")
-    bench.press("Build what stands here")
+    bench.press("Build this text")
     bench.settled()
-    # there to be mended
+    # the text stays and can be corrected
     assert area.input_value() == "diameter = "
     assert "is not opened" in bench.alert()
     assert bench.design().vein.diameter == pytest.approx(4e-3)
 
 
-def test_a_tip_is_pushed_by_keys_and_comes_back_when_they_are_left(bench):
+def test_keys_push_a_tip_which_returns_when_they_are_released(bench):
     page = bench.page
     page.get_by_text("Push without a pointer").click()
     page.locator(".push-keys select").first.select_option("tip 1")
@@ -345,12 +345,12 @@ def test_views_are_chosen_and_keys_changed_by_keyboard_alone(bench):
     page.keyboard.type("21 deg")
     page.keyboard.press("Enter")
     until(page, "forficula.asked.settings['pattern.sector_angle'] === '21 deg'", SECONDS)
-    # and the keyboard is where it was
+    # and the focus is where it was
     assert page.evaluate("document.activeElement.dataset.key") == "pattern.sector_angle"
 
 
-def test_the_keyboard_reaches_every_field_and_it_is_for_readers_of_every_kind(connected, address):
-    # of its own: keys go on from where a page was last pressed
+def test_every_field_is_accessible_by_keyboard_and_screen_reader(connected, address):
+    # a new page: focus begins where a page was last clicked
     opened = Bench(connected, address)
     page = opened.page
     wide, phone = ({"width": width, "height": 844} for width in (1280, 390))
@@ -372,5 +372,5 @@ def test_the_keyboard_reaches_every_field_and_it_is_for_readers_of_every_kind(co
             violations, _ = asked(page, rules, within)
             assert violations == [], tab
             assert page.evaluate("document.documentElement.scrollWidth") <= window["width"]
-            within = "[role=tabpanel]:not([hidden])"  # what is around the views is the same
+            within = "[role=tabpanel]:not([hidden])"  # elements around the views are the same
     page.close()

@@ -32,7 +32,7 @@ def pixels(figure):
     return np.asarray(canvas.buffer_rgba())[..., :3]
 
 
-# the reference is drawn where its words are read
+# the reference is drawn in tests of words
 @pytest.mark.parametrize("name", ["settled", "not folded", "diverged"])
 def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
     record = runs[name]
@@ -41,7 +41,7 @@ def test_every_run_can_be_drawn_whatever_the_wing_did(runs, name):
         assert colours(pixels(figure)) > 10  # not blank
 
 
-def test_of_very_many_moments_of_a_run_some_are_drawn_from_the_first_to_the_last(runs, monkeypatch):
+def test_only_some_of_very_many_moments_are_drawn(runs, monkeypatch):
     record = runs["reference"]
     titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes if axes.get_title()]
     monkeypatch.setattr("forficula.show.run.folding_figure._MOST_PICTURES", 3)
@@ -52,7 +52,7 @@ def test_of_very_many_moments_of_a_run_some_are_drawn_from_the_first_to_the_last
     assert f"at 3 of {len(drawn)} moments of a run" in description(figure)
 
 
-def test_a_sheet_that_blows_up_is_drawn_as_far_as_it_is_one():
+def test_a_diverging_sheet_is_drawn_until_it_is_torn():
     stage = STAGE | {"name": "settle", "time_limit": "20 ms", "state": "settled"}
     torn = {"crease.stiffness": "0 N m/rad/m", "crease.rest_angle": "flat"}
     small = {"pattern.columns": 2, "pattern.rows": 2, "support": [{"of": "facet 0"}], "measure": [], "drive": []}
@@ -88,7 +88,7 @@ def test_the_three_states_are_marked_where_they_are(runs):
 
 @pytest.fixture(scope="module")
 def small():
-    """A wing of 10 mm, as large as an earwig's, run."""
+    """A run of a wing of 10 mm, the size of an earwig's."""
     return run(scale_design(load_design("binder2025"), 1 / 22))
 
 
@@ -102,7 +102,7 @@ def test_the_figures_of_a_small_wing_are_in_millimetres_and_milliseconds(small):
 
 
 @pytest.mark.parametrize("name", ["reference", "small"])
-def test_every_moment_tells_its_stage_and_the_time_since_that_began(runs, small, name):
+def test_every_picture_has_its_stage_and_the_time_since_its_start(runs, small, name):
     record = small if name == "small" else runs[name]
     outcome = measure(record)
     titles = [axes.get_title() for axes in draw_folding(record, outcome).axes if axes.get_title()]
@@ -117,13 +117,13 @@ def test_every_moment_tells_its_stage_and_the_time_since_that_began(runs, small,
     assert re.fullmatch(r"b folded\nenlarged 1\.\d times", enlarged)
 
 
-def test_moments_on_the_way_are_a_third_of_the_way_apart_by_angle(runs):
+def test_pictures_between_states_are_at_thirds_of_the_angle(runs):
     record = runs["reference"]
     fold = record.stages[1]
     titles = [axes.get_title() for axes in draw_folding(record, measure(record)).axes]
     times = [fold.start + 1e-3 * float(title.split()[2]) for title in titles if title.startswith("fold + ")]
     rows = (record.time >= fold.start) & (record.time <= fold.end)
-    # ring hinges and the motors' turn by different angles: of each the share of its own furthest
+    # ring hinges and driven hinges turn by different angles: each as a share of its own maximum
     turned = np.abs(record.series["hinge_angle"][rows] - record.series["hinge_angle"][rows][0])
     groups = [measure_of(record.structure, "ring").hinges, record.structure.motors[0].hinges]
     shares = (

@@ -40,14 +40,14 @@ def uncertain(reference, reference_outcome):
     return held_against(reference_outcome, [half], reference)
 
 
-def test_lengths_and_energies_of_states_have_twice_their_difference_to_half_the_timestep_behind_them(uncertain):
+def test_states_have_uncertainties_of_twice_the_difference_to_half_the_timestep(uncertain):
     rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]}, uncertain.confirmation)
     assert [row[2] for row in rows.parts] == ["10.91 ± 0.44"] * 3
     assert [row[3] for row in rows.parts] == ["0.1827", "0.183 ± 0.004", "0.183 ± 0.004"]
     assert rows.sums[-1] == "0.548 ± 0.007"
 
 
-def test_without_second_runs_no_number_has_anything_behind_it(uncertain):
+def test_without_second_runs_numbers_have_no_uncertainty(uncertain):
     rows = state_rows(uncertain.structure, {"flat": uncertain.states["flat"]})
     assert [row[2:] for row in rows.parts] == [["10.91", "0.1827"]] * 3
     assert rows.sums[-1] == "0.548"
@@ -58,14 +58,14 @@ def test_the_page_has_the_uncertainty_of_the_energy_of_the_membrane_too(uncertai
     assert len(re.findall(r"[\d.]+ ± [\d.]+ µJ", membrane)) == 3
 
 
-def test_energies_that_branches_which_let_go_have_in_the_books_only_are_explained(reference_outcome):
+def test_large_energies_of_slack_branches_are_explained(reference_outcome):
     balance = replace(reference_outcome.energy_balance, branches=0.1, branch_damping=13.2, letting_go=-12.9)
     told = balance_remark(balance)
-    assert "of the 13.2 J that branches take, 12.9 J are such, which nobody paid" in told
-    assert told.endswith("Together they are 0.3 J.")
+    assert "Of the 13.2 J dissipated by branches, 12.9 J belong to slack branches; no work was done for them" in told
+    assert told.endswith("The sum is 0.3 J.")
 
 
-def test_of_a_balance_without_much_of_them_nothing_is_said(reference_outcome):
+def test_small_energies_of_slack_branches_are_not_explained(reference_outcome):
     balance = reference_outcome.energy_balance
     assert not balance_remark(balance)
     assert not balance_remark(replace(balance, branches=0.1, branch_damping=0.2, letting_go=-0.2))

@@ -1,4 +1,4 @@
-"""A run that missed a goal tells why: what moved, close up, and the torque that acts beside the one that would do."""
+"""Figures of a run that missed a goal: its motion, enlarged, and the acting torque with the least sufficient one."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def weak():
 
 @pytest.fixture(scope="module")
 def drawings(weak):
-    """What draws it, with the torque that it needs worked out once."""
+    """Its drawings, with the least torque computed once."""
     return run_drawings(weak, measure(weak))
 
 
@@ -38,7 +38,7 @@ def test_energies_are_their_changes_since_the_stage_that_missed_its_goal(weak):
     tendons = lines(fold)["tendons"]
     start = np.argmin(np.abs(tendons.get_xdata()))
     assert tendons.get_ydata()[start] == 0
-    # all that is stored would hide it
+    # the total stored energy would hide it
     assert max(whole.get_ylim()) < 0.5 * 1e3 * weak.series["tendon_energy"].sum(axis=1).max()
 
 
@@ -56,27 +56,29 @@ def test_the_motion_is_close_up_in_time_and_angle(weak, drawings):
     assert high - low <= max(0.1, 1.4 * np.ptp(ring))
 
 
-def test_the_torque_that_acts_stands_beside_the_least_that_folds_slowly(weak, drawings):
+def test_the_acting_torque_is_drawn_with_the_least_slow_torque(weak, drawings):
     figure = drawings["angles"](7.1)
     place = next(place for place, axes in enumerate(figure.axes) if axes.get_ylabel() == "torque (N cm)")
-    drawn = lines(figure.axes[place + 1])  # of the stage, in ms
-    acts = drawn["acts on every proximal joint"]
+    drawn = lines(figure.axes[place + 1])  # lines of the stage, in ms
+    acts = drawn["acting on every proximal joint"]
     at = np.interp([-1, 50, 100, 250], acts.get_xdata(), acts.get_ydata())
     assert at == pytest.approx([0, 0.5, 1, 1], abs=0.03)  # it rises over 0.1 s
-    stronger = with_values(weak.design, {"protocol.fold_torque": "5 N cm"})  # of which the landscape tries no more
+    stronger = with_values(
+        weak.design, {"protocol.fold_torque": "5 N cm"}
+    )  # largest torque of the landscape
     least = energy_landscape(stronger, points=61).least_torques["fold"]
-    assert drawn["needed at least, slowly"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
+    assert drawn["least slow torque"].get_ydata()[0] == pytest.approx(100 * least, rel=0.02)
     assert least > 0.01
 
 
-def test_where_no_torque_does_there_is_no_line_but_words(weak):
+def test_without_a_sufficient_torque_the_legend_says_so(weak):
     figure = draw_angles(weak, measure(weak), 3.5, lambda: np.nan)
     told = [text.get_text() for axes in figure.axes if (key := axes.get_legend()) for text in key.get_texts()]
-    assert "slowly, none up to 10 N cm does" in told
-    assert "needed at least, slowly" not in told
+    assert "no slow torque up to 10 N cm suffices" in told
+    assert "least slow torque" not in told
 
 
-def test_the_advice_stands_beside_the_verdict(weak, drawings):
+def test_the_figure_has_the_verdict_and_the_advice(weak, drawings):
     outcome = measure(weak)
     for kind in ("angles", "energy", "folding"):
         heading = drawings[kind](3.5).get_suptitle().replace("\n", " ")

@@ -1,4 +1,4 @@
-"""Figures of a run that waits: the wait is marked, and the pull over it is read off a scale of seconds to days."""
+"""Figures of a run that waits: the wait is marked, and the pull is drawn over seconds to days."""
 
 import numpy as np
 import pytest
@@ -47,7 +47,7 @@ def test_terminal_and_page_say_what_the_month_did(stored_run, capsys):
     outcome = ff.measure(stored_run)
     print_storage(stored_run, outcome)
     told = " ".join(capsys.readouterr().out.split())
-    # 19 %, which the documentation says, too
+    # 19 %, as in the documentation
     assert "After 30 d opened its tendons pull 19" in told
     assert "Then it opened again." in told
     assert "After 30 d opened its tendons pull 19" in run_page(stored_run, outcome)

@@ -1,4 +1,4 @@
-"""A structure as a picture: what is nearer to the eye is seen, whatever it is."""
+"""Pictures of structures: the part closest to the eye is visible, whatever it is."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ RED = to_rgba("#ff0000")
 
 
 def planted(sheet_height):
-    """A square of 10 cm by 10 cm at a height, between two bars along x, and a tendon on each of them."""
+    """A square of 10 cm by 10 cm at a height, between two bars along x, each with a tendon."""
     square = np.array([[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]])
     faces = [np.column_stack([square[:, 0] + shift, square[:, 1], np.full(4, sheet_height)]) for shift in (0, 0.1)]
     bars = [[[x, y, 0], [x + 0.1, y, 0]] for y in (0.05, 0.1) for x in (0, 0.1)]
@@ -37,7 +37,7 @@ def planted(sheet_height):
 
 
 def seen_at(painted, x, y):
-    """The colour at a place: that of a picture of one pixel around it."""
+    """Return the colour at a point: that of a picture of one pixel around it."""
     pixel = painted.picture(np.array([x, y]) - 5e-5, 1e-4, (1, 1))[0, 0]
     assert pixel[3] == 255
     return pixel[:3] / 255

@@ -19,13 +19,13 @@ def miura(fold=0.0):
     return miura_pattern(4, 4, 0.02, 0.02, math.radians(60), fold)
 
 
-def test_a_flat_sheet_tells_its_first_order_motions_from_those_that_last():
+def test_a_flat_sheet_has_more_first_order_motions_than_finite_ones():
     text = shown(miura())
     assert "Miura-ori, 4 columns, 4 rows: 25 vertices, 16 facets, 6.928 cm by 9 cm" in text
     assert "rigid facets, as given 6 9" in text
     assert "rigid facets, creases folded by 41 to 73 deg 1 4" in text
     assert "facets that bend along a diagonal, as given 22 9" in text
-    assert "more motions at first order than become folds" in text
+    assert "more first-order motions than finite ones" in text
     assert "9 of 4 creases; 360 deg around each" in text
 
 
@@ -36,17 +36,17 @@ def test_a_folded_sheet_says_nothing_of_folding_flat():
     assert "creases folded by" not in text
 
 
-def test_a_closed_tower_is_said_to_fold_only_where_edges_stretch():
+def test_a_closed_tower_cannot_move_unless_edges_stretch():
     text = shown(kresling_pattern(6, 2, 0.05, 0.04, math.radians(30), end_plates=True))
     assert "12 of 4 creases and 6 of 6 creases; 300 to 360 deg around them" in text
-    assert "it folds only where edges stretch" in text
+    assert "cannot move from this shape unless edges stretch" in text
 
 
 def test_vertices_that_do_not_fold_flat_are_listed_with_what_they_lack():
     text = shown(star([0, 46, 165, 300], "MMMV"))
-    assert "vertex that does not fold flat creases why 0 4 1° missing; trapped sector" in text
-    assert "they cannot begin to, at first order already" in text
-    assert "At vertex 0 rigid facets do not leave the flat state in the assigned sense" in text
+    assert "vertex that does not fold flat creases reason 0 4 1° missing; trapped sector" in text
+    assert "even the first-order motion does not exist" in text
+    assert "At vertex 0 rigid facets cannot leave the flat state in the assigned sense" in text
 
 
 def test_a_strip_is_a_tree_and_remarks_on_its_file_stand_at_the_end():
@@ -56,5 +56,5 @@ def test_a_strip_is_a_tree_and_remarks_on_its_file_stand_at_the_end():
 
 
 @pytest.mark.parametrize("letters", ["UUUU", "FFFF"])
-def test_of_creases_without_a_sense_nothing_is_said_of_folding_in_it(letters):
+def test_creases_without_an_assignment_have_no_sentence_about_their_sense(letters):
     assert "sense" not in shown(star([0, 45, 165, 300], letters))

@@ -31,7 +31,7 @@ def test_a_polygon_of_four_convex_corners_is_one_piece_that_looks_upwards():
 def test_pieces_cover_a_polygon_and_no_more(count, seed):
     random = np.random.default_rng(seed)
     angle = np.sort(random.uniform(0, 2 * np.pi, count))
-    # seen from a point within, whatever the distances, no side crosses another where no gap is more than half a turn
+    # seen from an inner point, with gaps below half a turn, sides do not cross, whatever the distances
     if np.diff([*angle, angle[0] + 2 * np.pi]).max() >= np.pi:
         return
     radius = random.uniform(0.3, 1.0, count)

@@ -1,4 +1,4 @@
-"""A picture by a depth buffer: of what lies behind one another, the nearest is seen, sample by sample."""
+"""Rasterisation with a depth buffer: the nearest triangle is visible, sample by sample."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ SQUARE = np.array([[0.0, 0, 0], [40, 0, 0], [40, 40, 0], [0, 40, 0]])
 
 
 def square(depths):
-    """Two triangles over a square of 40 pixels, with a depth at every corner."""
+    """Return two triangles over a square of 40 pixels, with a depth at every corner."""
     corners = SQUARE + np.outer(depths, [0, 0, 1.0])
     return corners[[[0, 1, 2], [0, 2, 3]]]
 
@@ -46,7 +46,7 @@ def test_an_edge_shares_a_pixel_by_its_samples():
     assert not picture[:, 21:].any()
 
 
-def test_of_what_is_as_near_the_last_is_seen():
+def test_the_last_of_equally_near_triangles_is_visible():
     both = np.concatenate([square([1, 1, 1, 1])] * 2)
     assert np.all(rasterise(both, np.repeat([RED, BLUE], 2, axis=0), (40, 40)) == [0, 0, 255, 255])
 
@@ -57,5 +57,5 @@ def test_what_is_outside_the_picture_seen_from_its_edge_or_not_finite_is_left_ou
     triangles = np.concatenate([outside, edge, lost])
     assert not rasterise(triangles, np.tile(RED, (6, 1)), (40, 40)).any()
     assert not rasterise(np.zeros((0, 3, 3)), np.zeros((0, 3)), (4, 4)).any()
-    far = square([0, 0, 0, 0]) * 1e9 - [1e9, 1e9, 0]  # all of the picture and far beyond
+    far = square([0, 0, 0, 0]) * 1e9 - [1e9, 1e9, 0]  # the whole picture and far beyond
     assert np.all(rasterise(far, np.tile(BLUE, (2, 1)), (40, 40)) == [0, 0, 255, 255])

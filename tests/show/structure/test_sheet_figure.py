@@ -16,7 +16,7 @@ def sheet(size, fold=0.0):
 
 
 def shaken(size):
-    """A sheet of which every third vertex inside has moved."""
+    """A sheet with every third interior vertex displaced."""
     draw, pattern = np.random.default_rng(0), sheet(size)
     coords, moved = pattern.vertices_coords.copy(), interior_vertices(pattern)[::3]
     coords[moved, :2] += 1e-3 * draw.normal(size=(len(moved), 2))
@@ -43,7 +43,7 @@ def labels(figure):
     return [text.get_text() for text, _ in words(figure)]
 
 
-# a page has room for all words but where it is low, or where there are most of them: see below
+# page-wide figures have space for all words unless they are low or have the most words: see below
 @pytest.mark.parametrize(
     ("name", "width"),
     [*((name, COLUMN_WIDTH) for name in SHEETS), ("strip", PAGE_WIDTH)],
@@ -64,7 +64,7 @@ def test_a_vertex_that_does_not_fold_flat_says_what_it_lacks(name, said):
 def test_a_sheet_that_folds_flat_has_no_marks():
     figure = drawn(SHEETS["Miura"])
     assert not any("does not" in each or "missing" in each for each in labels(figure))
-    assert "No inner vertex keeps it from folding flat" in figure.get_label()
+    assert "Every interior vertex folds flat" in figure.get_label()
 
 
 def test_a_dense_sheet_labels_few_vertices_and_the_worst_of_them():

@@ -18,7 +18,7 @@ ROLES = ("hub", "ring", "tip")
 
 
 def points_of(record, role):
-    """Numbers of the points of a role, by vein."""
+    """Return the indices of the points of a role, by vein."""
     return [number for number, point in enumerate(record.structure.points) if point.role == role]
 
 
@@ -43,7 +43,7 @@ def test_the_surface_is_where_the_record_has_the_structure(reference_run, shape,
     corners = surface.faces.reshape(-1, 3)
     for node in nodes:
         assert np.linalg.norm(corners - node, axis=1).min() < 1e-12
-    # and, beside the nodes, on the veins: the strip between a vein and its margin is wing, too
+    # and, besides the nodes, on the veins: the strip between a vein and its margin belongs to the wing
     along = np.concatenate([mesh_rows(vein, reference_run.design) for vein in veins[:-1]])
     known = np.concatenate([nodes, along])
     assert max(np.linalg.norm(known - corner, axis=1).min() for corner in corners) < 1e-12
@@ -62,7 +62,7 @@ def test_a_tendon_is_as_long_as_the_record_has_it(reference_run, shape):
     for row in (0, 330, -1):
         surface = surface_at(reference_run, shape, float(reference_run.time[row]))
         lengths = np.linalg.norm(surface.tendons[:, 1] - surface.tendons[:, 0], axis=1)
-        # the record's are of the engine's tendon, between sites on the same places
+        # the record's lengths are those of the engine's tendon, between sites at the same positions
         assert lengths == pytest.approx(reference_run.series["tendon_length"][row], rel=1e-6)
 
 

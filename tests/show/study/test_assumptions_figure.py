@@ -1,4 +1,4 @@
-"""Assumptions as a figure, a table and a page: what each changes, by colour and by symbol."""
+"""Assumptions as a figure, a table and a page: effects by colour and by symbol."""
 
 import csv
 from dataclasses import replace
@@ -17,19 +17,19 @@ from tests.assumptions import ASSUMED
 
 
 def marks(axes, row):
-    """Marker, colour and position across of what is drawn in a row without a line."""
+    """Return marker, colour and horizontal position of the marks in a row."""
     lines = [line for line in axes.lines if line.get_linestyle() == "None" and line.get_ydata()[0] == row]
     return [(line.get_marker(), line.get_color(), line.get_xdata()[0]) for line in lines]
 
 
-def test_a_dot_is_by_how_much_a_time_changes_and_a_triangle_says_that_it_fails():
+def test_dots_show_changes_of_times_and_triangles_show_failures():
     time, work = draw_assumptions(ASSUMED).axes
     ((marker, _, change),) = marks(time, 0)
     assert (marker, change) == ("o", pytest.approx(100 * (0.3206 / 0.2206 - 1)))
     ((marker, colour, _),) = marks(time, 1)
     assert marker == ">"
     assert same_color(colour, VERMILION)
-    # the work of a stage that failed is that of another motion
+    # the work of a stage that failed belongs to another motion
     assert [mark[0] for mark in marks(work, 1)] == [">"]
 
 
@@ -66,7 +66,7 @@ def test_a_design_that_drives_nothing_and_one_that_fails_are_drawn():
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_the_folder_has_the_table_twice_the_figure_and_a_page(tmp_path):
+def test_the_folder_has_tables_the_figure_and_a_page(tmp_path):
     unreliable = replace(ASSUMED.runs[0], verdict=Verdict.DIVERGED, effect=Effect.UNKNOWN)
     found = replace(ASSUMED, runs=(*ASSUMED.runs, unreliable))
     write_assumptions(found, tmp_path)
@@ -81,4 +81,4 @@ def test_the_folder_has_the_table_twice_the_figure_and_a_page(tmp_path):
     page = (tmp_path / "report.html").read_text("utf-8")
     assert "Does not apply: gravity, because the axis of the hinge is upright." in page
     assert "1 of 3 changes have no reliable result" in page
-    assert "shorter where the change needs it: twice the damping of hinges 0.1 ms" in page
+    assert "shorter where the change requires it: twice the damping of hinges 0.1 ms" in page

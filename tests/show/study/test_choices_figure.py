@@ -1,4 +1,4 @@
-"""Choices side by side, of planted tables: every bar is as long as the table counts, and what is not known is seen."""
+"""Choices of planted tables: bars have the lengths of the counts, and undecided points are visible."""
 
 import numpy as np
 import pytest
@@ -13,13 +13,13 @@ from tests.show.tables import transitions_of_reference
 
 DAMPING = [1e-3, 1e-4, 1e-2, 1e-3, 1e-3]
 DIAMETER = [0.005, 0.005, 0.005, 0.003, 0.01]
-FOLDS = [4, 6, 0, 2, 3]  # of six wings at each choice
-# in the order in which they stand, from the top
+FOLDS = [4, 6, 0, 2, 3]  # of six wings, for each choice
+# in their order from the top
 BY_ROW = {"1e-4": 6, "1e-3": 4, "1e-2": 0, "3": 2, "5": 4, "10": 3}
 
 
 def planted(name="mine", *, verdict="", outcome="", opens=False):
-    """Five choices of two factors, six tendons each, of which three of the last came to what is given."""
+    """Return five choices of two factors with six tendons each; three of the last have a given outcome."""
     dims = ("choice", "tendon_stiffness", "tendon_rest_length")
     folds = np.array([np.arange(6) < count for count in FOLDS]).reshape(5, 2, 3)
     words = np.where(folds, "folded", "did not fold").astype(object)
@@ -48,7 +48,7 @@ def planted(name="mine", *, verdict="", outcome="", opens=False):
 
 
 def single(table):
-    """The third tendon by itself."""
+    """Return only the third tendon."""
     return table.isel(tendon_stiffness=0, tendon_rest_length=2, drop=True)
 
 
@@ -58,7 +58,7 @@ def drawn(figure):
 
 
 def bars(figure):
-    """Lengths of the bars from the left by row, by the text beside the row."""
+    """Return the lengths of the bars by row, by the text beside the row."""
     axes = figure.axes[0]
     rows = {round(tick.get_position()[1], 6): tick.get_text() for tick in axes.get_yticklabels()}
     lengths = {text: [] for text in rows.values()}
@@ -76,7 +76,7 @@ def legend(figure):
 
 
 @pytest.mark.parametrize("width", [COLUMN_WIDTH, PAGE_WIDTH])
-def test_every_bar_is_as_long_as_wings_fold_and_its_number_stands_behind_it(width):
+def test_every_bar_has_the_length_and_number_of_wings_that_fold(width):
     figure = drawn(draw_choices(planted(), width=width))
     assert {text: lengths[0] for text, lengths in bars(figure).items()} == BY_ROW
     assert words(figure) == [
@@ -87,7 +87,7 @@ def test_every_bar_is_as_long_as_wings_fold_and_its_number_stands_behind_it(widt
     assert figure.axes[0].get_xlabel() == "wings that fold, of 6"
 
 
-def test_the_values_of_the_base_are_told_from_those_that_were_changed():
+def test_the_values_of_the_base_design_are_distinguished_from_changed_ones():
     figure = drawn(draw_choices(planted()))
     bold = [tick.get_text() for tick in figure.axes[0].get_yticklabels() if tick.get_fontweight() == "bold"]
     assert bold == ["1e-3", "5"]
@@ -103,7 +103,7 @@ def test_the_values_of_the_base_are_told_from_those_that_were_changed():
         ("not built", "cannot be built"),
     ],
 )
-def test_wings_of_which_it_is_not_known_make_the_count_a_range_and_are_hatched(verdict, outcome):
+def test_undecided_wings_make_the_count_a_range_and_are_hatched(verdict, outcome):
     figure = drawn(draw_choices(planted(verdict=verdict, outcome=outcome)))
     assert bars(figure)["10"] == [3, 3]
     assert "3 to 6" in words(figure)
@@ -115,7 +115,7 @@ def test_a_wing_that_is_still_folding_when_its_time_is_over_does_not_fold():
     assert bars(figure)["10"] == [3]
 
 
-def test_what_folds_counts_even_where_a_lesser_torque_is_not_to_be_trusted():
+def test_a_wing_that_folds_counts_even_if_a_smaller_torque_is_untrusted():
     table = planted()
     table["least_fold_torque"][0] = np.nan
     assert bars(drawn(draw_choices(table))) == bars(drawn(draw_choices(planted())))
@@ -128,16 +128,16 @@ def test_wings_that_open_again_are_marked_where_opening_was_asked_for():
     assert marks == [2, 2, 0, 2, 2, 2]
 
 
-def test_the_papers_count_is_a_line_where_the_study_names_the_paper_whatever_it_is_called():
-    assert "the paper: 32" in legend(drawn(draw_choices(planted().assign_attrs(reproduces="binder2025"))))
-    assert "the paper: 32" not in legend(drawn(draw_choices(planted("binder2025-choices"))))
+def test_the_count_of_the_paper_is_drawn_if_the_study_names_the_paper():
+    assert "paper: 32" in legend(drawn(draw_choices(planted().assign_attrs(reproduces="binder2025"))))
+    assert "paper: 32" not in legend(drawn(draw_choices(planted("binder2025-choices"))))
 
 
-def test_single_wings_have_their_numbers_or_why_there_are_none():
+def test_single_wings_have_results_or_reasons_for_their_absence():
     figure = drawn(draw_choices(single(planted())))
     assert [axes.get_xlabel() for axes in figure.axes] == ["least fold torque (N cm)", "work of folding (J)"]
     dots = [line.get_xdata()[0] for line in figure.axes[1].lines if line.get_marker() == "o"]
-    assert dots == pytest.approx([0.6] * 4)  # of six rows, for the third wing folds where three do
+    assert dots == pytest.approx([0.6] * 4)  # in rows: the third wing folds where three do
     assert words(figure).count("did not fold") == 4
 
 
@@ -157,9 +157,9 @@ def test_nothing_is_written_outside_the_figure():
                     assert box.x1 <= figure.bbox.x1 + 1
 
 
-def test_the_text_for_those_who_do_not_see_it_has_every_count():
+def test_the_description_of_the_figure_has_every_count():
     text = description(draw_choices(planted()))
-    assert text.startswith("How many of 6 wings fold with values of binder2025 varied one at a time. ")
+    assert text.startswith("Number of 6 wings that fold, with values of binder2025 varied one at a time. ")
     assert "hinge damping (N m s/rad) 1e-2: 0; vein diameter (mm) 3: 2;" in text
 
 

@@ -22,7 +22,7 @@ VALUES = {TIMESTEP: [5e-3, 4e-4, 3e-4, 2e-4], YOUNGS_MODULUS: [5e5, 1e6], MESH: 
 
 @pytest.fixture(scope="module")
 def studies(reference):
-    """A study by key, one with a diverged run among them, and one in which nothing folds."""
+    """Studies by key, one with a diverged run, and one in which nothing folds."""
     reference = with_values(reference, {"stops.time_constant": 2e-3})
     folding = with_values(reference, {"protocol.stages": STAGES})
     settling = with_values(reference, {"protocol.stages": STAGES[:1]})
@@ -41,7 +41,7 @@ def test_every_study_can_be_drawn_and_every_axis_has_its_unit(studies, name):
     assert all(axes.get_xlabel().endswith(("(ms)", "(MPa)", "rows of the mesh")) for axes in times.axes)
 
 
-def test_all_timesteps_are_in_one_figure_told_apart_without_colour(studies):
+def test_all_timesteps_are_in_one_figure_and_distinguishable_without_colour(studies):
     lines = [line for line in draw_convergence_angles(studies[TIMESTEP]).axes[0].lines if line.get_label()[0] != "_"]
     assert [line.get_label() for line in lines] == ["5 ms", "0.4 ms", "0.3 ms", "0.2 ms"]
     # luminance of sRGB, Rec. 709
@@ -63,7 +63,7 @@ def test_the_law_is_drawn_through_its_limit(studies):
     assert (law.get_xdata()[0], law.get_ydata()[0]) == (0, pytest.approx(1e3 * study.orders["fold"].limit))
 
 
-def test_a_time_that_is_not_there_is_none_and_not_a_number(studies):
+def test_a_missing_time_is_displayed_as_none(studies):
     rows = convergence_rows(studies[TIMESTEP])
     assert rows[0]["fold_time_s"] is None
     assert rows[0]["status"].startswith("diverged")
@@ -86,13 +86,13 @@ def test_the_page_of_a_study_has_every_run_the_limit_its_order_and_the_curves(st
 
 
 @pytest.mark.usefixtures("no_figures")
-def test_a_study_leaves_all_files_or_none(studies, tmp_path):
+def test_all_files_of_a_convergence_study_are_written_or_none(studies, tmp_path):
     study = studies[TIMESTEP]
     blocked = tmp_path / "blocked"
     (blocked / "times.png").mkdir(parents=True)
     with pytest.raises(InputError, match=r"times\.png"):
         write_convergence(study, blocked)
     assert [path.name for path in blocked.iterdir()] == ["times.png"]
-    with pytest.raises(ValueError, match="zip"):  # a study that cannot be drawn, halfway through the files
+    with pytest.raises(ValueError, match="zip"):  # drawing fails halfway through the files
         write_convergence(replace(study, statuses=()), tmp_path / "broken")
     assert [path.name for path in tmp_path.iterdir()] == ["blocked"]

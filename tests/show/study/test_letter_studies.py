@@ -14,7 +14,7 @@ from forficula.show.study.study_table import print_study
 from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH, description
 from forficula.study import load_study, run_study
 
-# every figure is drawn by `check`, for no file
+# every figure is drawn by `check` and not written
 pytestmark = pytest.mark.usefixtures("undrawn")
 
 STIFFNESS = '"crease.stiffness" = ["1e-2 N m/rad/m", "0.2 N m/rad/m"]'
@@ -27,7 +27,7 @@ CHOICES = f'vary = "one-at-a-time"\n[factors]\n"crease.damping" = ["2e-2 N m s/r
 
 @pytest.fixture(scope="module")
 def studied(tmp_path_factory):
-    """A study of the letter fold, of the stages up to one, and its table."""
+    """Return a study of the letter fold, with its stages up to one, and its table."""
     place = tmp_path_factory.mktemp("letter")
 
     def study(stages: int, rest: str):
@@ -49,7 +49,7 @@ def studied(tmp_path_factory):
 
 
 def check(study, table, tmp_path, kinds, sentence, *, engine=False):
-    """All figures there are, drawn where there is least room, with a page and a summary."""
+    """Draw all figures at the smallest width, and make a page and a summary."""
     drawings = study_drawings(table)
     assert set(drawings) == kinds
     for drawing in drawings.values():
@@ -58,7 +58,7 @@ def check(study, table, tmp_path, kinds, sentence, *, engine=False):
         assert not re.search("wing| fold", description(figure))
     write_study(study, table, tmp_path / "written")
     print_study(study, table)
-    # behind it stands how many runs were repeated
+    # followed by the number of repeated runs
     assert study_sentence(study, table).partition(f". {table.attrs['runs_repeated']} of ")[0].rstrip(
         "."
     ) == sentence.rstrip(".")
@@ -70,7 +70,7 @@ def words(data):
     return {each["word"]: each["sign"] for each in data["study"]["words"]}
 
 
-def test_torques_that_close_a_letter_and_open_it_the_other_way_are_searched_for(studied, tmp_path):
+def test_a_search_finds_torques_that_close_and_open_a_letter(studied, tmp_path):
     search = f'[search]\n{CLOSE}\nopen_torques = ["1 N cm", "3 N cm"]'
     study, table = studied(5, f'ask = "least-torques"\n[factors]\n{STIFFNESS}\n{TENDON}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}
@@ -106,7 +106,7 @@ def test_a_least_value_of_any_unit_has_its_figures_and_page(studied, tmp_path):
     assert (found["unit"], found["values"]) == ("N m/rad/m", [0.01, 0.01])
 
 
-def test_a_least_value_of_a_later_transition_is_told_of_that_one(studied, tmp_path):
+def test_a_least_value_of_a_later_transition_is_reported_for_that_transition(studied, tmp_path):
     search = '[search]\nkey = "drive.open.value"\nvalues = ["-0.2 N cm", "-3 N cm"]\nstate = "opened"'
     study, table = studied(5, f'ask = "least-value"\n[factors]\n{STIFFNESS}\n{search}')
     kinds = {"status", "torques", "works", "energy", "fold_times"}

@@ -1,4 +1,4 @@
-"""Maps of planted tables: every value and every reason is where the table has it."""
+"""Maps of planted tables: every value and every reason agrees with the table."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ FLOATS = (
 
 
 NOT_RUN = "not run"
-# how statuses begin, what the page's words and the verdict are
+# beginnings of statuses, with their words and verdicts
 ENDS = {
     "folded and opened": ("folded and opened", "reached"),
     "did not open": ("did not open", "stuck"),
@@ -59,7 +59,7 @@ ENDS = {
 
 
 def end(status):
-    """The word for a status, and the verdict."""
+    """Return the word for a status, and the verdict."""
     if status.startswith("with "):
         torque, rest = status.split(": ", 1)
         word, verdict = end(rest)
@@ -68,7 +68,7 @@ def end(status):
 
 
 def planted(factors, status=None, *, fold_outcome=None, sizes=None):
-    """A search over some factors, in which wings fold and open unless a status says something else."""
+    """Return a search over some factors, in which wings fold and open unless a status says otherwise."""
     coords = {name: COORDS[name][0][: (sizes or {}).get(name)] for name in factors}
     shape = tuple(len(values) for values in coords.values())
     status = np.full(shape, "folded and opened", dtype=object) if status is None else status
@@ -123,7 +123,7 @@ UNTRUSTED = "unreliable: the energy balance misses 12 %"
 
 
 def doubtful():
-    """As where a timestep is too long for some wings, and a time limit too short for others."""
+    """As with a timestep that is too long for some wings, and a time limit that is too short for others."""
     status = np.array(
         [
             ["folded and opened", UNTRUSTED, "still moving at -34.0 deg when its time to fold was over", UNTRUSTED],
@@ -152,12 +152,12 @@ def draw(figure):
 
 
 def written(axes):
-    """Numbers in cells by column and row."""
+    """Return the numbers in cells by column and row."""
     return {tuple(map(round, text.get_position())): float(text.get_text()) for text in axes.texts}
 
 
 def marked(axes):
-    """How many cells each reason has, fewest first."""
+    """Return the number of cells for each reason, fewest first."""
     polygons = [
         item for item in axes.collections if isinstance(item, PolyCollection) and not isinstance(item, QuadMesh)
     ]
@@ -188,7 +188,7 @@ TABLES = {
 }
 
 
-# two factors, with every end, are drawn where their words are read
+# maps of two factors with every outcome are drawn in tests of words
 @pytest.mark.parametrize("name", TABLES)
 def test_every_table_can_be_drawn(name):
     for drawing in map_drawings(TABLES[name]()).values():
@@ -217,11 +217,11 @@ def test_a_map_over_three_factors_is_drawn_at_every_value_of_the_third_with_how_
 
 
 def opening(axes):
-    """The panel of the least torques that open, whose title names the torque that folds before."""
+    """Return the panel of the least torques that open, whose title names the folding torque."""
     return next(panel for title, panel in axes.items() if title.startswith("least unfold torque"))
 
 
-def test_each_value_stands_in_its_cell_in_the_unit_for_people():
+def test_each_cell_contains_its_value_in_display_units():
     table = many_ends()
     axes = panels(draw_torque_maps(table))
     for title, name in (("least fold torque", "least_fold_torque"), ("least unfold torque", "least_unfold_torque")):
@@ -260,7 +260,7 @@ def test_a_wing_that_sticks_when_folded_for_the_unfolding_says_with_which_torque
 def test_a_wing_that_only_the_large_torque_folds_was_asked_to_open():
     table = many_ends()
     table["reference_outcome"][2, 3] = "folded"
-    # as before, but one more did not open, and one fewer was not tried
+    # as before, except that one more did not open, and one fewer was not tried
     assert marked(opening(panels(draw_torque_maps(table)))) == [1, 1, 3, 4]
 
 
@@ -281,7 +281,7 @@ def test_a_wing_whose_release_failed_is_marked_by_that_whatever_the_large_torque
     assert legend(draw_status_map(planted(TWO, status))) == ["folded and opened", "did not stay folded"]
 
 
-def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_wing_that_did_not_fold():
+def test_untrusted_runs_are_marked_in_every_map_and_not_counted_as_failures():
     table = doubtful()
     for figure in (draw_torque_maps(table), draw_work_maps(table), draw_energy_maps(table), draw_status_map(table)):
         assert colours(draw(figure)) > 10
@@ -296,14 +296,14 @@ def test_what_is_not_to_be_trusted_is_drawn_as_such_in_every_map_and_never_as_a_
     assert set(legend(figure)) == {"diverged", "unreliable", "still folding", "did not fold"}
 
 
-def test_a_sample_that_is_not_to_be_trusted_is_not_a_dot_as_values_are():
+def test_an_untrusted_sample_is_not_drawn_as_a_value():
     axes = panels(draw_torque_maps(sampled(doubtful())))["least fold torque"]
     markers = [line.get_marker() for line in axes.lines]
     assert len(set(markers)) == len(markers) == 4
     assert not {"o", "8", "."} & set(markers)
 
 
-def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
+def test_untrusted_torques_are_marked_beside_trusted_ones():
     table = planted(TWO)
     table["fold_time_by_torque"][0, 1, 2] = table["fold_time_by_torque"][0, 2, 1] = np.nan
     table["fold_outcome_by_torque"][0, 1, 2] = "unreliable"
@@ -313,7 +313,7 @@ def test_torques_that_are_not_to_be_trusted_stand_beside_others_that_are():
     assert marked(panels(figure)["tendon stiffness 10 N/cm"]) == [1, 1]
 
 
-def test_a_reference_not_to_be_trusted_has_the_hatch_of_that_whatever_the_torque():
+def test_an_untrusted_reference_run_has_its_hatch_at_every_torque():
     table = planted(TWO)
     table["least_unfold_torque"][0, 3] = table["least_unfold_torque"][1, 3] = np.nan
     for place, word in (((0, 3), "unreliable"), ((1, 3), "diverged")):
@@ -340,7 +340,7 @@ def test_each_outcome_of_a_run_is_in_the_legend_once():
     assert sum(len(item.get_paths()) for item in figure.axes[0].collections) == 12
 
 
-def test_the_first_factor_goes_up_and_the_second_across_unless_asked():
+def test_the_first_factor_is_vertical_and_the_second_horizontal_by_default():
     axes = panels(draw_torque_maps(planted(TWO)))["least fold torque"]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("tendon rest length (cm)", "tendon stiffness (N/cm)")
     assert [text.get_text() for text in axes.get_xticklabels()] == ["0", "3", "6", "9"]
@@ -385,7 +385,7 @@ def test_samples_lie_where_their_factors_say():
     found = table.where(table.least_fold_torque > 0, drop=True)
     places = np.column_stack([100 * found.tendon_stiffness / 1e4, 100 * found.tendon_rest_length])
     drawn = axes.collections[0]
-    # the first factor goes up
+    # the first factor is vertical
     np.testing.assert_allclose(np.asarray(drawn.get_offsets())[:, ::-1], places)
     np.testing.assert_allclose(drawn.get_array(), 100 * found.least_fold_torque)
     assert sum(len(line.get_xdata()) for line in axes.lines) == 7
@@ -410,7 +410,7 @@ def test_energies_have_the_colours_that_all_energies_have_and_nothing_else_has(t
         assert {each is ENERGY_COLOURS for each in drawn} == {draw is not draw_torque_maps}
 
 
-def test_fold_times_have_a_panel_a_value_of_the_first_factor():
+def test_fold_times_have_one_panel_for_each_value_of_the_first_factor():
     table = many_ends()
     figure = draw_first_times(table)
     titles = [f"tendon stiffness {value} N/cm" for value in (10, 20, 30)]
@@ -427,7 +427,7 @@ def test_fold_times_have_a_panel_a_value_of_the_first_factor():
     assert list(panels(turned)) == [f"tendon rest length {value} cm" for value in (0, 3, 6, 9)]
 
 
-def test_what_cannot_be_drawn_is_refused_by_name():
+def test_unknown_factors_are_refused_by_name():
     table = planted(TWO)
     with pytest.raises(InputError, match=r"hub\.radius: need a factor of the study, one of tendon_stiffness"):
         draw_torque_maps(table, x="hub.radius")

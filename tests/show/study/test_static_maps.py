@@ -1,4 +1,4 @@
-"""Maps of slowly growing torques, alone and beside a simulation's."""
+"""Maps of least slow torques, alone and compared with a simulation."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_a_map_alone_has_a_panel_for_folding_and_one_for_opening(statics):
     assert legend(figure) == {"did not fold", "did not open"}
 
 
-def test_beside_a_simulation_the_cells_that_differ_are_drawn(statics):
+def test_cells_that_differ_from_the_simulation_are_drawn(statics):
     simulated = statics.copy(deep=True)
     simulated["least_fold_torque"].values[:] = [[0.3, 0.1], [np.nan, 0.3]]
     figure = draw_static_maps(statics, simulated)
@@ -43,8 +43,8 @@ def test_over_one_factor_points_are_drawn(reference):
     assert len(titles(draw_static_maps(table, table))) == 6
 
 
-def test_what_springs_open_when_released_is_not_said_to_resist_opening():
-    """Creases of 0.12 N m/rad/m do not leave the letter closed; where they are soft it is, and takes more to open."""
+def test_a_wing_that_springs_open_when_released_does_not_resist_opening():
+    """Creases of 0.12 N m/rad/m do not keep the letter closed; softer ones do, and need more torque to open."""
     letter = load_design("letter-fold", {"drive.open.value": "-1 N cm"})
     table = static_map(map_study(letter, {"crease.stiffness": ["0.02 N m/rad/m", "0.12 N m/rad/m"]}))
     assert legend(draw_static_maps(table)) == {"did not get opened", "did not stay closed"}

@@ -1,4 +1,4 @@
-"""A film of a run, drawn without a screen: an .mp4 through ffmpeg, or an animated .gif."""
+"""Film of a run, drawn without a screen: an .mp4 through ffmpeg, or an animated .gif."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 SMALLEST, LARGEST = 160, 4096  # pixels
 _DEFAULTS = {".mp4": ((1280, 720), 30), ".gif": ((800, 450), 15)}
-_PALETTE, _WHITE = 255, (255, 255, 255)  # colours of a .gif, and one more
+_PALETTE, _WHITE = 255, (255, 255, 255)  # number of colours of a .gif, and one more colour
 
 
 def check_film(path: Path) -> None:
-    """Refuse a film that cannot be written here.
+    """Check that a film can be written.
 
     Raises:
         InputError: the file's ending is neither .mp4 nor .gif, or there is no ffmpeg for .mp4.
@@ -40,10 +40,10 @@ def check_film(path: Path) -> None:
 
 
 def check_choices(size: object, fps: object, slower: object) -> None:
-    """Refuse a film that is too small, too large or odd, and paces that nobody could watch; None is the usual one.
+    """Check the size, the frame rate and the speed of a film; None selects the default.
 
     Raises:
-        InputError: that names which of them.
+        InputError: the size is too small, too large or odd, or the rate or the speed is out of range.
     """
     sides = size if isinstance(size, tuple | list) else ()
     even = [each for each in sides if isinstance(each, int) and SMALLEST <= each <= LARGEST and each % 2 == 0]
@@ -69,15 +69,15 @@ def write_film(
 
     Args:
         record: the run.
-        path: .mp4 or .gif.
+        path: path that ends with .mp4 or .gif.
         size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
-        rate: pictures a second; 30, or 15 for .gif.
-        slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
-        strain: whether membranes have the colours of their largest strains.
-        progress: called with the number of pictures drawn and of all.
+        rate: pictures per second; 30, or 15 for .gif.
+        slowed: factor by which moves are slower than in the run; by default each move takes about 3.5 s.
+        strain: whether membranes are coloured by their largest strains.
+        progress: receives the number of pictures drawn and the total.
 
     Raises:
-        InputError: another ending, no ffmpeg for .mp4, or it cannot be written.
+        InputError: another ending, no ffmpeg for .mp4, or the file cannot be written.
     """
     check_film(path)
     usual_size, usual_rate = _DEFAULTS[path.suffix]
@@ -94,14 +94,14 @@ def write_film(
 
 
 def _title(record: Record) -> str:
-    """What a film shows, such as "The wing binder2025 folds and opens"."""
-    told = [transition.wording.does for transition in record.structure.transitions if transition.stage is not None]
-    does = " and ".join(told) or "moves"
+    """Return the title of a film, such as "The wing binder2025 folds and opens"."""
+    verbs = [transition.wording.does for transition in record.structure.transitions if transition.stage is not None]
+    does = " and ".join(verbs) or "moves"
     return f"The {record.structure.appearance.whole} {record.design.name} {does}"
 
 
 def frame_times(cuts: tuple[FilmCut, ...], rate: int) -> list[float]:
-    """When the pictures of a film are shown, s from its start."""
+    """Return the times of the pictures of a film, s from its start."""
     return [number / rate for number in range(max(1, round(rate * sum(cut.length for cut in cuts))))]
 
 
@@ -119,7 +119,7 @@ def _pictures(
 
 
 def _ffmpeg() -> str:
-    """Path of ffmpeg: the system's, or that of imageio-ffmpeg."""
+    """Return the path of ffmpeg: the system's, or that of imageio-ffmpeg."""
     if found := shutil.which("ffmpeg"):
         return found
     try:
@@ -134,15 +134,15 @@ def _ffmpeg() -> str:
 def _write_mp4(
     pictures: Iterable[Picture], path: Path, called: Path, size: tuple[int, int], rate: int, title: str
 ) -> None:
-    """Pass the pictures to ffmpeg: H.264 in 4:2:0, which all players know, ready to play while it loads.
+    """Pass the pictures to ffmpeg: H.264 in 4:2:0, which all players support, with the index at the start.
 
-    What goes wrong is told of the name by which the film will be called.
+    Error messages name the final path of the film.
     """
     command = [_ffmpeg(), "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
     command += ["-s", f"{size[0]}x{size[1]}", "-r", str(rate), "-i", "-", "-metadata", f"title={title}"]
     command += ["-c:v", "libx264", "-crf", "18", "-preset", "fast", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
-    with tempfile.TemporaryFile() as said:
-        with subprocess.Popen([*command, str(path)], stdin=subprocess.PIPE, stderr=said) as encoder:
+    with tempfile.TemporaryFile() as messages:
+        with subprocess.Popen([*command, str(path)], stdin=subprocess.PIPE, stderr=messages) as encoder:
             try:
                 assert encoder.stdin is not None
                 _feed(encoder.stdin, pictures)
@@ -150,8 +150,8 @@ def _write_mp4(
                 encoder.kill()
                 raise
         if encoder.returncode:
-            said.seek(0)
-            reason = " ".join(said.read().decode(errors="replace").replace(str(path), str(called)).split())
+            messages.seek(0)
+            reason = " ".join(messages.read().decode(errors="replace").replace(str(path), str(called)).split())
             raise InputError(
                 f"{called}: ffmpeg could not write the film: {reason or f'it ended with {encoder.returncode}'}"
             )
@@ -163,11 +163,11 @@ def _feed(pipe: IO[bytes], pictures: Iterable[Picture]) -> None:
             pipe.write(np.ascontiguousarray(picture).data)
         pipe.close()
     except BrokenPipeError:
-        pass  # it has ended, and says why
+        pass  # ffmpeg has ended and reports the reason
 
 
 def _write_gif(pictures: Iterable[Picture], path: Path, rate: int) -> None:
-    """One palette for all pictures, so that what stays is the same in all of them and costs nothing."""
+    """Write pictures with one palette, so that unchanged parts are the same in all pictures and compress to nothing."""
     from PIL import Image
 
     drawn = [Image.fromarray(picture) for picture in pictures]
@@ -178,14 +178,14 @@ def _write_gif(pictures: Iterable[Picture], path: Path, rate: int) -> None:
     palette = sheet.quantize(_PALETTE, method=Image.Quantize.MEDIANCUT)
     palette.putpalette([*(palette.getpalette() or [])[: 3 * _PALETTE], *_WHITE])
     first, *others = (_with_palette(each, palette) for each in drawn)
-    # a .gif counts in hundredths of a second
+    # a .gif measures time in hundredths of a second
     ends = [round(100 * number / rate) for number in range(len(drawn) + 1)]
     lengths = [10 * (end - start) for start, end in pairwise(ends)]
     first.save(path, save_all=True, append_images=others, duration=lengths, loop=0, optimize=False)
 
 
 def _with_palette(picture: Image.Image, palette: Image.Image) -> Image.Image:
-    """The nearest colours of a palette, and white where it is white: Pillow's nearest would tint the background."""
+    """Map a picture to a palette, and keep white: Pillow's nearest colour would tint the background."""
     from PIL import Image
 
     indices = np.array(picture.quantize(palette=palette, dither=Image.Dither.NONE))

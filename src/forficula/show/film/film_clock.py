@@ -1,4 +1,4 @@
-"""Which moment of a run a film shows when: states at rest, and what lies between them slowed down."""
+"""Timing of a film: which time of the run is shown when; states are held, and moves are slowed down."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from forficula.dynamics import Record, StageEnd
 from forficula.show.run.stalled import still_time
 from forficula.show.run.state_names import lettered_states
 
-_HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # seconds of a film: of a state, on the way to it, and of a move
+_HOLD, _SKIP, _MOVE = 1.2, 0.8, 3.5  # s of the film: a state, the time before a state, and a move
 
 
 @dataclass(frozen=True, kw_only=True)
 class FilmCut:
-    """A part of a film.
+    """Part of a film.
 
     Attributes:
-        words: what it shows.
-        first: moment of the run at its start, s.
-        last: moment of the run at its end, s.
-        length: of the film, s.
-        stage: the driven stage that it shows; None where it shows a state, or a run without such a stage.
-        slowed: how many times slower than the run it is; None where the film only goes on to the next state.
+        words: its title.
+        first: time in the run at its start, s.
+        last: time in the run at its end, s.
+        length: length in the film, s.
+        stage: driven stage that is shown; None for a state, or for a run without driven stages.
+        slowed: factor by which it is slower than the run; None if the film only moves on to the next state.
     """
 
     words: str
@@ -39,19 +39,19 @@ class FilmCut:
 
 
 def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> tuple[FilmCut, ...]:
-    """Cut a run: its states, held for a while, and its driven stages from their start until all is still.
+    """Return the parts of a film: the states, held for a while, and the driven stages until motion ends.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        slowed: how many times slower than the run its moves are; each takes about 3.5 s if not given.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        slowed: factor by which moves are slower than in the run; by default each move takes about 3.5 s.
     """
     end = last_sound_time(record)
     driven = [stage for stage in record.stages if stage_drives(stage.stage) and stage.start < end]
     if not driven:
         return (_move("the whole run", 0.0, end, slowed, None),)
     held = sorted(lettered_states(record.structure, outcome), key=lambda each: each[1].time)
-    # half a step either way, for times are multiples of the timestep up to rounding
+    # half a step, because times are multiples of the timestep only up to rounding
     half = float(record.design.protocol.timestep) / 2
     cuts: list[FilmCut] = []
     for name, state in [each for each in held if each[1].time <= driven[0].start + half][-1:]:
@@ -73,17 +73,17 @@ def film_cuts(record: Record, outcome: Outcome, slowed: float | None = None) -> 
 
 
 def moment(cuts: Sequence[FilmCut], time: float) -> tuple[FilmCut, float]:
-    """The cut that a film shows at one of its own times (s), and the moment of the run, s."""
+    """Return the part of a film at one of its times (s), and the time in the run, s."""
     for cut in cuts:
         if time < cut.length or cut is cuts[-1]:
             share = min(max(time / cut.length, 0.0), 1.0)
             return cut, cut.first + share * (cut.last - cut.first)
         time -= cut.length
-    raise AssertionError("there is no film without a cut")
+    raise AssertionError("a film has at least one part")
 
 
 def last_sound_time(record: Record) -> float:
-    """The last moment at which all places are known, s: a run that diverges has none after it did."""
+    """Return the last time at which all positions are known, s: before a run diverged."""
     sound = np.isfinite(record.series["point_position"]).all(axis=(1, 2))
     if record.diverged_at is not None:
         sound &= record.time < record.diverged_at
@@ -91,7 +91,7 @@ def last_sound_time(record: Record) -> float:
 
 
 def _state(state: State, words: str, after: float, on_the_way: str) -> list[FilmCut]:
-    """Go on to a state quickly, and hold it."""
+    """Return the parts that move on to a state quickly, and hold it."""
     if state.time <= after:
         return [_hold(words, state.time)]
     return [FilmCut(words=on_the_way, first=after, last=state.time, length=_SKIP), _hold(words, state.time)]
@@ -102,12 +102,12 @@ def _hold(words: str, time: float) -> FilmCut:
 
 
 def _last_stage(record: Record, time: float) -> str:
-    """Name of the last stage that began before a time."""
+    """Return the name of the last stage that began before a time."""
     return next((end.stage.name for end in reversed(record.stages) if end.start < time), "")
 
 
 def _move(words: str, start: float, end: float, slowed: float | None, stage: StageEnd | None) -> FilmCut:
-    """A stage, slowed down by a factor of one digit unless one is wanted."""
+    """Return the part of a stage, slowed down by a given factor, or by a factor with one digit."""
     lasts = max(end - start, 1e-9)
     factor = slowed or float(f"{_MOVE / lasts:.1g}")
     return FilmCut(words=words, first=start, last=end, length=lasts * factor, stage=stage, slowed=factor)

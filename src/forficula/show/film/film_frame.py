@@ -1,4 +1,4 @@
-"""What a film shows at a moment: the structure, its state, and the plots of its energy beneath."""
+"""A frame of a film: the structure, its state, and plots of its energy below."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ from forficula.structure import hinge_groups, springs_name
 
 Picture = NDArray[np.uint8]
 
-# within the picture, in shares of it: left, low, width, height
+# positions in the frame, in shares of it: left, low, width, height
 _STRAIN_BAR = (0.72, 0.845, 0.25, 0.018)
 _PICTURE, _BAR, _KEY = (0.03, 0.32, 0.94, 0.66), (0.72, 0.945, 0.25, 0.018), (0.775, 0.03, 0.2, 0.24)
 _PLOTS_LEFT, _PLOTS_RIGHT, _PLOTS_LOW, _PLOTS_HIGH, _PLOTS_GAP = 0.08, 0.735, 0.105, 0.25, 0.025
-# a time of 0.3 s reads better as 300.0 ms when it runs
+# share of a time below which the next smaller unit is used: 300.0 ms is easier to follow than 0.3 s
 _HALF = 0.5
-_MOST_ENTRIES = 7  # of the legend in its place
-_LEAD = 0.04  # before and after a move, as a share of it
+_MOST_ENTRIES = 7  # largest number of entries that fit into the legend's area
+_LEAD = 0.04  # time shown before and after a move, as a share of it
 
 
 class FilmFrame:
-    """A picture that is drawn again and again: what stays is drawn once, what moves every time."""
+    """Frame that is drawn repeatedly: fixed parts are drawn once, moving parts every time."""
 
     def __init__(
         self, record: Record, cuts: tuple[FilmCut, ...], size: tuple[int, int], *, strain: bool = False
     ) -> None:
-        """Draw what stays.
+        """Draw the fixed parts.
 
         Args:
-            record: what happened.
-            cuts: of the film.
-            size: of the picture, pixels across and upwards.
-            strain: whether membranes have the colours of their largest strains.
+            record: the simulated motion.
+            cuts: parts of the film.
+            size: size of the frame, pixels across and upwards.
+            strain: whether membranes are coloured by their largest strains.
         """
         self._record, self._shape = record, shape_of(record.structure)
         self._view = structure_view(record.structure)
@@ -57,7 +57,7 @@ class FilmFrame:
         self._strains = Normalize(0, self._largest_strain(cuts) or 1e-6) if strain else None
         with figure_style():
             dpi = size[0] / PAGE_WIDTH
-            # a little more than whole pixels, which rounding could make one less
+            # slightly more than whole pixels, because rounding could remove one
             figure = Figure(figsize=((size[0] + 0.01) / dpi, (size[1] + 0.01) / dpi), dpi=dpi)
             self._canvas = FigureCanvasAgg(figure)
             self._axes = _picture_axes(figure, self._corners(cuts), size)
@@ -77,11 +77,11 @@ class FilmFrame:
         self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
 
     def draw(self, cut: FilmCut, time: float) -> Picture:
-        """Draw a moment of the run.
+        """Draw the frame of a time of the run.
 
         Args:
-            cut: that the film shows.
-            time: of the run, s.
+            cut: part of the film.
+            time: time in the run, s.
 
         Returns:
             Red, green and blue of every pixel, 0 to 255, the highest row first, (height, width, 3).
@@ -107,7 +107,7 @@ class FilmFrame:
         return drawn
 
     def _paste(self, painted: PaintedShape) -> None:
-        """Draw what is painted on what stays, before words and cursors come over it."""
+        """Draw the structure onto the fixed parts, below words and cursors."""
         pixels = np.asarray(self._canvas.buffer_rgba())[::-1]  # type: ignore[no-untyped-call]
         size = np.array(pixels.shape[1::-1])
         low, high = self._axes.transData.transform(painted.corners)
@@ -119,14 +119,14 @@ class FilmFrame:
         under[:] = np.rint(opacity * drawn[..., :3] + (1 - opacity) * under)
 
     def _largest_strain(self, cuts: tuple[FilmCut, ...]) -> float:
-        """The largest strain of a face at the samples that the film shows."""
+        """Return the largest strain of a face at the samples of the film."""
         times = self._record.time
         shown = times[(times >= cuts[0].first) & (times <= cuts[-1].last)]
         surfaces = (surface_at(self._record, self._shape, float(time)) for time in shown)
         return max((float(face_strains(self._shape, each).max(initial=0.0)) for each in surfaces), default=0.0)
 
     def _corners(self, cuts: tuple[FilmCut, ...]) -> Array:
-        """Everywhere that the structure comes to, on the picture, m, (point, 2)."""
+        """Return all positions of the structure's parts in the picture, m, (point, 2)."""
         times = np.concatenate([np.linspace(cut.first, cut.last, 25) for cut in cuts])
         surfaces = [surface_at(self._record, self._shape, time) for time in times]
         drawn = [np.concatenate([each.bars.reshape(-1, 3), each.faces.reshape(-1, 3)]) for each in surfaces]
@@ -135,7 +135,7 @@ class FilmFrame:
 
 
 def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes:
-    """Axes without lines in which the structure has room wherever it goes, and a scale bar."""
+    """Return axes without lines that contain all positions of the structure, with a scale bar."""
     axes = figure.add_axes(_PICTURE)
     axes.set_axis_off()
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -151,7 +151,7 @@ def _picture_axes(figure: Figure, corners: Array, size: tuple[int, int]) -> Axes
 
 
 def _plots(figure: Figure, record: Record, cuts: tuple[FilmCut, ...]) -> list[tuple[FilmCut, float, Line2D]]:
-    """The energy over the time of every move, side by side: the cut, its factor from s, and its cursor."""
+    """Draw the energy over the time of every move, side by side; return the part, the factor from s, and the cursor."""
     moves = [cut for cut in cuts if cut.slowed is not None]
     energies = _energies(record)
     unit, factor = reading_unit("J", max(_largest(record, values, cuts) for values, _ in energies.values()))
@@ -180,7 +180,7 @@ def _plots(figure: Figure, record: Record, cuts: tuple[FilmCut, ...]) -> list[tu
 
 
 def _zero(cut: FilmCut) -> float:
-    """From when on the time of a plot counts, s."""
+    """Return the zero of a plot's time, s in the run."""
     return cut.stage.start if cut.stage is not None else 0.0
 
 
@@ -200,11 +200,11 @@ def _strain_bar(figure: Figure, norm: Normalize) -> None:
     bar = figure.colorbar(ScalarMappable(scaled, STRAIN_COLOURS), cax=axes, orientation="horizontal")
     bar.outline.set_visible(False)
     bar.ax.tick_params(length=2, pad=1)
-    bar.set_label("strain of the membrane, Green's (%)", fontsize=7, labelpad=1)
+    bar.set_label("Green strain of the membrane (%)", fontsize=7, labelpad=1)
 
 
 def _energies(record: Record) -> dict[str, tuple[Array, str]]:
-    """What a film plots: energies of what stretches and bends, J, (time,), and their colours; else of the motion."""
+    """Return the energies to plot, J, (time,), with colours: elastic ones; the kinetic energy without any."""
     stored = stored_energies(record)
     elastic = ("tendons", "membrane", springs_name(record.structure), *hinge_groups(record.structure))
     springs = [name for name in stored if name in elastic]
@@ -212,7 +212,7 @@ def _energies(record: Record) -> dict[str, tuple[Array, str]]:
 
 
 def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
-    """What the colours are."""
+    """Draw the legend."""
     axes = figure.add_axes(_KEY)
     axes.set_axis_off()
     every = shape_handles(shape, record.structure, ENERGY_COLOURS(0.95), 2.4)
@@ -221,7 +221,7 @@ def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
         of = f"{'energy ' * (style == LINE_STYLES[0])}of the {name}"
         label = "kinetic energy" if name == "kinetic" else of
         handles.append(Line2D([], [], color=colour, ls=style, label=label))
-    # of more than there is room for, upwards beside the picture
+    # a long legend extends upwards beside the picture
     many = len(handles) > _MOST_ENTRIES
     axes.legend(
         handles=handles,
@@ -233,7 +233,7 @@ def _key(figure: Figure, shape: Shape, record: Record, strain: bool) -> None:
 
 
 def _clock_text(cut: FilmCut, time: float) -> str:
-    """The time, with as many decimals as tell a thousandth of the cut, and how much slower the film is."""
+    """Return the time, with a resolution of a thousandth of the part, and the speed of the film."""
     if cut.slowed is None:
         unit, factor = reading_unit("s", cut.last)
         return f"{factor * time:.{_decimals(factor * cut.last)}f} {unit}"
@@ -247,6 +247,6 @@ def _decimals(largest: float) -> int:
 
 
 def _largest(record: Record, values: Array, cuts: tuple[FilmCut, ...]) -> float:
-    """The largest value of a series, (time, ...), while the film shows it."""
+    """Return the largest value of a series, (time, ...), within the film."""
     rows = (record.time >= cuts[0].first) & (record.time <= cuts[-1].last)
     return float(np.nanmax(values[rows], initial=0.0))

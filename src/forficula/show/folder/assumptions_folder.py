@@ -1,4 +1,4 @@
-"""The files that the assumptions of a design leave."""
+"""Files of an analysis of assumptions."""
 
 from __future__ import annotations
 
@@ -15,40 +15,40 @@ from forficula.show.style import Drawing, save_figures
 from forficula.study.assumptions.assumptions import Assumptions
 from forficula.study.assumptions.assumptions_file import ASSUMPTIONS_FILE, load_assumptions, save_assumptions
 
-_HEADINGS = {"assumptions": "What each assumption changes"}
+_HEADINGS = {"assumptions": "Effect of each assumption"}
 
 
-def write_assumptions(found: Assumptions, folder: Path) -> None:
+def write_assumptions(results: Assumptions, folder: Path) -> None:
     """Write assumptions.json, assumptions.csv, the figure and the page; all of them, or none.
 
     Args:
-        found: what to write.
-        folder: made where it is missing; earlier assumptions in it are replaced.
+        results: the results.
+        folder: folder, created if missing; earlier assumptions in it are replaced.
 
     Raises:
         InputError: the folder cannot be written.
     """
     with replacing_all(folder) as unfinished:
-        _write_files(found, unfinished)
+        _write_files(results, unfinished)
 
 
-def _write_files(found: Assumptions, folder: Path) -> None:
-    rows = assumption_rows(found)
+def _write_files(results: Assumptions, folder: Path) -> None:
+    rows = assumption_rows(results)
     cells = [["" if value is None else value for value in row.values()] for row in rows]
     write_text(folder / "assumptions.csv", csv_text([list(rows[0]), *cells]))
-    save_assumptions(found, folder / ASSUMPTIONS_FILE)
-    texts = save_figures(assumptions_drawings(found), folder)
-    write_results_page(folder, "assumptions", found.design.name, assumptions_table(found), _HEADINGS, texts)
+    save_assumptions(results, folder / ASSUMPTIONS_FILE)
+    texts = save_figures(assumptions_drawings(results), folder)
+    write_results_page(folder, "assumptions", results.design.name, assumptions_table(results), _HEADINGS, texts)
 
 
-def assumptions_drawings(found: Assumptions) -> dict[str, Drawing]:
-    """What draws assumptions, by the stem of its file; nothing where no assumption applies."""
-    return {"assumptions": lambda width: draw_assumptions(found, width)} if found.runs else {}
+def assumptions_drawings(results: Assumptions) -> dict[str, Drawing]:
+    """Return the drawings of assumptions by the stems of their files; empty if no assumption applies."""
+    return {"assumptions": lambda width: draw_assumptions(results, width)} if results.runs else {}
 
 
 PRESENTATION = Presentation(
     drawings=assumptions_drawings,
-    cell=lambda found: printed_with_figure(assumptions_table(found), assumptions_drawings(found)),
+    cell=lambda results: printed_with_figure(assumptions_table(results), assumptions_drawings(results)),
     read=lambda folder: assumptions_drawings(load_assumptions(folder / ASSUMPTIONS_FILE)),
     write=write_assumptions,
 )

@@ -1,4 +1,4 @@
-"""Parts of what a notebook shows of a result: tables and sentences of the terminal, a figure, a page in a frame."""
+"""HTML of a result in a notebook cell: terminal output, a figure, a page in a frame."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
-_HEIGHT = 640  # pixels, of a page
+_HEIGHT = 640  # pixels, height of a page
 _DPI = 110
 
 
 def framed(page: str, title: str) -> str:
-    """Return a page in a frame of its own, whose style and script touch nothing else."""
+    """Return a page in a frame of its own, which isolates its style and script."""
     return (
         f'<iframe srcdoc="{escaped(page)}" title="{escaped(title)}"'
         f' sandbox="allow-scripts allow-downloads" style="width:100%;height:{_HEIGHT}px;border:0"></iframe>'
@@ -35,12 +35,12 @@ def heading(text: str) -> str:
 
 
 def first_figure(drawings: dict[str, Drawing]) -> str:
-    """Return the first figure of a result; an empty text where it has none."""
+    """Return the first figure of a result; empty if it has none."""
     return picture(next(iter(drawings.values()))(PAGE_WIDTH)) if drawings else ""
 
 
 def picture(figure: Figure) -> str:
-    """Return a figure within the cell, with the text that describes it."""
+    """Return a figure for a cell, with its description as alternative text."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     content = io.BytesIO()
@@ -51,22 +51,22 @@ def picture(figure: Figure) -> str:
 
 
 def printed(renderable: RenderableType) -> Iterator[str]:
-    """Yield what the terminal shows of a result."""
-    found = laid_out(renderable)
-    if found.heading:
-        yield f"<p><strong>{escaped(found.heading)}</strong></p>"
-    yield from found.tables
-    yield from map(paragraph, found.sentences)
+    """Yield the terminal output of a result as HTML."""
+    parts = laid_out(renderable)
+    if parts.heading:
+        yield f"<p><strong>{escaped(parts.heading)}</strong></p>"
+    yield from parts.tables
+    yield from map(paragraph, parts.sentences)
 
 
 def printed_with_figure(renderable: RenderableType, drawings: dict[str, Drawing]) -> Iterator[str]:
-    """Yield what the terminal shows of a result, and its first figure."""
+    """Yield the terminal output of a result, and its first figure, as HTML."""
     yield from printed(renderable)
     yield first_figure(drawings)
 
 
 def numbers(table: Dataset) -> str:
-    """Return the variables of a table as xarray shows them."""
+    """Return the variables of a table as xarray displays them."""
     import xarray
 
     return xarray.Dataset._repr_html_(table)

@@ -1,4 +1,4 @@
-"""The files that a convergence study leaves."""
+"""Files of a convergence study."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def write_convergence(convergence: Convergence, folder: Path) -> None:
     """Write convergence.json, convergence.csv, convergence.nc, the figures and the page; all of them, or none.
 
     Args:
-        convergence: what to write.
-        folder: made where it is missing; what an earlier study left there is replaced.
+        convergence: the study.
+        folder: folder, created if missing; files of an earlier study are replaced.
 
     Raises:
         InputError: the folder cannot be written.
@@ -54,7 +54,7 @@ def _write_files(convergence: Convergence, folder: Path) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class ConvergenceSummary:
-    """A convergence study as `convergence.json` has it, with the law of every time over the timestep."""
+    """Convergence study as in `convergence.json`, with the fitted order of each time over the timestep."""
 
     design: Annotated[DesignIdentity, Written.BESIDE]
     key: str
@@ -68,7 +68,7 @@ class ConvergenceSummary:
 
 
 def convergence_summary(convergence: Convergence) -> ConvergenceSummary:
-    """Return a convergence study as `convergence.json` has it."""
+    """Return the contents of `convergence.json`."""
     rows = convergence_rows(convergence)
     return ConvergenceSummary(
         design=convergence.design.identity,
@@ -84,7 +84,7 @@ def convergence_summary(convergence: Convergence) -> ConvergenceSummary:
 
 
 def convergence_drawings(convergence: Convergence) -> dict[str, Drawing]:
-    """What draws a convergence study, by the stem of its file."""
+    """Return the drawings of a convergence study by the stems of their files."""
     return {
         "angles": lambda width: draw_convergence_angles(convergence, width),
         "times": lambda width: draw_convergence_times(convergence, width),

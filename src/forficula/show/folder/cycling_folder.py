@@ -1,4 +1,4 @@
-"""What a structure over cycles leaves: a table, the same as JSON, a figure, and a few sentences."""
+"""Files of a cycling analysis: a table, JSON, a figure, and a section on the page of the run."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ _NONE = "—"
 
 
 def write_cycling(cycling: Cycling, folder: Path) -> None:
-    """Write cycles.csv, cycles.json and the figure, and show them on the page of the run; all of it, or nothing.
+    """Write cycles.csv, cycles.json and the figure, and show them on the run's page; all of it, or nothing.
 
     Args:
-        cycling: what to write.
-        folder: of the run; what an earlier one left there is replaced.
+        cycling: the analysis.
+        folder: folder of the run; files of an earlier analysis are replaced.
 
     Raises:
         InputError: the folder cannot be written.
@@ -54,12 +54,12 @@ def write_cycling(cycling: Cycling, folder: Path) -> None:
 
 
 def cycling_drawings(cycling: Cycling) -> dict[str, Drawing]:
-    """What draws a structure over cycles, by the stem of its file."""
+    """Return the drawings of a cycling analysis by the stems of their files."""
     return {"cycles": lambda width: draw_cycling(cycling, width)}
 
 
 def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
-    """A row for every cycle as plain data with units in its keys; None where there is no number."""
+    """Return a row for every cycle as plain data with units in its keys; None for missing numbers."""
     structure = structure_of(cycling.design)
     return [
         {
@@ -75,7 +75,7 @@ def cycling_rows(cycling: Cycling) -> list[dict[str, Any]]:
 
 
 def _columns(structure: Structure) -> list[str]:
-    """What is kept of the row of a run: its status, which states it came to, energies, times and works."""
+    """Return the columns kept from the row of a run: status, states reached, energies, times and works."""
     transitions = structure.transitions
     return [
         "status",
@@ -86,14 +86,14 @@ def _columns(structure: Structure) -> list[str]:
 
 
 def cycling_csv(cycling: Cycling) -> str:
-    """The rows as text, empty where there is no number."""
+    """Return the rows as text; missing numbers are empty."""
     rows = cycling_rows(cycling)
     return csv_text([list(rows[0]), *(["" if value is None else value for value in row.values()] for row in rows)])
 
 
 @dataclass(frozen=True, kw_only=True)
 class CyclingSummary:
-    """A structure over cycles, as `cycles.json` has it, with the strengths of the drives."""
+    """Cycling analysis as in `cycles.json`, with the strengths of the drives."""
 
     design: Annotated[DesignIdentity, Written.BESIDE]
     verdict: str
@@ -106,7 +106,7 @@ class CyclingSummary:
 
 
 def cycling_summary(cycling: Cycling) -> CyclingSummary:
-    """Return a structure over cycles as `cycles.json` has it."""
+    """Return the contents of `cycles.json`."""
     structure = structure_of(cycling.design)
     return CyclingSummary(
         design=cycling.design.identity,
@@ -125,10 +125,10 @@ def cycling_summary(cycling: Cycling) -> CyclingSummary:
 
 
 def read_cycling(folder: Path) -> Cycling:
-    """Read what `write_cycling` wrote into the folder of a run.
+    """Read the files that `write_cycling` wrote into the folder of a run.
 
     Raises:
-        InputError: it cannot be read, or is of another design than the run.
+        InputError: a file cannot be read, or belongs to another design than the run.
     """
     path = folder / "cycles.json"
     design = load_design(str(folder / "design.toml"))
@@ -165,7 +165,7 @@ def _cycle_run(row: dict[str, Any], structure: Structure) -> CycleRun:
 
 
 def print_cycling(cycling: Cycling) -> None:
-    """Print what becomes of it, and what a person should know."""
+    """Print the verdict of a cycling analysis and its remarks."""
     console = Console(width=110, highlight=False)
     console.print(f"\nCycles: {cycling.verdict}", markup=False)
     runs = cycling.runs
@@ -174,7 +174,7 @@ def print_cycling(cycling: Cycling) -> None:
         first, last = (run.margins[name] for run in (runs[0], runs[-1]))
         if first is not None and last is not None:
             text = f"{first:.3g} at cycle 1, {last:.3g} at cycle {runs[-1].cycle}"
-            console.print(f"  margin of the {name} torque over the least slow one: {text}")
+            console.print(f"  ratio of the {name} torque to the least slow torque: {text}")
     for remark in cycling.remarks:
         console.print(f"  {remark}", markup=False, soft_wrap=True)
 
@@ -193,22 +193,22 @@ PRESENTATION = Presentation(
 
 
 def cycling_section(cycling: Cycling, drawn: str) -> str:
-    """The verdict, the figure as HTML, a row for every cycle, and what to know."""
-    asked = [(each, each.wording.doing) for each in cycling.transitions]
-    headings = ["cycle", "stiffness by the first", "residual strain"]
-    headings += [f"{doing}: {what}" for _, doing in asked for what in ("time", "work", "margin")]
+    """Return the section of the page: the verdict, the figure as HTML, a row for every cycle, and remarks."""
+    driven = [(each, each.wording.doing) for each in cycling.transitions]
+    headings = ["cycle", "stiffness relative to cycle 1", "residual strain"]
+    headings += [f"{doing}: {what}" for _, doing in driven for what in ("time", "work", "margin")]
     return section(
         "Over cycles",
         paragraph(f"{cycling.verdict[:1].upper()}{cycling.verdict[1:]}.".replace(" -", " −")),
         drawn,
-        table("Every cycle that was run", [*headings, "status"], [_row(cycling, run) for run in cycling.runs]),
+        table("Simulated cycles", [*headings, "status"], [_row(cycling, run) for run in cycling.runs]),
         remarks(cycling.remarks),
         name="cycles",
     )
 
 
 def _row(cycling: Cycling, run: CycleRun) -> list[str | Cell]:
-    """A cycle; one that the tests of the material did not see, or that did not work, says so."""
+    """Return the row of a cycle; extrapolated and failed cycles are marked."""
     value, *bounds = run.stiffness
     low, high = (f"{bound:.3g}" for bound in bounds)
     numbers = chain.from_iterable(

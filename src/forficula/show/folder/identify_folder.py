@@ -1,4 +1,4 @@
-"""The files that an identification leaves beside the rows of its runs."""
+"""Files of an identification, in addition to the rows of its runs."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ _SUMMARY = "summary.txt"
 
 
 def write_identification(result: Dataset, folder: Path) -> None:
-    """Write an identification: table, what it says as JSON and in sentences, figures and page; all of them, or none.
+    """Write the table, a summary as JSON and as text, the figures and the page of an identification; all, or none.
 
     Args:
-        result: what came out.
-        folder: of the identification; what an earlier result left there is replaced.
+        result: table of the identification.
+        folder: folder of the identification; files of an earlier result are replaced.
 
     Raises:
         InputError: a file cannot be written.
@@ -58,7 +58,7 @@ def write_identification(result: Dataset, folder: Path) -> None:
 
 
 def samples_csv(result: Dataset) -> str:
-    """A line for every sample: its values in SI, by how much it misses each fact, and how many it meets."""
+    """Return a line for every sample: its values in SI, its distance to each fact, and the number of facts met."""
     names = unknowns_of(result)
     units = [str(result[name].attrs.get("units", "")) for name in names]
     facts = [str(name) for name in result["fact"].values]
@@ -78,7 +78,7 @@ def samples_csv(result: Dataset) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class FactSummary:
-    """A fact and the drawn samples that meet it. Distances from the fact are in its units."""
+    """Fact and the drawn samples that meet it. Distances are in the fact's units."""
 
     name: str
     asked: str
@@ -91,7 +91,7 @@ class FactSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class PairSummary:
-    """Two facts and how far they are met together. Counts are of drawn samples that have both."""
+    """Two facts and the samples that meet both. Counts are of drawn samples that decide both facts."""
 
     facts: tuple[str, str]
     told: int
@@ -107,7 +107,7 @@ class PairSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class BetweenSummary:
-    """Samples between those that ran, whose facts a model predicts."""
+    """Prediction, by a fitted model, of the facts between the samples that ran."""
 
     emulated: bool
     share: float
@@ -117,7 +117,7 @@ class BetweenSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class UnknownSummary:
-    """An unknown: its values in the drawn samples, those that agree, and the chance that facts do not narrow it."""
+    """Unknown: ranges of all drawn samples and of those that agree, and the chance that the facts do not narrow it."""
 
     key: str
     units: str
@@ -128,7 +128,7 @@ class UnknownSummary:
 
 @dataclass(frozen=True, kw_only=True)
 class IdentificationSummary:
-    """The result of an identification, as `identified.json` has it."""
+    """Identification as in `identified.json`."""
 
     name: str
     design: str
@@ -146,26 +146,26 @@ class IdentificationSummary:
 
 
 def identification_summary(result: Dataset) -> IdentificationSummary:
-    """Return an identification as `identified.json` has it."""
-    told = result.attrs
+    """Return the contents of `identified.json`."""
+    attributes = result.attrs
     return IdentificationSummary(
-        name=str(told["name"]),
-        design=str(told["design"]),
-        drawn=told["drawn"],
-        placed=told["placed"],
-        could_not_run=told["could_not_run"],
-        runs=told["runs"],
-        most_met=told["most_met"],
+        name=str(attributes["name"]),
+        design=str(attributes["design"]),
+        drawn=attributes["drawn"],
+        placed=attributes["placed"],
+        could_not_run=attributes["could_not_run"],
+        runs=attributes["runs"],
+        most_met=attributes["most_met"],
         facts=[_fact(result.isel(fact=number)) for number in range(result.sizes["fact"])],
         pairs=[
             _pair(result.isel(fact=one, other_fact=other), int(result["met_alone"].values[other, one]))
             for one, other in itertools.combinations(range(result.sizes["fact"]), 2)
         ],
         between=BetweenSummary(
-            emulated=bool(told["emulated"]),
-            share=float(told["between_share"]),
-            apart=float(told["between_apart"]),
-            possible=bool(told["between_possible"]),
+            emulated=bool(attributes["emulated"]),
+            share=float(attributes["between_share"]),
+            apart=float(attributes["between_apart"]),
+            possible=bool(attributes["between_possible"]),
         ),
         sentences=together_sentences(result),
         agrees_sentences=agrees_sentences(result),
@@ -212,12 +212,12 @@ def _pair(pair: Dataset, other_alone: int) -> PairSummary:
 
 
 def _number(value: object) -> float | str:
-    """Return a number, or a word."""
+    """Return a number as a float, anything else as text."""
     return float(value) if isinstance(value, float | int) else str(value)
 
 
 def _cell(result: Dataset) -> Iterator[str]:
-    # a part of the table has no sentences
+    # an excerpt of the table has no sentences
     if result.sizes.keys() >= {"sample", "fact", "other_fact"} and "most_met" in result.attrs:
         yield from printed(identification_text(result))
         yield first_figure(identify_drawings(result))

@@ -1,4 +1,4 @@
-"""The files that a landscape leaves."""
+"""Files of a landscape."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ from forficula.study.landscape_and_run import landscape_and_run
 def write_landscape(
     landscape: EnergyLandscape, folder: Path, record: Record | None = None, tendon: int | None = None
 ) -> None:
-    """Write design, landscape, figures and page; all of them, or none.
+    """Write the design, the landscape, figures and page; all of them, or none.
 
     Args:
-        landscape: what to write.
-        folder: made where it is missing; what an earlier landscape left there is replaced.
-        record: a run of the design, to be shown beside; one that diverged is named and not drawn.
-        tendon: number of the one that stands for all; an inner one if not given.
+        landscape: the landscape.
+        folder: folder, created if missing; files of an earlier landscape are replaced.
+        record: a run of the design for comparison; a run that diverged is named and not drawn.
+        tendon: index of the tendon shown as an example; an inner one by default.
 
     Raises:
         InputError: the folder cannot be written.
@@ -55,7 +55,7 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     save_design(landscape.design, folder / "design.toml")
     content = landscape_summary(landscape) | {
         "simulation": None if record is None else simulation_summary(record, inner_hinge(landscape, tendon)),
-        **({} if record is None or landscape.net is None else _apart(landscape, record)),
+        **({} if record is None or landscape.net is None else _rest_distances_data(landscape, record)),
         "versions": versions(),
         "figures": list(landscape_kinds(landscape)),
     }
@@ -64,14 +64,14 @@ def _write_files(landscape: EnergyLandscape, folder: Path, record: Record | None
     write_text(folder / "report.html", landscape_page(landscape, folder, texts, record, tendon))
 
 
-def _apart(landscape: EnergyLandscape, record: Record) -> dict[str, Any]:
+def _rest_distances_data(landscape: EnergyLandscape, record: Record) -> dict[str, Any]:
     return {"rests_apart_m": dict(rest_distances(landscape, record))}
 
 
 def landscape_drawings(
     landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
 ) -> dict[str, Drawing]:
-    """What draws a landscape, by the stem of its file; a run that diverged is not drawn beside it."""
+    """Return the drawings of a landscape by the stems of their files; a run that diverged is not drawn."""
     drawn = record if record is not None and record.diverged_at is None else None
     drawings: dict[str, Drawing] = {
         "tendon": lambda width: draw_tendon(landscape, drawn, width, tendon),
@@ -87,23 +87,23 @@ def landscape_drawings(
 
 
 def landscape_kinds(landscape: EnergyLandscape) -> tuple[str, ...]:
-    """The figures of a landscape, by the stems of their files.
+    """Return the figures of a landscape, by the stems of their files.
 
-    What it does not have is left out: no tendon across one hinge, no hinge that folds. Where it has no one way to fold,
-    the states in which it rests stand in place of the path; of points that slide the states that were found.
+    Figures without contents are left out: no tendon across a single hinge, no folding hinge. If there is more than one
+    way to fold, the equilibria replace the path; for points that slide, the stable states do.
     """
     structure = landscape.structure
     if landscape.net is not None:
         states = ("states", "modes") if landscape.states else ()
         return (*states, *["barriers"] * (len(landscape.states) > 1), *["courses"] * bool(landscape.courses))
     tendon = ("tendon",) if landscape.hinges else ()
-    # a single hinge has no levels between, and its own figure
+    # a single hinge has no intermediate levels, and a figure of its own
     levels = ("levels",) if len(folding_hinges(structure)) > bool(tendon) else ()
     return (*tendon, "rests" if structure.rigid_fold is None else "wing", *levels)
 
 
 def _read(folder: Path) -> dict[str, Drawing]:
-    """Return the figures of a folder, which compute the landscape again: it takes a second, and many MB as a file."""
+    """Return the drawings of a folder, which compute the landscape again: that takes a second, a file many MB."""
     design = load_design(str(folder / "design.toml"))
     try:
         written = json.loads((folder / "landscape.json").read_text("utf-8"))
@@ -116,7 +116,7 @@ def _read(folder: Path) -> dict[str, Drawing]:
         return landscape_drawings(*landscape_and_run(design, simulation=simulation), shown_tendon(design))
 
     def drawing(kind: str) -> Drawing:
-        # only the tendon's figure has the run beside it
+        # only the tendon's figure shows the run
         def draw(width: float) -> Figure:
             return again(simulated and kind == "tendon")[kind](width)
 

@@ -1,4 +1,4 @@
-"""The files that a characterised material leaves."""
+"""Files of a characterised material."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from forficula.show.style import PAGE_WIDTH, Drawing, figure_files, save_figures
 
 LAW_FILE = "tendon_law.toml"
 _HEADINGS = {
-    "fit": "Tests, the law that fits them, and what is left",
-    "cycles": "Every cycle",
+    "fit": "Tests, fitted law and residuals",
+    "cycles": "Cycles",
     "modulus": "Moduli by class of strain",
-    "drift": "Drift over the cycles",
+    "drift": "Change over the cycles",
 }
 
 
 def write_material(material: Characterisation, folder: Path) -> None:
-    """Write summary, law, figures and page; all of them, or none.
+    """Write the summary, the law, figures and page; all of them, or none.
 
     Args:
-        material: what to write.
-        folder: made where it is missing; what an earlier material left there is replaced, its law and the figure of
-            its fit removed where this one has none.
+        material: the material.
+        folder: folder, created if missing; files of an earlier material are replaced, its law and the figure of
+                the fit removed if this one has none.
 
     Raises:
         InputError: the folder cannot be written.
@@ -49,13 +49,13 @@ def _write_files(material: Characterisation, folder: Path) -> None:
     if material.law is not None:
         save_law(material.law, folder / LAW_FILE)
     texts = save_figures(material_drawings(material), folder)
-    found = laid_out(material_table(material))
-    page = results_page("material", material.name, found, figure_sections(folder, _HEADINGS, texts))
+    printed_text = laid_out(material_table(material))
+    page = results_page("material", material.name, printed_text, figure_sections(folder, _HEADINGS, texts))
     write_text(folder / "report.html", page)
 
 
 def material_drawings(material: Characterisation) -> dict[str, Drawing]:
-    """What draws a material, by the stem of its file."""
+    """Return the drawings of a material by the stems of their files."""
     drawings: dict[str, Drawing] = {
         "cycles": lambda width: draw_cycles(material, width),
         "modulus": lambda width: draw_moduli(material, width),

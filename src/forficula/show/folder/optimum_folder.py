@@ -1,4 +1,4 @@
-"""The files that a search for the best design leaves beside its journal."""
+"""Files of an optimisation, in addition to its journal."""
 
 from __future__ import annotations
 
@@ -30,53 +30,53 @@ from forficula.study.running.kept_runs import KeptRun
 OPTIMUM_FILE = "optimum.json"
 
 
-def write_optimum(found: Optimum, folder: Path) -> None:
+def write_optimum(optimum: Optimum, folder: Path) -> None:
     """Write the best designs as design files, optimum.json, table.csv, table.nc and the figures.
 
     Args:
-        found: what the search came to.
-        folder: with the journal; what an earlier result left there is replaced.
+        optimum: the result.
+        folder: folder with the journal; files of an earlier result are replaced.
 
     Raises:
         InputError: the folder cannot be written.
     """
-    names = [f"best-{each:02d}.toml" for each in range(1, len(found.designs) + 1)]
+    names = [f"best-{each:02d}.toml" for each in range(1, len(optimum.designs) + 1)]
     names = ["best.toml"] if len(names) == 1 else names
     with replacing_all(folder, [path.name for path in folder.glob("best*.toml")]) as unfinished:
-        for name, design in zip(names, found.designs, strict=True):
+        for name, design in zip(names, optimum.designs, strict=True):
             save_design(design, unfinished / name)
-        write_text(unfinished / OPTIMUM_FILE, json_text(optimum_summary(found)))
-        write_text(unfinished / "table.csv", optimum_csv(found.table))
-        write_bytes(unfinished / "table.nc", found.table.to_netcdf(engine="h5netcdf"))
-        save_figures(optimum_drawings(found), unfinished)
+        write_text(unfinished / OPTIMUM_FILE, json_text(optimum_summary(optimum)))
+        write_text(unfinished / "table.csv", optimum_csv(optimum.table))
+        write_bytes(unfinished / "table.nc", optimum.table.to_netcdf(engine="h5netcdf"))
+        save_figures(optimum_drawings(optimum), unfinished)
 
 
-def optimum_drawings(found: Optimum) -> dict[str, Drawing]:
-    """What draws a search, by the stem of its file."""
-    drawings: dict[str, Drawing] = {"candidates": lambda width: draw_candidates(found, width)}
-    if len(found.goal.objectives) > 1:
-        drawings["front"] = lambda width: draw_front(found, width)
+def optimum_drawings(optimum: Optimum) -> dict[str, Drawing]:
+    """Return the drawings of an optimisation by the stems of their files."""
+    drawings: dict[str, Drawing] = {"candidates": lambda width: draw_candidates(optimum, width)}
+    if len(optimum.goal.objectives) > 1:
+        drawings["front"] = lambda width: draw_front(optimum, width)
     return drawings
 
 
-def write_optimum_report(found: Optimum, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
-    """Write the search as one page, `report.html`.
+def write_optimum_report(optimum: Optimum, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the page of an optimisation, `report.html`.
 
     Args:
-        found: what the search came to.
-        kept: the runs that can be played, taken one after another.
-        count: how many these are.
-        folder: of the results.
+        optimum: the result.
+        kept: runs to play back, read one after another.
+        count: number of these runs.
+        folder: folder of the results.
 
     Raises:
         InputError: it cannot be written.
     """
-    write_goal_page(found, laid_out(optimum_text(found)), folder / "report.html", kept, count)
+    write_goal_page(optimum, laid_out(optimum_text(optimum)), folder / "report.html", kept, count)
 
 
 @dataclass(frozen=True, kw_only=True)
 class VerifiedDesign:
-    """A design that meets a goal, and how it does where the search did not look. Quantities are in SI."""
+    """Design that meets a goal, with its verification. Quantities are in SI."""
 
     values: Mapping[str, Any]
     quantities: Mapping[str, float | None]
@@ -91,7 +91,7 @@ class VerifiedDesign:
 
 @dataclass(frozen=True, kw_only=True)
 class OptimumSummary:
-    """The result of a search for the best design, as `optimum.json` has it."""
+    """Optimisation as in `optimum.json`."""
 
     goal: str
     design: Annotated[DesignIdentity, Written.BESIDE]
@@ -106,30 +106,30 @@ class OptimumSummary:
     versions: Mapping[str, str]
 
 
-def optimum_summary(found: Optimum) -> OptimumSummary:
-    """Return the result of a search as `optimum.json` has it."""
-    goal = found.goal
+def optimum_summary(optimum: Optimum) -> OptimumSummary:
+    """Return the contents of `optimum.json`."""
+    goal = optimum.goal
     names = [*map(str, own_limits(goal)), "works"]
     return OptimumSummary(
         goal=goal.name,
         design=goal.base.identity,
         objectives={each.quantity.name: each.kind for each in goal.objectives},
         limits=[str(each) for each in (*goal.given, *goal.limits)],
-        says=told(found),
-        best=[_verified(found, each) for each in found.best],
-        discarded=[_verified(found, each) for each in found.discarded],
-        effort=found.effort,
-        would_have_to_give={names[each.limit]: each for each in found.relaxations},
+        says=told(optimum),
+        best=[_verified(optimum, each) for each in optimum.best],
+        discarded=[_verified(optimum, each) for each in optimum.discarded],
+        effort=optimum.effort,
+        would_have_to_give={names[each.limit]: each for each in optimum.relaxations},
         seed=goal.seed,
         versions=versions(),
     )
 
 
-def _verified(found: Optimum, each: Verification) -> VerifiedDesign:
+def _verified(optimum: Optimum, each: Verification) -> VerifiedDesign:
     candidate = each.candidate
     return VerifiedDesign(
         values=candidate.values,
-        quantities={quantity.name: candidate.value(quantity) for quantity in found.goal.quantities},
+        quantities={quantity.name: candidate.value(quantity) for quantity in optimum.goal.quantities},
         least_margin=candidate.found.least,
         neighbours=candidate.neighbours,
         fresh_neighbours=each.fresh,
@@ -140,15 +140,15 @@ def _verified(found: Optimum, each: Verification) -> VerifiedDesign:
     )
 
 
-def _write(found: Optimum, folder: Path) -> None:
-    """Write an optimum without kept runs, so its page plays none."""
-    write_optimum(found, folder)
-    write_optimum_report(found, (), 0, folder)
+def _write(optimum: Optimum, folder: Path) -> None:
+    """Write an optimum without kept runs: its page plays none."""
+    write_optimum(optimum, folder)
+    write_optimum_report(optimum, (), 0, folder)
 
 
 PRESENTATION = Presentation(
     drawings=optimum_drawings,
-    cell=lambda found: printed_with_figure(optimum_text(found), optimum_drawings(found)),
+    cell=lambda optimum: printed_with_figure(optimum_text(optimum), optimum_drawings(optimum)),
     copied="a search are not drawn again",
     write=_write,
 )

@@ -1,4 +1,4 @@
-"""The files that parts to make leave."""
+"""Files of parts to make."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ from forficula.study.made_comparison import MadeComparison, comparison_or_why
 BILL_FILE = "bill.json"
 AS_MADE_FILE = "as-made.json"
 _CHECKS_FILE = "checks.json"
-# of what stands above figures: letters in an inch, height of a line, inch, and kinds of checks that are named
+# text above figures: letters per inch, line height in inches, and number of kinds of checks that are named
 _LETTERS, _LINE, _NAMED = 14, 0.16, 4
-# in which a bill may list files of parts, which go when other parts are made there
+# folders whose files a bill may list; these are removed when other parts are made in the folder
 _FOLDERS = ("stl", "step")
 _FIGURES = [file for name in ("parts", "sheet", "made") for file in figure_files(name)]
 _WHOLE = ("parts.3mf", "sheet.dxf", "sheet.svg", AS_MADE, AS_MADE_FILE, *_FIGURES)
@@ -59,20 +59,20 @@ def write_parts(
     compared: MadeComparison | None = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> None:
-    """Write design, bill, checks, page, and the files that printers and cutters take; all of them, or none.
+    """Write the design, bill, checks, page, and the files for printers and cutters; all of them, or none.
 
     Args:
-        parts: to make.
-        checks: of them.
-        folder: made where it is missing; what earlier parts left there is replaced, or removed where these have none.
-        record: of a run of their design, whose motion the page plays.
-        step: whether solids are written as STEP, too.
-        compared: the design and what the parts make of it, to be written, too.
-        progress: is told what is written.
+        parts: parts to make.
+        checks: checks of these parts.
+        folder: folder, created if missing; files of earlier parts are replaced, or removed if these parts lack them.
+        record: a run of the design, which the page plays back.
+        step: whether solids are also written as STEP.
+        compared: comparison of the design with the parts as made, to be written as well.
+        progress: receives a line of text on each file.
 
     Raises:
-        InputError: the folder cannot be written, the record is of another design, or STEP is wanted and Open Cascade
-            not there.
+        InputError: the folder cannot be written, the record has another design, or STEP is requested without
+                Open Cascade.
     """
     if step:
         check_step()
@@ -99,12 +99,12 @@ def write_parts(
 def parts_drawings(
     parts: PartSet, checks: Sequence[Check] = (), compared: MadeComparison | None = None
 ) -> dict[str, Drawing]:
-    """What draws every figure of parts, by kind: taken apart, the sheet, and a hinge as designed and as made.
+    """Return the drawings of parts by kind: exploded view, sheet, and a hinge as designed and as made.
 
     Args:
-        parts: to make.
-        checks: of them; figures say in red how many fail.
-        compared: the design and what the parts make of it; worked out where it is not given.
+        parts: parts to make.
+        checks: checks of these parts; figures report in red how many fail.
+        compared: comparison of the design with the parts as made; computed if not given.
     """
     sheet, drawings = parts.sheet, dict[str, Drawing]()
     if sheet is not None:
@@ -119,23 +119,23 @@ def parts_drawings(
 
 
 def _marked(figure: Figure, checks: Sequence[Check]) -> Figure:
-    """Say above a figure how many checks fail, and which."""
+    """Write above a figure how many checks fail, and which."""
     failed = Counter(check.name for check in checks if check.ok is False)
     if not failed:
         return figure
     names = [f"{name} ({count})" if count > 1 else name for name, count in failed.most_common(_NAMED)]
     names += ["others"] * (len(failed) > _NAMED)
     made, fail = sum(check.ok is not None for check in checks), "fails" if failed.total() == 1 else "fail"
-    told = f"{failed.total()} of {made} checks {fail}: {', '.join(names)}"
+    text = f"{failed.total()} of {made} checks {fail}: {', '.join(names)}"
     letters = int(_LETTERS * figure.get_figwidth())
     with figure_style():
         if figure.get_layout_engine() is not None:
             title = figure.get_suptitle()
-            words = textwrap.fill(f"{title}. {told}" if title else told, letters)
+            words = textwrap.fill(f"{title}. {text}" if title else text, letters)
             figure.suptitle(words, color=VERMILION, fontsize=8)
             return figure
-        # axes that have their places: the figure grows by what stands above them
-        words, height = textwrap.fill(told, letters), figure.get_figheight()
+        # axes with fixed positions: the figure grows by the height of the text
+        words, height = textwrap.fill(text, letters), figure.get_figheight()
         whole = height + _LINE * (words.count("\n") + 1.5)
         figure.set_figheight(whole)
         for axes in figure.axes:
@@ -146,15 +146,15 @@ def _marked(figure: Figure, checks: Sequence[Check]) -> Figure:
 
 
 def parts_json(parts: PartSet, checks: Sequence[Check]) -> dict[str, Any]:
-    """Parts and what is checked of them as plain data: masses, sizes, totals by material, checks."""
+    """Return parts and their checks as plain data: masses, sizes, totals by material, checks."""
     return {**plain(parts.design.identity), **bill_json(bill_of(parts)), "checks": plain(checks)}
 
 
 def read_parts(folder: Path) -> PartSet:
-    """Make the parts of a folder again, of its design: those that its bill has.
+    """Make the parts of a folder again from its design: those listed in its bill.
 
     Raises:
-        InputError: it is no folder of parts, or its design has other parts now.
+        InputError: it is not a folder of parts, or its design now has other parts.
     """
     design = load_design(str(folder / "design.toml"))
     try:
@@ -164,7 +164,7 @@ def read_parts(folder: Path) -> PartSet:
     for part in get_args(PartName):
         try:
             parts = make_parts(design, part)
-        except InputError:  # it has no such part
+        except InputError:  # the design has no such part
             continue
         if [*(each.name for each in parts.parts), *([] if parts.sheet is None else ["sheet"])] == names:
             return parts
@@ -172,7 +172,7 @@ def read_parts(folder: Path) -> PartSet:
 
 
 def read_checks(folder: Path) -> list[Check]:
-    """What was checked of the parts in a folder, without numbers; nothing where that was not written."""
+    """Return the checks of the parts in a folder, without numbers; empty if they were not written."""
     try:
         rows = json.loads((folder / _CHECKS_FILE).read_text("utf-8"))
         return [
@@ -184,7 +184,7 @@ def read_checks(folder: Path) -> list[Check]:
 
 
 def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -> None:
-    """Write all solids as STEP, printed or not."""
+    """Write all solids as STEP, whether printed or not."""
     (folder / "step").mkdir()
     for part, name in zip(parts.parts, file_names([part.name for part in parts.parts]), strict=True):
         progress(f"writing {name}.step")
@@ -192,7 +192,7 @@ def _write_step(parts: PartSet, folder: Path, progress: Callable[[str], None]) -
 
 
 def _write_lists(parts: PartSet, checks: Sequence[Check], folder: Path) -> None:
-    """Write the bill, which lists the files that are there, and the checks."""
+    """Write the checks and the bill, which lists the files of the folder."""
     bill = parts_json(parts, checks)
     write_text(folder / _CHECKS_FILE, json_text(bill.pop("checks")))
     write_text(folder / "bill.csv", bill_csv(bill_of(parts)))
@@ -206,7 +206,7 @@ def _files(folder: Path) -> list[str]:
 
 
 def _earlier(folder: Path) -> list[str]:
-    """Files of earlier parts in a folder, by their bill: what else lies there is not ours."""
+    """Return the files of earlier parts in a folder, listed in its bill; other files are left alone."""
     try:
         listed = json.loads((folder / BILL_FILE).read_text("utf-8"))["files"]
         names = [name for name in listed if isinstance(name, str)]
@@ -217,7 +217,7 @@ def _earlier(folder: Path) -> list[str]:
 
 
 def _cell(parts: PartSet) -> Iterator[str]:
-    """Yield the page of the parts, without checks, which take seconds and have a call of their own."""
+    """Yield the page of the parts, without the checks, which take seconds."""
     yield framed(parts_page(parts, ()), f"{parts.design.name}, parts to make")
 
 

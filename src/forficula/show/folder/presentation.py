@@ -1,4 +1,4 @@
-"""How results of every kind are drawn, written and shown: one registry for notebooks, folders, figures and calls."""
+"""Drawing and writing of results of every kind: one registry for notebooks, folders, figures and calls."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ class Presentation:
     """Functions that present results of one kind.
 
     Attributes:
-        drawings: returns what draws every figure of a result, by the stem of its file.
+        drawings: returns the drawings of a result, by the stems of their files.
         cell: yields the HTML of a result in a notebook, part by part.
-        read: returns what draws every figure of a folder, by the stem of its file; None where the folder does not have
-            all that the figures show.
-        copied: where `read` is None, why figures are copied and not drawn again, for messages.
-        write: writes a result to a folder as its command does; None where only the command can.
-        page: writes a result as one HTML file, with the simulator or without; None where `write` writes it.
+        read: returns the drawings of a folder, by the stems of their files; None if the folder lacks data that the
+                figures show.
+        copied: reason why figures are copied if `read` is None, for messages.
+        write: writes a result to a folder as its command does; None if only the command can.
+        page: writes a result as one HTML file, with or without the simulator; None if `write` writes the page.
     """
 
     drawings: Callable[[Any], dict[str, Drawing]]
@@ -48,16 +48,16 @@ class Presentation:
 
 def presentation(kind: ResultKind) -> Presentation:
     """Load the presentation of a kind of results."""
-    found = import_module(f"forficula.show.folder.{kind.module}").PRESENTATION
-    assert isinstance(found, Presentation)
-    return found
+    loaded = import_module(f"forficula.show.folder.{kind.module}").PRESENTATION
+    assert isinstance(loaded, Presentation)
+    return loaded
 
 
 def result_kind(result: object) -> ResultKind:
     """Find the kind of a result.
 
     Raises:
-        InputError: it is no result of forficula.
+        InputError: it is not a result of forficula.
     """
     kind = kind_of_class(_class_name(result))
     if kind is None:
@@ -66,7 +66,7 @@ def result_kind(result: object) -> ResultKind:
 
 
 def drawings_of(result: object) -> dict[str, Drawing]:
-    """Return what draws every figure of a result or of the folder of results, by the stem of its file.
+    """Return the drawings of a result or of a folder of results, by the stems of their files.
 
     Raises:
         InputError: it is neither a result of forficula nor a folder of one.
@@ -78,22 +78,22 @@ def drawings_of(result: object) -> dict[str, Drawing]:
 
 
 def folder_drawings(folder: Path) -> dict[str, Drawing]:
-    """Return what draws every figure of a folder, by the stem of its file.
+    """Return the drawings of a folder, by the stems of their files.
 
     Raises:
-        InputError: the folder is none of forficula's, or holds a file that cannot be read.
+        InputError: forficula did not write the folder, or a file in it cannot be read.
     """
     if not folder.is_dir():
         what = "a file" if folder.exists() else "no such folder"
         raise InputError(f"{folder}: need a folder that forficula wrote, got {what}")
     drawings: dict[str, Drawing] = {}
     for kind in kinds_in(folder):
-        found = presentation(kind)
-        if found.read is None:
+        shown = presentation(kind)
+        if shown.read is None:
             raise InputError(
-                f"{folder}: the figures of {found.copied}; they are in its folder {COPIES}, or pass the result itself"
+                f"{folder}: the figures of {shown.copied}; they are in its folder {COPIES}, or pass the result itself"
             )
-        drawings |= found.read(folder)
+        drawings |= shown.read(folder)
     if not drawings:
         names = ", ".join(kind.data for kind in KINDS)
         raise InputError(f"{folder}: need a folder that forficula wrote, with one of {names} in it")
@@ -104,17 +104,19 @@ def write_figure(folder: Path, kind: str, path: Path, width: float | None = None
     """Write one figure of a folder of results.
 
     Args:
-        folder: that forficula wrote.
-        kind: which figure; the stem of its file in the folder.
-        path: ends with .png, .svg or .pdf.
-        width: inch; that of a column if not given.
+        folder: folder that forficula wrote.
+        kind: kind of figure: the stem of its file in the folder.
+        path: path that ends with .png, .svg or .pdf.
+        width: width, inch; that of a column by default.
 
     Raises:
-        InputError: the folder is none of forficula's or has no such figure, another ending, or it cannot be written.
+        InputError: forficula did not write the folder, or it has no such figure; the path has another ending, or the
+            figure
+            cannot be written.
     """
     if path.suffix not in ENDINGS:
         raise InputError(f"--out: need a file that ends with .png, .svg or .pdf, got {path}")
-    clear_leftovers(folder)  # a run that was killed may have set files aside
+    clear_leftovers(folder)  # an interrupted run may have set files aside
     copied = next((found for each in kinds_in(folder) if (found := presentation(each)).read is None), None)
     if copied is not None:
         _copy(folder, kind, path, width, copied.copied)
@@ -127,12 +129,13 @@ def write_page(result: object, path: Path, *, engine: bool = True) -> None:
     """Write a result as one HTML file, or the page of a folder of results.
 
     Args:
-        result: of any kind, or the folder of one.
-        path: of the page.
-        engine: whether the simulator is in the page of a run; the page of a folder of other results is copied as it is.
+        result: result of any kind, or the folder of one.
+        path: path of the page.
+        engine: whether the page of a run contains the simulator; the page of a folder of other results is copied
+            unchanged.
 
     Raises:
-        InputError: it is no result of forficula or has no page, or the page cannot be written.
+        InputError: it is not a result of forficula or has no page, or the page cannot be written.
     """
     if isinstance(result, str | os.PathLike):
         folder = Path(result)
@@ -142,17 +145,17 @@ def write_page(result: object, path: Path, *, engine: bool = True) -> None:
             return
         result = as_record(folder)
     kind = result_kind(result)
-    found = presentation(kind)
-    if found.page is not None:
-        found.page(result, path, engine)
+    shown = presentation(kind)
+    if shown.page is not None:
+        shown.page(result, path, engine)
         return
-    if found.write is None:
+    if shown.write is None:
         raise InputError(f"a {kind.name} has its page in the folder that its command writes")
-    with TemporaryDirectory() as place:
-        found.write(result, Path(place))
-        if not (Path(place) / _PAGE).is_file():
+    with TemporaryDirectory() as folder_name:
+        shown.write(result, Path(folder_name))
+        if not (Path(folder_name) / _PAGE).is_file():
             raise InputError(f"{kind.name}: no page of their own; they are on the page of a run")
-        write_bytes(path, (Path(place) / _PAGE).read_bytes())
+        write_bytes(path, (Path(folder_name) / _PAGE).read_bytes())
 
 
 def read_dataset(path: Path) -> Dataset:
@@ -170,7 +173,7 @@ def read_dataset(path: Path) -> Dataset:
 
 
 def _class_name(result: object) -> str:
-    """Name of the class of a result; tables that were read from a file are recognised by their dimensions."""
+    """Return the name of a result's class; tables read from a file are recognised by their dimensions."""
     name = type(result).__name__
     if name != "Dataset":
         return name
@@ -183,13 +186,13 @@ def _class_name(result: object) -> str:
 
 
 def _copy(folder: Path, kind: str, path: Path, width: float | None, why: str) -> None:
-    """Copy a figure as it was written."""
+    """Copy a figure from its folder."""
     kept = {file.stem for file in (folder / COPIES).glob("*.svg")}
     name = _known(kind, kept, folder)
     own = PAGE_WIDTH if path.suffix == ".png" else COLUMN_WIDTH
     if width is not None and width != own:
-        there = "page" if path.suffix == ".png" else "column"
-        raise InputError(f"--width: the figures of {why}: its {path.suffix} is as wide as a {there}")
+        format_width = "page" if path.suffix == ".png" else "column"
+        raise InputError(f"--width: the figures of {why}: its {path.suffix} is as wide as a {format_width}")
     source = folder / f"{name}.png" if path.suffix == ".png" else folder / COPIES / f"{name}{path.suffix}"
     try:
         content = source.read_bytes()

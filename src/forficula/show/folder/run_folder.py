@@ -1,4 +1,4 @@
-"""The files that a run leaves."""
+"""Files of a run."""
 
 from __future__ import annotations
 
@@ -29,30 +29,30 @@ from forficula.show.run.storage_figure import draw_storage
 from forficula.show.structure.pattern_figure import draw_pattern
 from forficula.show.style import VERMILION, Drawing, copy_files, figure_style, save_figures
 
-_HEADING, _LETTERS = 8.0, 15  # pt of a heading, and its letters to the inch
-STRAIN = "strain"  # kind of a figure
-_KINDS = ("pattern", "angles", "energy", "folding", "package", "storage")  # of figures that a run leaves
-_SMALLER = 0.9  # of the area as it begins: what takes more is not folded away
+_HEADING, _LETTERS = 8.0, 15  # size of a heading in pt, and its letters per inch
+STRAIN = "strain"  # name of a figure
+_KINDS = ("pattern", "angles", "energy", "folding", "package", "storage")  # names of a run's figures
+_SMALLER = 0.9  # largest area of a package, as a share of the area at the start
 
 
 def write_run(
     record: Record, outcome: Outcome, folder: Path, *, engine: bool = True, copies: Collection[str] = ()
 ) -> None:
-    """Write design, model, record, summary, figures and page; all of them, or none.
+    """Write the design, model, record, summary, figures and page; all of them, or none.
 
-    Figures are written as PNG. `forficula figure` draws any of them again in another format.
+    Figures are written as PNG. `forficula figure` draws any of them in another format.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        folder: made where it is missing; what an earlier run left there is replaced, its cycles removed.
-        engine: whether the simulator is in its page, with which a reader moves the structure.
-        copies: endings of the formats in which figures are also written as wide as a column: ".svg", ".pdf".
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        folder: folder, created if missing; files of an earlier run are replaced, its cycling analysis removed.
+        engine: whether the page contains the simulator, with which a reader can vary the run.
+        copies: endings of formats in which column-wide figures are also written: ".svg", ".pdf".
 
     Raises:
         InputError: the folder cannot be written.
     """
-    # an earlier run may have left some
+    # copies of an earlier run
     stale = [file for kind in _KINDS for file in copy_files(kind)]
     with replacing_all(folder, remove=(*CYCLING_FILES, *stale)) as unfinished:
         _write_files(record, outcome, unfinished, engine=engine, copies=copies)
@@ -62,15 +62,15 @@ def _write_files(record: Record, outcome: Outcome, folder: Path, *, engine: bool
     write_run_files(record, outcome, folder)
     write_text(folder / "model.xml", compile_model(record.design).xml)
     drawings = run_drawings(record, outcome)
-    drawings.pop(STRAIN, None)  # drawn where it is asked for
+    drawings.pop(STRAIN, None)  # drawn only on request
     save_figures(drawings, folder, copies)
     write_run_page(record, outcome, folder / "report.html", engine=engine)
 
 
 def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
-    """What draws a run, by the stem of its file; the room that it takes where a state takes less."""
+    """Return the drawings of a run by the stems of their files; the package only if a state takes less area."""
     smallest = smallest_package(record)
-    stuck = outcome.verdict is Verdict.STUCK  # then the advice has computed the least torque
+    stuck = outcome.verdict is Verdict.STUCK  # then the advice has already computed the least torque
     needed = cache(lambda: outcome.advised.least_torque if stuck else needed_torque(record))
     folds = smallest is not None and smallest[2].area_ratio < _SMALLER
     package: dict[str, Drawing] = {"package": lambda width: _marked(draw_package(record, width), outcome)}
@@ -88,12 +88,12 @@ def run_drawings(record: Record, outcome: Outcome) -> dict[str, Drawing]:
 
 
 def _marked(figure: Figure, outcome: Outcome) -> Figure:
-    """Say on a figure what became of a run that did not reach its goal, and what to try."""
+    """Write on a figure the outcome of a run that did not reach its goal, and the advice."""
     if outcome.verdict is not Verdict.REACHED:
-        told = f"{outcome.status[:1].upper()}{outcome.status[1:]}"
+        status = f"{outcome.status[:1].upper()}{outcome.status[1:]}"
         advice = f". {outcome.advice}" if outcome.verdict.tells and outcome.advice else ""
-        words = textwrap.fill(told + advice, int(_LETTERS * figure.get_figwidth()))
-        with figure_style():  # names are no formulas
+        words = textwrap.fill(status + advice, int(_LETTERS * figure.get_figwidth()))
+        with figure_style():  # names may contain "$", which must not start a formula
             figure.suptitle(words, color=VERMILION, fontweight=None if advice else "bold", fontsize=_HEADING)
     return figure
 
@@ -103,8 +103,8 @@ def _drawings(record: Record) -> dict[str, Drawing]:
 
 
 def _cell(record: Record) -> Iterator[str]:
-    """Yield the page of the run, which plays."""
-    yield framed(run_page(record, measure(record)), f"{record.design.name}, playing")
+    """Yield the page of the run, which plays it back."""
+    yield framed(run_page(record, measure(record)), f"{record.design.name}, playback")
 
 
 PRESENTATION = Presentation(

@@ -1,4 +1,4 @@
-"""The files and lines of a static map."""
+"""Files and printed lines of a static map."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from forficula.study.tables.outcome_kinds import check_table, least_values, lost
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# the table that the map was compared with, so that the figure can be drawn again
+# table of the simulated study beside the map, kept so that the figure can be drawn again
 SIMULATED = "simulated.nc"
 
 
@@ -33,7 +33,7 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
     """Read the table of a study of a design.
 
     Raises:
-        InputError: there is none, or it is of another design.
+        InputError: there is no table, or it is of another design.
     """
     import xarray
 
@@ -41,7 +41,7 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
     try:
         table = xarray.load_dataset(path, engine="h5netcdf")
     except FileNotFoundError:
-        raise InputError(f"--simulated: {path}: no such file; need the folder of a study that is done") from None
+        raise InputError(f"--simulated: {path}: no such file; need the folder of a finished study") from None
     except (OSError, ValueError) as error:
         raise InputError(f"--simulated: {path}: cannot be read: {error}") from None
     check_table(table, path, "forficula study …")
@@ -55,19 +55,19 @@ def read_simulated(folder: Path, design: Design) -> Dataset:
 
 
 def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Dataset | None = None) -> None:
-    """Write the map as a table and as a figure, and show it on the page of the landscape; all of it, or nothing.
+    """Write the map as a table and as a figure, and show it on the landscape's page; all of it, or nothing.
 
     Args:
         study: the grid.
         table: from `static_map`.
-        folder: of the landscape; what an earlier map left there is replaced.
-        simulated: table of a simulated study with the same factors, drawn beside.
+        folder: folder of the landscape; files of an earlier map are replaced.
+        simulated: table of a simulated study with the same factors, drawn beside the map.
 
     Raises:
-        InputError: a file cannot be written, or the two have different factors.
+        InputError: a file cannot be written, or the two tables have different factors.
     """
     drawings = static_map_drawings(table, simulated)
-    drawings["map"](PAGE_WIDTH)  # before anything is written: the two may not fit
+    drawings["map"](PAGE_WIDTH)  # drawn before anything is written: the two tables may not fit
     with replacing_all(folder, remove=(SIMULATED,)) as unfinished:
         write_text(unfinished / "map.csv", table_csv(study, table))
         write_bytes(unfinished / "map.nc", table.to_netcdf(engine="h5netcdf"))
@@ -75,39 +75,39 @@ def write_static_map(study: Study, table: Dataset, folder: Path, simulated: Data
             write_bytes(unfinished / SIMULATED, simulated.to_netcdf(engine="h5netcdf"))
         texts = save_figures(drawings, unfinished)
         if (page := read_page(folder)) is not None:
-            told = static_map_sentences(table, structure_of(study.base).appearance.whole, simulated)
-            words = [paragraph(f"{each}.") for each in told]
+            sentences = static_map_sentences(table, structure_of(study.base).appearance.whole, simulated)
+            words = [paragraph(f"{each}.") for each in sentences]
             made = section("Map", figure_html(unfinished, "map", texts["map"]), *words, name="map")
             write_text(unfinished / "report.html", with_section(page, "map", made))
 
 
 def static_map_drawings(table: Dataset, simulated: Dataset | None = None) -> dict[str, Drawing]:
-    """What draws a static map, by the stem of its file."""
+    """Return the drawings of a static map by the stems of their files."""
     return {"map": lambda width: draw_static_maps(table, simulated, width)}
 
 
 def print_static_map(table: Dataset, whole: str, simulated: Dataset | None = None) -> None:
-    """Say how many structures make their transitions slowly, and where a simulation differs; args as for sentences."""
+    """Print how many structures complete each transition quasi-statically, and where a simulation differs."""
     print()
     for sentence in static_map_sentences(table, whole, simulated):
-        first, *rest = sentence.split("; beside the simulation: ")
-        print(first, *(f"    beside the simulation: {each}" for each in rest), sep="\n")
+        first, *rest = sentence.split("; compared with the simulation: ")
+        print(first, *(f"    compared with the simulation: {each}" for each in rest), sep="\n")
 
 
 def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None = None) -> list[str]:
-    """How many structures make their transitions slowly, and where a simulation differs.
+    """Return sentences with the number of structures that complete each transition quasi-statically.
 
     Args:
         table: from `static_map`.
-        whole: what sentences call the structure.
-        simulated: table of a simulated study with the same factors.
+        whole: noun for the structure.
+        simulated: table of a simulated study with the same factors, to compare with.
     """
-    count, told = table["outcome"].size, []
+    count, sentences = table["outcome"].size, []
     for each in table_transitions(table):
         if each.least not in table:
             continue
         made = len(least_values(table, each))
-        told.append(
+        sentences.append(
             f"{made} of {count} {whole}s {each.wording.verb} under slowly growing torques{lost_text(table, each)}"
         )
         if simulated is not None:
@@ -115,8 +115,8 @@ def static_map_sentences(table: Dataset, whole: str, simulated: Dataset | None =
                 compare_maps(table, simulated, each.least).values.astype(str), return_counts=True
             )
             parts = [f"{number} {word}" for word, number in zip(words.tolist(), numbers.tolist(), strict=True)]
-            told[-1] += f"; beside the simulation: {', '.join(parts)}"
-    return told
+            sentences[-1] += f"; compared with the simulation: {', '.join(parts)}"
+    return sentences
 
 
 def _read(folder: Path) -> dict[str, Drawing]:

@@ -1,4 +1,4 @@
-"""The files that a study leaves beside its rows."""
+"""Files of a study, in addition to its rows."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ if TYPE_CHECKING:
 
 
 def study_drawings(table: Dataset) -> dict[str, Drawing]:
-    """Find every figure that a study's table has the numbers for.
+    """Return the drawings for which a study's table has the numbers.
 
     Returns:
-        What draws them, by the stem of their file.
+        Drawings by the stems of their files.
     """
     if CHOICE not in table.dims:
         return map_drawings(table)
     side_by_side: dict[str, Drawing] = {"choices": lambda width: draw_choices(table, width=width)}
-    # without a grid there is nothing to draw a map over
+    # without a grid there is no map
     return side_by_side | (map_drawings(table) if table["status"].ndim > 1 else {})
 
 
 def write_study(study: Study, table: Dataset, folder: Path) -> None:
-    """Write the table, the maps, and, where the study names a paper, its claims beside; all of them, or none.
+    """Write the table, the maps and, if the study names a paper, a comparison with its claims; all of them, or none.
 
     Args:
-        study: what was asked.
-        table: what came out.
-        folder: of the study; what an earlier table left there is replaced.
+        study: the study.
+        table: its results.
+        folder: folder of the study; files of an earlier table are replaced.
 
     Raises:
         InputError: a file cannot be written.
@@ -66,15 +66,15 @@ def _write_files(study: Study, table: Dataset, folder: Path) -> None:
 def write_study_report(
     study: Study, table: Dataset, kept: Iterable[KeptRun], count: int, folder: Path, *, engine: bool = True
 ) -> None:
-    """Write the study as one page, `report.html`.
+    """Write the page of a study, `report.html`.
 
     Args:
-        study: what was asked.
-        table: what came out.
-        kept: the runs that can be played, taken one after another.
-        count: how many these are.
-        folder: of the study.
-        engine: whether the simulator is in it, which answers where no run was kept.
+        study: the study.
+        table: its results.
+        kept: runs to play back, read one after another.
+        count: number of these runs.
+        folder: folder of the study.
+        engine: whether the page contains the simulator, which simulates points whose runs were not kept.
 
     Raises:
         InputError: it cannot be written.
@@ -94,7 +94,7 @@ def _cell(table: Dataset) -> Iterator[str]:
 
 
 def _write(table: Dataset, folder: Path) -> None:
-    """Write a table without kept runs, so its page plays none."""
+    """Write a table without kept runs: its page plays none."""
     from forficula.study.tables.study_table import study_of_table
 
     study = study_of_table(table)

@@ -1,4 +1,4 @@
-"""The files that a tolerance leaves beside its journal."""
+"""Files of a tolerance analysis, in addition to its journal."""
 
 from __future__ import annotations
 
@@ -41,68 +41,70 @@ if TYPE_CHECKING:
 TOLERANCE_FILE, TOLERANCE_TABLE = "tolerance.json", "tolerance.nc"
 
 
-def write_tolerance(found: Tolerance, folder: Path) -> Dataset:
+def write_tolerance(tolerance: Tolerance, folder: Path) -> Dataset:
     """Write design.toml, tolerance.json, tolerance.nc, table.csv and the figures; all of them, or none.
 
     Args:
-        found: what the runs say.
-        folder: with the journal; what an earlier result left there is replaced.
+        tolerance: the result.
+        folder: folder with the journal; files of an earlier result are replaced.
 
     Returns:
-        The table that was written.
+        Table that was written.
 
     Raises:
         InputError: the folder cannot be written.
     """
-    table = tolerance_table(found)
+    table = tolerance_table(tolerance)
     with replacing_all(folder) as unfinished:
-        _write_files(found, table, unfinished)
+        _write_files(tolerance, table, unfinished)
     return table
 
 
-def _write_files(found: Tolerance, table: Dataset, folder: Path) -> None:
-    save_design(found.question.design, folder / "design.toml")
-    write_text(folder / TOLERANCE_FILE, json_text(tolerance_summary(found)))
+def _write_files(tolerance: Tolerance, table: Dataset, folder: Path) -> None:
+    save_design(tolerance.question.design, folder / "design.toml")
+    write_text(folder / TOLERANCE_FILE, json_text(tolerance_summary(tolerance)))
     write_text(folder / "table.csv", _samples_csv(table))
     write_bytes(folder / TOLERANCE_TABLE, table.to_netcdf(engine="h5netcdf"))
     save_figures(tolerance_drawings(table), folder)
 
 
-def write_tolerance_report(found: Tolerance, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
-    """Write the tolerance as one page, `report.html`.
+def write_tolerance_report(tolerance: Tolerance, kept: Iterable[KeptRun], count: int, folder: Path) -> None:
+    """Write the page of a tolerance analysis, `report.html`.
 
     Args:
-        found: what the runs say.
-        kept: the runs that can be played, taken one after another.
-        count: how many these are.
-        folder: of the results.
+        tolerance: the result.
+        kept: runs to play back, read one after another.
+        count: number of these runs.
+        folder: folder of the results.
 
     Raises:
         InputError: it cannot be written.
     """
-    question, table = found.question, tolerance_table(found)
+    question, table = tolerance.question, tolerance_table(tolerance)
     write_tolerance_page(
         question.design,
         question.deviations,
         table,
-        laid_out(tolerance_text(found)),
+        laid_out(tolerance_text(tolerance)),
         folder / "report.html",
         kept,
         count,
         _samples_csv(table),
-        _verdict_cells(found),
+        _verdict_cells(tolerance),
     )
 
 
-def _verdict_cells(found: Tolerance) -> VerdictCells | None:
-    """The map of verdicts over values instead of widths of tolerances; None where there is none."""
-    if found.map is None:
+def _verdict_cells(tolerance: Tolerance) -> VerdictCells | None:
+    """Return the map of verdicts over values, not over widths of tolerances; None without a map."""
+    if tolerance.map is None:
         return None
-    question, factors = found.question, (found.map.first, found.map.second)
+    question, factors = tolerance.question, (tolerance.map.first, tolerance.map.second)
     own = [float(key_value(question.design, question.keys[factor])) for factor in factors]
     widths = deviation_widths(question.design, [question.deviations[factor] for factor in factors])
-    across, upwards = (value + steps * width for value, steps, width in zip(own, found.map.steps, widths, strict=True))
-    works = (found.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
+    across, upwards = (
+        value + steps * width for value, steps, width in zip(own, tolerance.map.steps, widths, strict=True)
+    )
+    works = (tolerance.map.samples.answers == Answer.WORKS).reshape(len(across), len(upwards))
     first, second = (question.keys[factor] for factor in factors)
     return VerdictCells(
         first=first, second=second, across=across.tolist(), upwards=upwards.tolist(), works=works.tolist()
@@ -110,7 +112,7 @@ def _verdict_cells(found: Tolerance) -> VerdictCells | None:
 
 
 def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
-    """What draws a tolerance, by the stem of its file; what was not looked for is left out."""
+    """Return the drawings of a tolerance analysis by the stems of their files; those without data are left out."""
     drawings: dict[str, Drawing] = {}
     if np.isfinite(table["first_index"].values[0]).any():
         drawings["indices"] = lambda width: draw_indices(table, width)
@@ -123,7 +125,7 @@ def tolerance_drawings(table: Dataset) -> dict[str, Drawing]:
 
 @dataclass(frozen=True, kw_only=True)
 class ToleranceSummary:
-    """A design within its tolerances, as `tolerance.json` has it. Deviations of a value are in tolerances of it."""
+    """Tolerance analysis as in `tolerance.json`. Deviations of a value are in units of its tolerance."""
 
     design: Annotated[DesignIdentity, Written.BESIDE]
     nominal: str
@@ -146,22 +148,22 @@ class ToleranceSummary:
     versions: Mapping[str, str]
 
 
-def tolerance_summary(found: Tolerance) -> ToleranceSummary:
-    """Return a tolerance as `tolerance.json` has it."""
-    question, indices = found.question, found.indices
-    telling = tighten_first(found)
+def tolerance_summary(tolerance: Tolerance) -> ToleranceSummary:
+    """Return the contents of `tolerance.json`."""
+    question, indices = tolerance.question, tolerance.indices
+    tightest = tighten_first(tolerance)
     return ToleranceSummary(
         design=question.design.identity,
-        nominal=str(found.nominal.outcomes[0]),
-        works=found.probability,
-        probabilities=found.probabilities,
-        outcomes=found.outcomes,
-        tighten_first=None if telling is None else question.keys[telling],
-        says=advice(found),
+        nominal=str(tolerance.nominal.outcomes[0]),
+        works=tolerance.probability,
+        probabilities=tolerance.probabilities,
+        outcomes=tolerance.outcomes,
+        tighten_first=None if tightest is None else question.keys[tightest],
+        says=advice(tolerance),
         tolerances={key: question.width_text(factor) for factor, key in enumerate(question.keys)},
         tolerances_given=not question.assumed,
         limits=[str(limit) for limit in (*question.limits, *question.wanted)],
-        meets_limits_on_probability=found.meets,
+        meets_limits_on_probability=tolerance.meets,
         indices={
             result: {
                 group: {
@@ -172,16 +174,16 @@ def tolerance_summary(found: Tolerance) -> ToleranceSummary:
             }
             for row, result in enumerate(indices.results)
         },
-        gains_of_half=dict(zip(question.keys, found.narrowed, strict=True)),
+        gains_of_half=dict(zip(question.keys, tolerance.narrowed, strict=True)),
         alone_in_tolerances={
-            key: {"down": down, "up": up} for key, (down, up) in zip(question.keys, found.reaches, strict=False)
+            key: {"down": down, "up": up} for key, (down, up) in zip(question.keys, tolerance.reaches, strict=False)
         },
         nearest_failure_in_tolerances=None
-        if found.nearest is None
-        else dict(zip(question.keys, found.nearest.offsets.tolist(), strict=True)),
-        runs=found.runs,
-        plan=found.plan,
-        seed=found.seed,
+        if tolerance.nearest is None
+        else dict(zip(question.keys, tolerance.nearest.offsets.tolist(), strict=True)),
+        runs=tolerance.runs,
+        plan=tolerance.plan,
+        seed=tolerance.seed,
         versions=versions(),
     )
 
@@ -193,7 +195,7 @@ def _three(value: Values, low: Values, high: Values, row: int, column: int) -> d
 
 
 def _samples_csv(table: Dataset) -> str:
-    """A line a sample: every value with its unit in the heading, in SI, what it came to, and its margins."""
+    """Return a line for every sample: its values in SI, its outcome and its margins; headings have units."""
     factors = [name for name in table.coords if table[name].dims == ("sample",)]
     headings = [f"{name}{unit_suffix(table[name].attrs['units'])}" for name in factors]
     results = [f"{name} margin" if name != MARGIN else MARGIN for name in table["result"].values.tolist()]
@@ -214,10 +216,10 @@ def _cell(table: Dataset) -> Iterator[str]:
 
 
 def _write(table: Dataset, folder: Path) -> None:
-    """Write a tolerance without kept runs, so its page plays none."""
-    found = tolerance_of_table(table)
-    write_tolerance(found, folder)
-    write_tolerance_report(found, (), 0, folder)
+    """Write a tolerance analysis without kept runs: its page plays none."""
+    tolerance = tolerance_of_table(table)
+    write_tolerance(tolerance, folder)
+    write_tolerance_report(tolerance, (), 0, folder)
 
 
 PRESENTATION = Presentation(

@@ -15,7 +15,7 @@ from forficula.goals.optimise.optimise import SoFar
 from forficula.goals.optimise.telling import value_texts
 from forficula.terminal import is_quiet
 
-# s, between lines
+# s, time between lines
 _EVERY = 10
 
 
@@ -23,13 +23,13 @@ _EVERY = 10
 def identify_progress() -> Iterator[
     tuple[Callable[[int, int, Sequence[Sample]], None], Callable[[int, int, dict[str, Any]], None]]
 ]:
-    """Say after every batch how many samples are done and how many facts the best meets, and between them the runs."""
+    """Print after every batch the number of samples done and the facts that the best one meets; runs in between."""
     console = Console(stderr=True, highlight=False, quiet=is_quiet())
     start, last = monotonic(), [monotonic()]
 
-    def samples(done: int, total: int, found: Sequence[Sample]) -> None:
-        most = max((sum(each.met for each in sample.findings) for sample in found), default=0)
-        facts = max((len(sample.findings) for sample in found), default=0)
+    def samples(done: int, total: int, results: Sequence[Sample]) -> None:
+        most = max((sum(each.met for each in sample.findings) for sample in results), default=0)
+        facts = max((len(sample.findings) for sample in results), default=0)
         left = (monotonic() - start) / done * (total - done)
         console.print(
             f"{done} of {total} samples, about {left:.0f} s left; the best meets {most} of {facts} facts",
@@ -40,14 +40,14 @@ def identify_progress() -> Iterator[
     def runs(done: int, needed: int, _row: dict[str, Any]) -> None:
         if monotonic() - last[0] > _EVERY:
             last[0] = monotonic()
-            console.print(f"{done} of {needed} runs that are known to be needed so far", soft_wrap=True)
+            console.print(f"{done} of {needed} runs known to be needed", soft_wrap=True)
 
     yield samples, runs
 
 
 @contextmanager
 def optimise_progress() -> Iterator[Callable[[SoFar], None]]:
-    """Say every ten seconds how many designs were tried, how many rows that took, and what the best comes to."""
+    """Print every ten seconds the numbers of designs tried and rows computed, and the best design's values."""
     console = Console(stderr=True, highlight=False, quiet=is_quiet())
     last = [monotonic()]
 
@@ -60,11 +60,11 @@ def optimise_progress() -> Iterator[Callable[[SoFar], None]]:
 
 
 def progress_text(so_far: SoFar) -> str:
-    """How far it is, in a line."""
-    text = f"{so_far.tried} of {so_far.goal.runs} designs tried, {so_far.rows} rows worked out"
+    """Return the progress of an optimisation in one line."""
+    text = f"{so_far.tried} of {so_far.goal.runs} designs tried, {so_far.rows} rows computed"
     if so_far.best is None:
         return text
     values = ", ".join(value_texts(so_far.goal, so_far.best))
     if trial_of(so_far.goal, so_far.best).feasible:
         return f"{text}; the best: {values}"
-    return f"{text}; nothing meets the goal yet, the nearest: {values}"
+    return f"{text}; no design meets the goal yet, the nearest: {values}"

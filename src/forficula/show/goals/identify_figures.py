@@ -1,4 +1,4 @@
-"""Figures of an identification: how far facts are met, which of them together, and what agrees."""
+"""Figures of an identification: agreement with each fact, facts met together, and values that agree."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ if TYPE_CHECKING:
 
 _GREY, _PALE = "0.62", "0.85"
 _BINS = 8
-_PANEL = 1.15  # inch, the height of a small panel
+_PANEL = 1.15  # height of a small panel, inch
 _PAIRS, _PAIRS_NARROW = 5, 3
-# of a scaled distance, beyond which all are alike far
+# scaled distance at which the axis ends: larger distances are drawn there
 _FAR = 10.0
 
 
 def identify_drawings(result: Dataset) -> dict[str, Drawing]:
-    """What draws every figure of an identification, by the stem of its file."""
+    """Return the drawings of an identification by the stems of their files."""
     return {
         "facts": lambda width: draw_facts(result, width=width),
         "together": lambda width: draw_together(result, width=width),
@@ -50,11 +50,11 @@ def identify_drawings(result: Dataset) -> dict[str, Drawing]:
 
 
 def draw_facts(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw, fact by fact, the share of what is believed that meets it, and how far the samples are from it.
+    """Draw for each fact the share of samples that meets it, and the distances of the other samples.
 
     Args:
-        result: of an identification.
-        width: of the figure, inch.
+        result: table of an identification.
+        width: width of the figure, inch.
     """
     names = [str(name) for name in result["fact"].values]
     places = np.arange(len(names))
@@ -66,21 +66,21 @@ def draw_facts(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         left.barh(places, share, 0.62, color=BLUE)
         errors = np.vstack([np.maximum(share - low, 0), np.maximum(high - share, 0)])
         left.errorbar(share, places, xerr=errors, fmt="none", ecolor=BLACK, elinewidth=0.8, capsize=2)
-        left.set(xlim=(0, 100), xlabel="samples that meet it (%)")
+        left.set(xlim=(0, 100), xlabel="samples that meet the fact (%)")
         left.set_yticks(places, [textwrap.fill(name, 17 if narrow else 30) for name in names])
         left.set_ylim(len(names) - 0.4, -0.6)
         _draw_distances(right, result, places)
         handles = [
-            Line2D([], [], color=_GREY, marker="|", ls="", label="a sample"),
-            Line2D([], [], color=VERMILION, marker="D", ms=4, ls="", label="the nearest that misses it"),
+            Line2D([], [], color=_GREY, marker="|", ls="", label="sample that misses the fact"),
+            Line2D([], [], color=VERMILION, marker="D", ms=4, ls="", label="nearest of these"),
         ]
         fit_legend(figure, handles, 2, loc="outside lower center")
-        told = "; ".join(f"{name}: {each:.3g} %" for name, each in zip(names, share, strict=True))
-        return describe(figure, f"How many samples meet each fact, and how far the others are from it. {told}.")
+        shares = "; ".join(f"{name}: {each:.3g} %" for name, each in zip(names, share, strict=True))
+        return describe(figure, f"Share of samples that meet each fact, and distances of the others to it. {shares}.")
 
 
 def _draw_distances(axes: Axes, result: Dataset, places: Any) -> None:
-    """A stroke a sample that misses a fact, by how many of its scales, and the nearest of them."""
+    """Draw a stroke for each sample that misses a fact, at its distance in the fact's scale, and mark the nearest."""
     distances = result["scaled_distance"].values
     for place in places:
         missed = distances[:, place]
@@ -91,17 +91,17 @@ def _draw_distances(axes: Axes, result: Dataset, places: Any) -> None:
         axes.plot(shown, np.full(len(shown), place), "|", color=_GREY, ms=7, mew=0.5, alpha=0.6)
         axes.plot(shown.min(), place, "D", color=VERMILION, ms=4)
     axes.set_xscale("symlog", linthresh=0.1, linscale=0.4)
-    axes.set(xlim=(-0.01, 1.25 * _FAR), xlabel="missed by, in its scale")
+    axes.set(xlim=(-0.01, 1.25 * _FAR), xlabel="distance to the fact (its scale)")
     axes.set_xticks([0, 0.1, 1, _FAR], ["0", "0.1", "1", f"{_FAR:g}+"])
     axes.minorticks_off()
 
 
 def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw how many samples meet each pair of facts together, and which pairs none does.
+    """Draw how many samples meet each pair of facts, and mark pairs that no sample meets.
 
     Args:
-        result: of an identification.
-        width: of the figure, inch.
+        result: table of an identification.
+        width: width of the figure, inch.
     """
     names = [str(name) for name in result["fact"].values]
     both, placed = result["met_together"].values, result["met_together_placed"].values
@@ -124,9 +124,9 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             spine.set_visible(False)
         words = set(result["together"].values.ravel().tolist()) - {""}
         looks = {
-            Together.EXCLUDED: Patch(fc="white", ec=VERMILION, lw=1.4, label="by none: they exclude one another"),
-            "": Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="by none, and it is open whether any can"),
-            Together.PLACED: Patch(fc="none", ec="none", label="+ by samples that were placed"),
+            Together.EXCLUDED: Patch(fc="white", ec=VERMILION, lw=1.4, label="none: the facts exclude one another"),
+            "": Patch(fc="white", ec=_GREY, hatch="///", lw=0.5, label="none, but some values might"),
+            Together.PLACED: Patch(fc="none", ec="none", label="+ placed samples"),
         }
         words |= (
             {""} if words & {Together.RARE, Together.UNTRIED, Together.NEARLY, Together.OPEN, Together.NEVER} else set()
@@ -135,11 +135,11 @@ def draw_together(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         axes.set_xlabel("drawn samples that meet both facts")
         if handles:
             fit_legend(figure, handles, 3, loc="outside lower center")
-        return describe(figure, _tell_together(result, names))
+        return describe(figure, _together_text(result, names))
 
 
 def _write_cell(axes: Axes, result: Dataset, row: int, column: int, both: Any, placed: Any, *, small: bool) -> None:
-    """The number of a cell, and its frame where it is none."""
+    """Write the number of a cell, with a frame if it is zero."""
     verdict, drawn = str(result["together"].values[row, column]), int(both[row, column])
     text = str(drawn) if drawn or not placed[row, column] or row == column else f"+{int(placed[row, column])}"
     none = drawn == 0
@@ -163,7 +163,7 @@ def _cell(column: int, row: int, **look: Any) -> Any:
     return Rectangle((column - 0.44, row - 0.44), 0.88, 0.88, fc="white", **look)
 
 
-def _tell_together(result: Dataset, names: list[str]) -> str:
+def _together_text(result: Dataset, names: list[str]) -> str:
     words = result["together"].values
     excluded = [
         f"{names[column]} and {names[row]}"
@@ -171,27 +171,27 @@ def _tell_together(result: Dataset, names: list[str]) -> str:
         for column in range(row)
         if words[row, column] == Together.EXCLUDED
     ]
-    told = f"Exclude one another: {'; '.join(excluded)}." if excluded else ""
-    return f"How many samples meet each pair of facts. {told}".strip()
+    sentence = f"Pairs that exclude one another: {'; '.join(excluded)}." if excluded else ""
+    return f"Number of samples that meet each pair of facts. {sentence}".strip()
 
 
 def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw each unknown by itself: what agrees in front of what is believed.
+    """Draw the distribution of each unknown: the samples that agree before the prior.
 
-    The horizontal axis has equal parts for what is believed to be equally likely, so that what is believed is level.
+    The horizontal axis gives equal lengths to equal prior probabilities, so the prior is level.
 
     Args:
-        result: of an identification.
-        width: of the figure, inch.
+        result: table of an identification.
+        width: width of the figure, inch.
     """
-    found = marginals(result)
+    marked = marginals(result)
     columns = 3 if is_narrow(width) else 5
-    rows = -(-len(found) // columns)
+    rows = -(-len(marked) // columns)
     agrees = result["agrees"].values
     with figure_style():
         figure = Figure(figsize=(width, _PANEL * rows + 0.35), layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
-        for axes, each in zip(grid, found, strict=False):
+        for axes, each in zip(grid, marked, strict=False):
             shares = result[f"{each.name}_share"].values
             bins = _bins(result[each.name])
             weights = np.full(int(agrees.sum()), (len(bins) - 1) / max(int(agrees.sum()), 1))
@@ -202,28 +202,28 @@ def draw_unknowns(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             axes.set_xlim(0, 1)
             axes.set_yticks([])
             axes.spines["left"].set_visible(False)
-        top = max(axes.get_ylim()[1] for axes in grid[: len(found)])
-        for axes in grid[: len(found)]:
+        top = max(axes.get_ylim()[1] for axes in grid[: len(marked)])
+        for axes in grid[: len(marked)]:
             axes.set_ylim(0, top)
-        for axes in grid[len(found) :]:
+        for axes in grid[len(marked) :]:
             axes.set_visible(False)
         handles = [
-            Patch(color=_PALE, label="believed"),
-            Patch(color=BLUE, label="agrees"),
-            Patch(color=BLUE, alpha=0.45, label="agrees, and may be chance"),
+            Patch(color=_PALE, label="prior"),
+            Patch(color=BLUE, label="samples that agree"),
+            Patch(color=BLUE, alpha=0.45, label="samples that agree, difference may be chance"),
         ]
         fit_legend(figure, handles, 3, loc="outside lower center")
-        told = [each.key for each in found if each.told]
-        what = f"The facts tell of {', '.join(told)}." if told else "The facts tell of none of them."
-        return describe(figure, f"Each unknown by itself, what agrees in front of what is believed. {what}")
+        narrowed = [each.key for each in marked if each.told]
+        what = f"The facts narrow {', '.join(narrowed)}." if narrowed else "The facts narrow none of them."
+        return describe(figure, f"Distribution of each unknown: samples that agree before the prior. {what}")
 
 
 def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the unknowns that facts tell most of in pairs: what agrees in front of what does not.
+    """Draw pairs of the unknowns that the facts narrow most: samples that agree before those that do not.
 
     Args:
-        result: of an identification.
-        width: of the figure, inch.
+        result: table of an identification.
+        width: width of the figure, inch.
     """
     most = _PAIRS_NARROW if is_narrow(width) else _PAIRS
     names = [each.name for each in marginals(result)[:most]] if len(unknowns_of(result)) > 1 else []
@@ -248,8 +248,8 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
                 axes.plot(x[agrees], y[agrees], "o", ms=3, color=BLUE, mew=0)
                 axes.plot(x[best], y[best], "o", ms=5.5, mfc="none", mec=ORANGE, mew=1.0)
                 axes.set(xlim=(-0.02, 1.02), ylim=(-0.02, 1.02))
-                _share_axis(axes.xaxis, result, across, told=row == size - 1)
-                _share_axis(axes.yaxis, result, upwards, told=column == 0)
+                _share_axis(axes.xaxis, result, across, labelled=row == size - 1)
+                _share_axis(axes.yaxis, result, upwards, labelled=column == 0)
                 if row == size - 1:
                     axes.set_xlabel(_label(result[across]), fontsize=7)
                 if column == 0:
@@ -262,8 +262,8 @@ def draw_pairs(result: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
                    label=f"meets most facts, {most_met} of {result.sizes['fact']}"),
         ]  # fmt: skip
         fit_legend(figure, handles, 3, loc="outside lower center")
-        told = ", ".join(str(result[name].attrs["key"]) for name in names) or "none"
-        return describe(figure, f"Unknowns in pairs, what agrees in front of what does not. They are {told}.")
+        keys = ", ".join(str(result[name].attrs["key"]) for name in names) or "none"
+        return describe(figure, f"Unknowns in pairs, samples that agree before those that do not. Unknowns: {keys}.")
 
 
 def _label(coordinate: DataArray, wrap: int = 22) -> str:
@@ -273,14 +273,14 @@ def _label(coordinate: DataArray, wrap: int = 22) -> str:
 
 
 def _bins(coordinate: DataArray) -> Any:
-    """Equal parts of what is believed; of choices one each."""
+    """Return bins of equal prior probability; one for each choice."""
     words = coordinate.attrs.get("prior") == "values"
     count = len(set(map(str, coordinate.values))) if words else _BINS
     return np.linspace(0, 1, max(count, 1) + 1)
 
 
-def _share_axis(axis: Any, result: Dataset, name: str, *, told: bool = True) -> None:
-    """Write values at shares of what is believed of an unknown: near its ends and its middle, or amid each choice."""
+def _share_axis(axis: Any, result: Dataset, name: str, *, labelled: bool = True) -> None:
+    """Label an axis of prior shares with values: near the ends and the middle, or at each choice."""
     coordinate, shares = result[name], result[f"{name}_share"].values
     axis.set_tick_params(labelsize=6, length=2)
     if coordinate.attrs.get("prior") == "values":
@@ -288,9 +288,9 @@ def _share_axis(axis: Any, result: Dataset, name: str, *, told: bool = True) -> 
         for value, share in zip(coordinate.values, shares, strict=True):
             middles[str(value)].append(float(share))
         ordered = sorted(middles, key=lambda value: float(np.mean(middles[value])))
-        axis.set_ticks([(place + 0.5) / len(ordered) for place in range(len(ordered))], ordered if told else [])
+        axis.set_ticks([(index + 0.5) / len(ordered) for index in range(len(ordered))], ordered if labelled else [])
         return
     values, _ = display_values(coordinate)
     order = np.argsort(shares)
     at = np.interp([0.1, 0.5, 0.9], shares[order], values[order].astype(float))
-    axis.set_ticks([0.1, 0.5, 0.9], [number_text(float(f"{each:.2g}")) for each in at] if told else [])
+    axis.set_ticks([0.1, 0.5, 0.9], [number_text(float(f"{each:.2g}")) for each in at] if labelled else [])

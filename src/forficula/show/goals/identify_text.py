@@ -1,4 +1,4 @@
-"""What an identification came to, in lines of text."""
+"""Results of an identification as lines of text."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ if TYPE_CHECKING:
 
 _MOST_PAIRS = 12
 _NARROW = 110
-# what is said of pairs of one verdict, in this order
+# sentences about pairs of one verdict, in this order
 _PAIRS = {
-    Together.EXCLUDED: "Exclude one another, as far as samples tell, for each is met by some, and none meets both",
-    Together.UNTRIED: "Met together by none, though each is by some; no sample was placed to meet both",
-    Together.OPEN: "Met together by none, but samples lie too far apart to say that no values between them do",
-    Together.NEARLY: "Met together by none, but nearly so by one",
-    Together.PLACED: "Met together by samples that were placed, and by none that was drawn",
-    Together.RARE: "Met together by none, and the rarer one by too few for that to tell anything",
+    Together.EXCLUDED: "Pairs that exclude one another, as far as samples show: some meet each fact, none meets both",
+    Together.UNTRIED: "Pairs that no sample meets, though some meet each fact; no sample was placed to meet both",
+    Together.OPEN: "Pairs that no sample meets, but samples are too sparse to exclude values between them",
+    Together.NEARLY: "Pairs that no sample meets, but one sample nearly does",
+    Together.PLACED: "Pairs that placed samples meet, but no drawn one",
+    Together.RARE: "Pairs that no sample meets, but too few samples meet the rarer fact to conclude anything",
 }
 
 
 def print_identification(result: Dataset) -> None:
-    """Print how far each fact can be met, which exclude one another, and what agrees."""
+    """Print the agreement with each fact, the facts that exclude one another, and the values that agree."""
     Console(width=_NARROW, highlight=False, markup=False).print(identification_text(result))
 
 
 def identification_text(result: Dataset) -> Group:
-    """How far each fact can be met, which exclude one another, and what agrees."""
+    """Return the agreement with each fact, the facts that exclude one another, and the values that agree."""
     return Group(
         Text(first_sentence(result), style="bold"),
         Text("Facts", style="italic"),
@@ -54,28 +54,28 @@ def identification_text(result: Dataset) -> Group:
 
 
 def first_sentence(result: Dataset) -> str:
-    """How many samples there are of what."""
-    told = result.attrs
-    count = len(np.atleast_1d(told["unknowns"]))
-    missing = f", {told['could_not_run']} of which cannot be built" if told["could_not_run"] else ""
-    placed = f" and {told['placed']} placed where they may meet what none met" if told["placed"] else ""
+    """Return the numbers of samples, unknowns and runs in one sentence."""
+    attributes = result.attrs
+    count = len(np.atleast_1d(attributes["unknowns"]))
+    missing = f", {attributes['could_not_run']} of them cannot be built" if attributes["could_not_run"] else ""
+    placed = f" and {attributes['placed']} placed to meet facts that none met" if attributes["placed"] else ""
     return (
-        f"{told['name']}: {counted(told['drawn'], 'sample')} of {counted(count, 'unknown value')} of"
-        f" {told['design']} drawn{placed}{missing};"
-        f" {counted(told['runs'], 'run')}"
+        f"{attributes['name']}: {counted(attributes['drawn'], 'sample')} of {counted(count, 'unknown value')} of"
+        f" {attributes['design']} drawn{placed}{missing};"
+        f" {counted(attributes['runs'], 'run')}"
     )
 
 
 def facts_table(result: Dataset) -> Table:
-    """A line for every fact: what it is to be, how many samples meet it, and how far the others are from it."""
+    """Return a line for every fact: its value, the number of samples that meet it, and the distances of the others."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading, side in (
         ("fact", "left"),
-        ("to be", "left"),
+        ("observed", "left"),
         ("met by", "right"),
         ("share, %", "right"),
         ("nearest", "right"),
-        ("middle", "right"),
+        ("median", "right"),
     ):
         table.add_column(heading, justify="right" if side == "right" else "left")
     drawn = ~result["directed"].values
@@ -83,46 +83,46 @@ def facts_table(result: Dataset) -> Table:
         fact = result.isel(fact=number)
         low, high = 100 * float(fact["met_share_low"]), 100 * float(fact["met_share_high"])
         distances = fact["distance"].values
-        told = distances[drawn & np.isfinite(distances)]
+        known = distances[drawn & np.isfinite(distances)]
         table.add_row(
             str(name),
             str(fact["fact_asked"].values),
             str(int(fact["met"].values[drawn].sum())),
             f"{low:.3g} to {high:.3g}",
             _number(fact, float(np.nanmin(distances, initial=np.inf))),
-            _number(fact, float(np.median(told)) if len(told) else np.nan),
+            _number(fact, float(np.median(known)) if len(known) else np.nan),
         )
     return table
 
 
 def _number(fact: Dataset, value: float) -> str:
-    """A value of a fact in its unit."""
+    """Return a value of a fact in its unit."""
     si, display = str(fact["fact_units"].values), str(fact["fact_display"].values)
     unit = Unit(display=display, si=si, example="") if si else None
     return value_text(value, unit) if np.isfinite(value) else "-"
 
 
 def together_sentences(result: Dataset) -> list[str]:
-    """Which facts are met together by no sample, and what that means."""
+    """Return sentences on the facts that no sample meets together."""
     sentences = [*_not_built(result), *_most_met(result), *_untold(result)]
-    found = _pairs(result)
+    pairs = _pairs(result)
     for word, words in _PAIRS.items():
-        these = [line for verdict, line in found if verdict == word]
+        these = [line for verdict, line in pairs if verdict == word]
         if these:
             sentences += [f"{words}:", *_first(these, "pairs")]
     unmet = _triples(result)
     if unmet:
-        sentences += ["Met by no sample all three together, though any two of them are:", *_first(unmet, "")]
+        sentences += ["No sample meets all three of these facts, though some meet any two of them:", *_first(unmet, "")]
     never = [
         str(name)
         for name, met in zip(result["fact"].values, result["met"].any("sample").values, strict=True)
         if not met
     ]
-    return [*sentences, f"Met by none at all: {', '.join(never)}."] if never else sentences
+    return [*sentences, f"Facts that no sample meets: {', '.join(never)}."] if never else sentences
 
 
 def _not_built(result: Dataset) -> list[str]:
-    """How many samples there is no design of, and the most frequent reason."""
+    """Return a sentence on the samples that cannot be built, with the most frequent reason."""
     why = Counter(str(status) for status in result["status"].values if status != "ran")
     if not why:
         return []
@@ -131,7 +131,7 @@ def _not_built(result: Dataset) -> list[str]:
 
 
 def _most_met(result: Dataset) -> list[str]:
-    """How many facts one sample meets at most, and which."""
+    """Return sentences on the largest number of facts that one sample meets."""
     most, facts = result.attrs["most_met"], result.sizes["fact"]
     if most == facts:
         count, what = int(result["met"].all("fact").sum()), f"all {facts} facts" if facts > 1 else "the fact"
@@ -139,56 +139,56 @@ def _most_met(result: Dataset) -> list[str]:
     best = [str(each) for each in np.atleast_1d(result.attrs["met_most"])]
     if not most:
         return [*_between(result), *(["No sample meets any fact."] if facts > 1 else [])]
-    sentences = [*_between(result), f"The most that one sample meets is {most}: {best[0]}."]
+    sentences = [*_between(result), f"The largest number of facts that one sample meets is {most}: {best[0]}."]
     if len(best) > 1:
         others = "1 other set" if len(best) == 2 else f"{len(best) - 1} other sets"
-        sentences.append(f"{others} of {counted(most, 'fact')} {'is' if len(best) == 2 else 'are'} met, too.")
+        sentences.append(f"{others} of {counted(most, 'fact')} {'is' if len(best) == 2 else 'are'} also met.")
     return sentences
 
 
 def _between(result: Dataset) -> list[str]:
-    """Whether values between the samples may meet what no sample does."""
-    told, facts = result.attrs, result.sizes["fact"]
+    """Return a sentence on whether values between the samples may meet all facts."""
+    attributes, facts = result.attrs, result.sizes["fact"]
     first = f"No sample meets {f'all {facts} facts' if facts > 1 else 'the fact'}"
-    if not told["emulated"]:
-        return [f"{first}, but samples are too few to say whether other values do."]
-    if told["between_possible"]:
-        share, drawn = float(told["between_share"]), int(told["drawn"])
+    if not attributes["emulated"]:
+        return [f"{first}, but there are too few samples to exclude other values."]
+    if attributes["between_possible"]:
+        share, drawn = float(attributes["between_share"]), int(attributes["drawn"])
         return [
-            f"{first}, but samples are too few to say that no values do: by a model fitted between them,"
-            f" {_percent(share)} of what is believed meets {'them' if facts > 1 else 'it'}, {share * drawn:.2g} of"
+            f"{first}, but there are too few samples to exclude other values. According to a model fitted between them,"
+            f" {_percent(share)} of the prior meets {'them' if facts > 1 else 'it'}, {share * drawn:.2g} of"
             f" {counted(drawn, 'drawn sample')}."
         ]
     return [
-        f"{first}, and by a model fitted between the samples no values do: they miss at least one by"
-        f" {_apart(result)} of its standard errors or more."
+        f"{first}, and according to a model fitted between the samples no values do: they miss at least one by"
+        f" {_apart(result)} or more of its standard errors."
     ]
 
 
 def _untold(result: Dataset) -> list[str]:
-    """Of which facts runs leave open whether drawn samples meet them."""
+    """Return a sentence on the facts that unreliable runs leave undecided."""
     drawn = int((~result["directed"].values & (result["status"].values == "ran")).sum())
-    told = [
+    undecided = [
         f"{name}, {drawn - int(count)}"
         for name, count in zip(result["fact"].values, result["told"].values, strict=True)
         if count < drawn
     ]
-    if not told:
+    if not undecided:
         return []
     return [
-        f"Of {counted(drawn, 'drawn sample')}, runs that are not to be trusted leave open whether they meet:"
-        f" {'; '.join(told)}. These are not counted, and the intervals hold whatever they would have come to."
+        f"For some of {counted(drawn, 'drawn sample')}, unreliable runs do not decide whether a fact is met:"
+        f" {'; '.join(undecided)}. These samples are not counted, and the intervals hold for any outcome of these runs."
     ]
 
 
 def _first(lines: Sequence[str], what: str) -> list[str]:
-    """The first lines of many, and how many more there are."""
+    """Return the first lines of a list, and the number of other lines."""
     more = [f"  and {len(lines) - _MOST_PAIRS} more {what}".rstrip()] if len(lines) > _MOST_PAIRS else []
     return [*(f"  {line}" for line in lines[:_MOST_PAIRS]), *more]
 
 
 def _pairs(result: Dataset) -> list[tuple[str, str]]:
-    """Pairs of facts, those first that no sample comes near to: the verdict, and a line on them."""
+    """Return pairs of facts, the furthest apart first: the verdict, and a line of text."""
     names = [str(name) for name in result["fact"].values]
     pairs = [result.isel(fact=one, other_fact=other) for one, other in itertools.combinations(range(len(names)), 2)]
     pairs.sort(key=lambda pair: -float(pair["together_near"]))
@@ -196,39 +196,39 @@ def _pairs(result: Dataset) -> list[tuple[str, str]]:
 
 
 def _pair_line(result: Dataset, pair: Dataset) -> str:
-    """What samples say of a pair: counts, what would be if it were by chance, a bound, and how near one comes."""
+    """Return what samples show about a pair: counts, the count expected by chance, a bound, and the nearest sample."""
     first, second = str(pair["fact"].values), str(pair["other_fact"].values)
-    turned = result.sel(fact=second, other_fact=first)
+    inverse = result.sel(fact=second, other_fact=first)
     line = (
-        f"{first} | {second}: by {int(pair['met_together'])} of {int(pair['told_together'])} that tell, by either alone"
-        f" {int(pair['met_alone'])} and {int(turned['met_alone'])}"
-        f" ({float(pair['together_if_independent']):.2g} if independent);"
-        f" at most {_percent(float(pair['together_share_high']))} of what is believed (95 %)"
+        f"{first} | {second}: {int(pair['met_together'])} of {int(pair['told_together'])} samples meet both, those"
+        f" that meet one: {int(pair['met_alone'])} and {int(inverse['met_alone'])}"
+        f" ({float(pair['together_if_independent']):.2g} would meet both if independent);"
+        f" at most {_percent(float(pair['together_share_high']))} of the prior (95 %)"
     )
     if placed := int(pair["met_together_placed"]):
-        return f"{line}; by {placed} placed"
+        return f"{line}; {placed} placed ones meet both"
     if tried := int(pair["tried_together"]):
-        line += f"; by none of {tried} placed to"
+        line += f"; none of {tried} placed ones meets both"
     return f"{line}; the nearest misses one by {_near(float(pair['together_near']))}"
 
 
 def _triples(result: Dataset) -> list[str]:
-    """A line for every three facts that no sample meets together."""
+    """Return a line for every three facts that no sample meets together."""
     names = ("", "_verdict", "_told", "_tried", "_near", "_share_high")
     columns = [np.atleast_1d(result.attrs[f"unmet{of}"]) for of in names]
     lines = []
-    for facts, verdict, told, tried, near, high in zip(*columns, strict=True):
+    for facts, verdict, decided, tried, near, high in zip(*columns, strict=True):
         if str(facts):
-            by = f", none of {tried} placed to" if tried else ""
+            placed = f", none of {tried} placed ones" if tried else ""
             lines.append(
-                f"{facts}: {verdict}; by none of {told} that tell{by}; at most {_percent(float(high))} of what is"
-                f" believed (95 %); the nearest misses one by {_near(float(near))}"
+                f"{facts}: {verdict}; none of {decided} samples{placed}; at most {_percent(float(high))} of the"
+                f" prior (95 %); the nearest misses one by {_near(float(near))}"
             )
     return lines
 
 
 def _near(excess: float) -> str:
-    """By how much of its scale a fact is missed."""
+    """Return the distance to a fact in units of its scale."""
     return f"{excess:.2g} of its scale"
 
 
@@ -237,14 +237,17 @@ def _percent(share: float) -> str:
 
 
 def unknowns_table(result: Dataset) -> Table:
-    """A line for every unknown: what is believed of it, and what agrees."""
+    """Return a line for every unknown: its prior, and the values that agree."""
     table = Table(box=None, padding=(0, 2, 0, 0))
-    for heading in ("unknown", "believed", "agrees", "told"):
+    for heading in ("unknown", "prior", "agrees", "narrowed"):
         table.add_column(heading)
     for each in marginals(result):
-        told = f"by chance in {100 * each.chance:.2g} %" if each.told else ""
+        narrowed = f"yes (by chance in {100 * each.chance:.2g} %)" if each.told else ""
         table.add_row(
-            plain_name(result[each.name]), _range(result, each, each.believed), _range(result, each, each.agrees), told
+            plain_name(result[each.name]),
+            _range(result, each, each.believed),
+            _range(result, each, each.agrees),
+            narrowed,
         )
     return table
 
@@ -260,38 +263,38 @@ def _range(result: Dataset, marginal: Marginal, ends: tuple[object, ...]) -> str
 
 
 def agrees_sentences(result: Dataset) -> list[str]:
-    """What is taken for what agrees, what that assumes, and whether the samples were enough."""
-    told, agrees = result.attrs, result["agrees"].values
+    """Return sentences on the ranges that agree, their assumptions, and whether there were enough samples."""
+    attributes, agrees = result.attrs, result["agrees"].values
     if not agrees.any():
-        return ["None agrees, for none can be built."]
-    if not told["emulated"]:
+        return ["No sample agrees, because none can be built."]
+    if not attributes["emulated"]:
         ran = int((result["status"].values == "ran").sum())
-        unknown = counted(len(np.atleast_1d(told["unknowns"])), "unknown value")
+        unknown = counted(len(np.atleast_1d(attributes["unknowns"])), "unknown value")
         return [
-            f"Too few samples to say what agrees: {ran} ran; a model between the samples of {unknown} needs at least"
-            f" {told['emulator_samples']} whose runs are all reliable. The ranges are what is believed."
+            f"There are too few samples to compute which values agree: {ran} ran; a model of {unknown} needs at least"
+            f" {attributes['emulator_samples']} whose runs are all reliable. The ranges are those of the prior."
         ]
-    if not told["between_possible"]:
+    if not attributes["between_possible"]:
         return [
-            "No values meet all facts, on samples or between them: the ranges are of the values whose facts are"
-            f" least far off, at best {_apart(result)} standard errors. They are no estimate."
+            "No values meet all facts, on samples or between them. The ranges are those of the values nearest to the"
+            f" facts, which miss them by at least {_apart(result)} standard errors. They are not an estimate."
         ]
     return [
-        "Ranges hold 95 % of the values that meet every fact, on samples and between them. They come from a kriging"
-        " model of each fact, fitted to the samples, with its errors. They assume that values are as likely as"
-        " believed, that each observation lies within its tolerance of the truth, and that the model of the structure"
+        "Ranges contain 95 % of the values that meet every fact, on samples and between them. They come from a kriging"
+        " model of each fact, fitted to the samples, with its errors. They assume that the prior is right,"
+        " that each observation lies within its tolerance of the truth, and that the model of the structure"
         " is right.",
         *_coarse(result),
     ]
 
 
 def _apart(result: Dataset) -> str:
-    """By how many standard errors of the model between the samples the worst fact is missed at best, two digits."""
+    """Return the smallest distance of the model to the worst fact, in standard errors, with two digits."""
     return number_text(float(f"{float(result.attrs['between_apart']):.2g}"))
 
 
 def _coarse(result: Dataset) -> list[str]:
-    """The facts whose ranges are as wide as the samples' distance makes them, and not as the fact's tolerance does."""
+    """Return a sentence on facts whose ranges depend on the distance between samples, not on the fact's tolerance."""
     coarse = [
         f"{name} ({float(error):.2g} times)"
         for name, error in zip(result["fact"].values, result["between_error"].values, strict=True)
@@ -300,6 +303,6 @@ def _coarse(result: Dataset) -> list[str]:
     if not coarse:
         return []
     return [
-        "More samples would narrow the ranges: between the samples the model's standard error is larger than the"
+        "More samples would narrow the ranges: between the samples, the model's standard error exceeds the"
         f" tolerance of {', '.join(coarse)}."
     ]

@@ -1,4 +1,4 @@
-"""What an optimisation shows: all that was tried over every parameter and quantity, and the front."""
+"""Figures of an optimisation: all designs over parameters and quantities, and the Pareto front."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from forficula.show.study.factor_text import key_text
 from forficula.show.style import BLACK, BLUE, PAGE_WIDTH, VERMILION, describe, figure_style, fit_legend, is_narrow
 
 _GREY = "0.75"
-# inch
+# height of a figure, inch
 _HEIGHT = 3.0
 
 
-def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
+def draw_candidates(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
     """Draw every candidate as a line over the parameters, the quantities of the goal and the least margin.
 
     Args:
-        found: what the search came to.
-        width: of the figure, inch.
+        optimum: the result of the optimisation.
+        width: width of the figure, inch.
     """
-    axes_of = _axes_of(found)
-    feasible, best = (found.table[name].values.astype(bool) for name in ("feasible", "best"))
+    axes_of = _axes_of(optimum)
+    feasible, best = (optimum.table[name].values.astype(bool) for name in ("feasible", "best"))
     places = np.arange(len(axes_of), dtype=float)
     shares = np.stack([_shares(values) for _, _, values in axes_of], axis=1)
     with figure_style():
@@ -57,35 +57,35 @@ def draw_candidates(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
         axes.set_xticks(places, names, rotation=30 if len(names) > 4 or is_narrow(width) else 0, ha="right")
         axes.tick_params(axis="x", length=0)
         handles = [
-            Line2D([], [], color=VERMILION, lw=1.6, label=f"best{_verified(found)}"),
+            Line2D([], [], color=VERMILION, lw=1.6, label=f"best{_verified(optimum)}"),
             Line2D([], [], color=BLUE, lw=0.7, label="meets the goal"),
-            Line2D([], [], color=_GREY, lw=0.7, label="the others"),
+            Line2D([], [], color=_GREY, lw=0.7, label="other designs"),
         ]
         fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(
             figure,
-            f"All {len(feasible)} designs that were tried for {found.goal.name}, a line each, over its parameters and"
+            f"All {len(feasible)} designs tried for {optimum.goal.name}, one line each, over its parameters and"
             f" quantities; {int(feasible.sum())} are known to meet the goal.",
         )
 
 
-def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
+def draw_front(optimum: Optimum, width: float = PAGE_WIDTH) -> Figure:
     """Draw the first two objectives of every candidate against each other, with the front.
 
     Args:
-        found: of two objectives or more.
-        width: of the figure, inch.
+        optimum: a result with at least two objectives.
+        width: width of the figure, inch.
     """
-    objectives = [each.quantity for each in found.goal.objectives[:2]]
+    objectives = [each.quantity for each in optimum.goal.objectives[:2]]
     (first, one), (second, other) = (
-        (_label(quantity.name, quantity.unit), _shown(found.table[quantity.dimension].values, quantity.unit))
+        (_label(quantity.name, quantity.unit), _shown(optimum.table[quantity.dimension].values, quantity.unit))
         for quantity in objectives
     )
-    feasible, best = (found.table[name].values.astype(bool) for name in ("feasible", "best"))
+    feasible, best = (optimum.table[name].values.astype(bool) for name in ("feasible", "best"))
     with figure_style():
         figure = Figure(figsize=(width, _HEIGHT), layout="constrained")
         axes = figure.subplots()
-        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="the others")
+        axes.plot(one[~feasible], other[~feasible], "x", color=_GREY, ms=3, mew=0.7, label="other designs")
         axes.plot(one[feasible & ~best], other[feasible & ~best], "o", color=BLUE, ms=3, label="meets the goal")
         order = np.argsort(one[best], kind="stable")
         axes.plot(
@@ -95,44 +95,44 @@ def draw_front(found: Optimum, width: float = PAGE_WIDTH) -> Figure:
             color=VERMILION,
             ms=4.5,
             lw=0.8,
-            label=f"front{_verified(found)}",
+            label=f"front{_verified(optimum)}",
         )
         axes.set_xlabel(first)
         axes.set_ylabel(second)
         fit_legend(figure, axes.get_legend_handles_labels()[0], 3, loc="outside upper center")
         return describe(
             figure,
-            f"{first} against {second} of all designs that were tried for {found.goal.name}; {int(best.sum())} of them"
-            " are the front, on which neither can be better without the other being worse.",
+            f"{first} against {second} of all designs tried for {optimum.goal.name}; {int(best.sum())} of them"
+            " form the front, where improving one quantity worsens the other.",
         )
 
 
-def _verified(found: Optimum) -> str:
-    """Whether anything was run or asked anew of the best designs, which statics alone does not."""
-    return ", verified" if any(each.finer is not None or each.fresh is not None for each in found.best) else ""
+def _verified(optimum: Optimum) -> str:
+    """Return a note if the best designs were verified; statics alone verifies nothing."""
+    return ", verified" if any(each.finer is not None or each.fresh is not None for each in optimum.best) else ""
 
 
-def _axes_of(found: Optimum) -> list[tuple[str, str, Array]]:
-    """Names, units and values, as people read them, of what lines go over."""
+def _axes_of(optimum: Optimum) -> list[tuple[str, str, Array]]:
+    """Return the names, units and values, in display units, of the axes."""
     rows: list[tuple[str, str, Array]] = []
-    for parameter in found.goal.parameters:
-        values, unit = found.table[parameter.factor.dimension].values, parameter.factor.unit
-        if values.dtype.kind in "OU":  # choices that are words, in their order
-            places = [float([str(each) for each in parameter.choices].index(str(value))) for value in values]
-            rows.append((key_text(parameter.key), "", np.array(places)))
+    for parameter in optimum.goal.parameters:
+        values, unit = optimum.table[parameter.factor.dimension].values, parameter.factor.unit
+        if values.dtype.kind in "OU":  # choices that are words, by index
+            indices = [float([str(each) for each in parameter.choices].index(str(value))) for value in values]
+            rows.append((key_text(parameter.key), "", np.array(indices)))
         else:
             rows.append((key_text(parameter.key), unit.display if unit else "", _shown(values, unit)))
     names = {name for name, _, _ in rows}
-    for quantity in found.goal.quantities:
-        if quantity.dimension in found.table and key_text(quantity.name) not in names:
-            values = _shown(found.table[quantity.dimension].values, quantity.unit)
+    for quantity in optimum.goal.quantities:
+        if quantity.dimension in optimum.table and key_text(quantity.name) not in names:
+            values = _shown(optimum.table[quantity.dimension].values, quantity.unit)
             rows.append((key_text(quantity.name), quantity.unit.display, values))
-    rows.append(("least margin", "%", 100 * np.asarray(found.table["margin"].values, dtype=np.float64)))
+    rows.append(("least margin", "%", 100 * np.asarray(optimum.table["margin"].values, dtype=np.float64)))
     return rows
 
 
 def _shown(values: Any, unit: Unit | None) -> Array:
-    """Values in the unit that people read."""
+    """Return values in their display unit."""
     factor = 1.0 if unit is None else parse_quantity(f"1 {unit.display}", unit)
     return np.asarray(values, dtype=np.float64) / factor
 
@@ -142,7 +142,7 @@ def _label(name: str, unit: Unit) -> str:
 
 
 def _shares(values: Array) -> Array:
-    """Values between the least, 0, and the largest, 1; in the middle where all are alike."""
+    """Scale values from 0, the least, to 1, the largest; 0.5 if all are equal."""
     known = values[np.isfinite(values)]
     if not len(known) or np.ptp(known) == 0:
         return np.where(np.isfinite(values), 0.5, np.nan)
@@ -150,6 +150,6 @@ def _shares(values: Array) -> Array:
 
 
 def _lines(places: Array, shares: Array) -> list[list[Array]]:
-    """Lines over the places, broken where a value is not known."""
+    """Return lines over the positions, interrupted at unknown values."""
     parts = [[np.column_stack([places[known], row[known]]) for row in shares if (known := np.isfinite(row)).sum() > 1]]
     return [part for part in parts if part]

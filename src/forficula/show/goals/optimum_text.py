@@ -1,4 +1,4 @@
-"""What a search for the best design came to, as text that a person understands."""
+"""Results of an optimisation as text."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from forficula.goals.outcome_quantity import PROBABILITY, OutcomeQuantity
 from forficula.quantities import show_quantity
 
 
-def print_optimum(found: Optimum) -> None:
-    """Print what `optimum_text` lays out."""
-    Console(width=110, highlight=False, markup=False).print(optimum_text(found))
+def print_optimum(optimum: Optimum) -> None:
+    """Print the text of `optimum_text`."""
+    Console(width=110, highlight=False, markup=False).print(optimum_text(optimum))
 
 
-def optimum_text(found: Optimum) -> RenderableType:
-    """Lay out the best designs, how they do where the search did not look, and what follows in sentences.
+def optimum_text(optimum: Optimum) -> RenderableType:
+    """Return the sentences about an optimisation, and a table of the best designs with their verification.
 
     Args:
-        found: what the search came to.
+        optimum: the result of the optimisation.
     """
-    first, *others = told(found)
-    parts: list[RenderableType] = [Text(f"{found.goal.name}: {first}", style="bold"), *map(Text, others)]
-    shown = found.best or found.discarded[:1]
+    first, *others = told(optimum)
+    parts: list[RenderableType] = [Text(f"{optimum.goal.name}: {first}", style="bold"), *map(Text, others)]
+    shown = optimum.best or optimum.discarded[:1]
     if shown:
-        title = "the best designs" if found.best else "what came nearest, but does not hold"
-        parts += [Text(), Text(title, style="italic"), _designs(found, shown)]
+        title = "the best designs" if optimum.best else "nearest design, which verification did not confirm"
+        parts += [Text(), Text(title, style="italic"), _designs(optimum, shown)]
     return Group(*parts)
 
 
-def _designs(found: Optimum, shown: tuple[Verification, ...]) -> Table:
-    """A line a quantity, a column a design: short lists of designs read well so."""
-    goal = found.goal
+def _designs(optimum: Optimum, shown: tuple[Verification, ...]) -> Table:
+    """Return a table with one row for each quantity and one column for each design."""
+    goal = optimum.goal
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("")
     for number in range(len(shown)):
@@ -49,7 +49,7 @@ def _designs(found: Optimum, shown: tuple[Verification, ...]) -> Table:
     if goal.deviations:
         table.add_row("neighbours that work", *(_neighbours(one) for one in shown))
     if goal.simulate:
-        table.add_row("energy missing", *("" if one.residual is None else f"{one.residual:.2g}" for one in shown))
+        table.add_row("energy residual", *("" if one.residual is None else f"{one.residual:.2g}" for one in shown))
     return table
 
 

@@ -1,4 +1,4 @@
-"""What a tolerance shows: whose the variance is, the cloud of what is built over the map, how near failure is."""
+"""Figures of a tolerance analysis: sensitivity indices, samples over the map, and nearest failures."""
 
 from __future__ import annotations
 
@@ -31,41 +31,41 @@ from forficula.show.style import (
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# inch, of a row of bars
+# height of a row of bars, inch
 _ROW = 0.27
-# groups that are drawn where each factor has a line of its own
+# largest number of groups of one factor
 _MOST_ROWS = 10
 _INK = "0.35"
-# how designs with everything off are drawn
+# looks of designs in which all values deviate
 _POINTS: dict[Answer, tuple[str, dict[str, Any]]] = {
-    Answer.WORKS: ("built: works", {"marker": "o", "mfc": "white", "mec": BLACK, "mew": 0.6, "ms": 3.2}),
-    Answer.FAILS: ("built: fails", {"marker": "x", "color": VERMILION, "mew": 1.0, "ms": 3.6}),
-    Answer.UNKNOWN: ("built: not to be trusted", {"marker": "d", "color": ORANGE, "ms": 3.2}),
+    Answer.WORKS: ("sample: works", {"marker": "o", "mfc": "white", "mec": BLACK, "mew": 0.6, "ms": 3.2}),
+    Answer.FAILS: ("sample: fails", {"marker": "x", "color": VERMILION, "mew": 1.0, "ms": 3.6}),
+    Answer.UNKNOWN: ("sample: unreliable", {"marker": "d", "color": ORANGE, "ms": 3.2}),
 }
-# seen on cells of any colour
+# visible on cells of any colour
 _DESIGN: dict[str, Any] = {"marker": "P", "mfc": "white", "mec": BLACK, "mew": 1.0, "ms": 8}
 _END: dict[str, Any] = {"marker": "|", "color": _INK, "ms": 7, "mew": 1.6}
 _FAILURE: dict[str, Any] = {"marker": "x", "color": VERMILION, "ms": 4.5, "mew": 1.3}
 
 
 def draw_indices(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
-    """Draw first-order and total indices of the margin with their 95 % intervals, one factor a row.
+    """Draw first-order and total indices of the margin with their 95 % intervals, one row for each factor.
 
     Args:
-        table: from `tolerance_table`.
-        width: of the figure, inch.
+        table: table from `tolerance_table`.
+        width: width of the figure, inch.
     """
     first, total = (table[f"{name}_index"].values[0] for name in ("first", "total"))
     has_total = bool(np.isfinite(total).any())
     places = _ranked(table, total if has_total else first)
-    names = [_group_name(table, place) for place in places]
+    names = [_group_name(table, index) for index in places]
     with figure_style():
         figure = Figure(figsize=(width, _ROW * len(places) + 0.95), layout="constrained")
         axes = figure.subplots()
         rows = np.arange(len(places), dtype=float)
         bars = [("alone", BLUE, "first", 0.2 * has_total)]
         if has_total:
-            bars.append(("alone and with others", SKY, "total", -0.2))
+            bars.append(("with interactions", SKY, "total", -0.2))
         for label, colour, name, shift in bars:
             share, low, high = (table[f"{name}_index{end}"].values[0][places] for end in ("", "_low", "_high"))
             at = rows + shift
@@ -84,17 +84,17 @@ def draw_indices(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
         fit_legend(figure, handles, 3, loc="outside upper center")
         return describe(
             figure,
-            f"Which tolerances decide whether {table.attrs['design']} works. Most of the margin's variance has to do"
-            f" with {names[0]}; {_likely(table)}.",
+            f"Tolerances that decide whether {table.attrs['design']} works. Most of the margin's variance is due to"
+            f" {names[0]}; {_likely(table)}.",
         )
 
 
 def draw_cloud(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
-    """Draw what is built within the tolerances over what becomes of designs of which two factors are off alone.
+    """Draw samples within the tolerances over a map of designs in which only two factors deviate.
 
     Args:
-        table: from `tolerance_table`, with a map.
-        width: of the figure, inch.
+        table: table from `tolerance_table`, with a map.
+        width: width of the figure, inch.
     """
     width = width if is_narrow(width) else 0.75 * width
     with map_style():
@@ -116,17 +116,17 @@ def draw_cloud(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
         names = " and ".join(plain_name(table[name]) for name in ("map_x", "map_y"))
         return describe(
             figure,
-            f"What is built of {table.attrs['design']}, over {names}. Cells say what becomes of it where these two"
-            f" alone are off, points are designs with everything off: {_likely(table)}.",
+            f"Samples of {table.attrs['design']} over {names}. Cells show the outcome if only these two"
+            f" values deviate, points are designs in which all values deviate: {_likely(table)}.",
         )
 
 
 def draw_reaches(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
-    """Draw how far each value alone may go down and up before it fails, in tolerances.
+    """Draw the deviations of each value alone, down and up, at which a design fails, in units of its tolerance.
 
     Args:
-        table: from `tolerance_table`, of a design that works.
-        width: of the figure, inch.
+        table: table from `tolerance_table`, for a design that works.
+        width: width of the figure, inch.
     """
     nearest = np.fmin(table["fails_down"].values, table["fails_up"].values)
     order = np.argsort(np.where(np.isnan(nearest), np.inf, nearest), kind="stable").tolist()
@@ -135,8 +135,10 @@ def draw_reaches(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
         figure = Figure(figsize=(width, 0.6 * _ROW * len(order) + 0.95), layout="constrained")
         axes = figure.subplots()
         for row, factor in enumerate(order):
-            for sign, way in ((-1, "down"), (1, "up")):
-                works, fails, ends = (table[f"{name}_{way}"].values[factor] for name in ("works", "fails", "ends"))
+            for sign, direction in ((-1, "down"), (1, "up")):
+                works, fails, ends = (
+                    table[f"{name}_{direction}"].values[factor] for name in ("works", "fails", "ends")
+                )
                 axes.barh(row, sign * works, 0.6, color=SKY)
                 if np.isfinite(fails):
                     axes.plot(sign * fails, row, ls="", **_FAILURE)
@@ -152,38 +154,38 @@ def draw_reaches(table: Dataset, width: float = PAGE_WIDTH) -> Figure:
         handles: list[Artist] = [
             Patch(fc=SKY, label="works"),
             Line2D([], [], ls="", label="fails", **_FAILURE),
-            Line2D([], [], ls="", label="nothing to be told beyond", **_END),
+            Line2D([], [], ls="", label="undecided beyond", **_END),
             Line2D([], [], color=BLACK, lw=0.8, ls="--", label="the tolerance"),
         ]
         fit_legend(figure, handles, 4, loc="outside upper center")
-        told = "None fails alone"
+        first = "None fails alone"
         if np.isfinite(nearest[order[0]]):
-            told = f"{keys[order[0]]} fails first, {nearest[order[0]]:.2g} tolerances off".capitalize()
-        return describe(figure, f"How far each value of {table.attrs['design']} alone may be off. {told}.")
+            first = f"{keys[order[0]]} fails first, at {nearest[order[0]]:.2g} tolerances".capitalize()
+        return describe(figure, f"Largest deviation of each value of {table.attrs['design']} alone. {first}.")
 
 
 def _ranked(table: Dataset, shares: Any) -> list[int]:
-    """Places of the groups, those that decide most first; the others together last."""
+    """Return the indices of the groups by falling share of the variance; the group of remaining factors is last."""
     keys = {str(key) for key in table["factor"].values}
     groups = [str(group) for group in table["group"].values]
-    own = [place for place, group in enumerate(groups) if group in keys]
-    ranked = sorted(own, key=lambda place: -np.nan_to_num(shares[place]))[:_MOST_ROWS]
-    return [*ranked, *(place for place in range(len(groups)) if place not in own)]
+    single = [index for index, group in enumerate(groups) if group in keys]
+    ranked = sorted(single, key=lambda index: -np.nan_to_num(shares[index]))[:_MOST_ROWS]
+    return [*ranked, *(index for index in range(len(groups)) if index not in single)]
 
 
-def _group_name(table: Dataset, place: int) -> str:
-    group, keys = str(table["group"].values[place]), [str(key) for key in table["factor"].values]
+def _group_name(table: Dataset, index: int) -> str:
+    group, keys = str(table["group"].values[index]), [str(key) for key in table["factor"].values]
     return key_text(group) if group in keys else f"{len(keys) - table.sizes['group'] + 1} others"
 
 
 def _likely(table: Dataset) -> str:
     share, low, high = (float(table[f"probability{end}"].values[0]) for end in ("", "_low", "_high"))
     known = "an unknown share" if math.isnan(share) else f"{100 * share:.0f} %"
-    return f"{known} of what is built works ({100 * low:.0f} to {100 * high:.0f} %)"
+    return f"{known} of designs within tolerances work ({100 * low:.0f} to {100 * high:.0f} %)"
 
 
 def _draw_cells(axes: Axes, table: Dataset) -> list[Artist]:
-    """Cells in the colours of what became of them, and what the legend says of these."""
+    """Draw cells in the colours of their outcomes, and return the legend's entries."""
     across, upwards = (display_values(table[name])[0] for name in ("map_x", "map_y"))
     width, height = across[1] - across[0], upwards[1] - upwards[0]
     words = table["map_outcome"].values
@@ -198,11 +200,11 @@ def _draw_cells(axes: Axes, table: Dataset) -> list[Artist]:
 
 
 def _draw_tolerance(axes: Axes, table: Dataset, keys: list[str]) -> None:
-    """The design's own place, and the edge of uniform tolerances."""
+    """Draw the nominal design, and the bounds of uniform tolerances."""
     centres, widths = [], []
     for key in keys:
-        own, column = table.sel(factor=key), table[key.replace(".", "_")]
-        value, width = float(own["value"]), float(own["width"])
+        single, column = table.sel(factor=key), table[key.replace(".", "_")]
+        value, width = float(single["value"]), float(single["width"])
         shown, _ = display_values(column.copy(data=np.full(column.shape, value)))
         beyond, _ = display_values(column.copy(data=np.full(column.shape, value + width)))
         centres.append(float(shown[0]))

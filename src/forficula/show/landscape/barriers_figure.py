@@ -1,4 +1,4 @@
-"""The energies of stable states, and of the saddles over which the ways between them lead."""
+"""Energies of stable states, and of the saddles between them."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from forficula.show.style import (
 )
 from forficula.statics import EnergyLandscape
 
-_HALF = 0.22  # of the mark of a state
-_POINTS = 41  # of a curve
+_HALF = 0.22  # half the length of a state's mark
+_POINTS = 41  # points of a curve
 
 
 def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw what stable states store, and over how much the ways between neighbours lead.
+    """Draw the energies of stable states and the barriers between neighbouring states.
 
-    Only the energies at states and saddles are worked out; the curves between them guide the eye.
+    Only the energies of states and saddles are computed; the curves between them guide the eye.
 
     Args:
-        landscape: with a stable state.
-        width: of the figure, inch.
+        landscape: landscape with a stable state.
+        width: width of the figure, inch.
     """
     states, passes = landscape.states, landscape.passes
     places = _places(landscape)
@@ -54,15 +54,15 @@ def draw_barriers(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figu
         axes.set_ylabel(f"stored energy ({unit})")
         handles = [Line2D([], [], color=BLUE, lw=2.5, label="stable state")]
         if passes:
-            words = "saddle, and what is to climb to it from either side"
+            words = "saddle, with the barrier from either side"
             mark = {"marker": "^", "mfc": "white", "mec": VERMILION, "mew": 1.1, "ms": 5, "ls": "none"}
             handles.append(Line2D([], [], label=words, **mark))  # type: ignore[arg-type]
         fit_legend(figure, handles, 2, loc="outside upper center")
-        return describe(figure, _tell(landscape))
+        return describe(figure, _text(landscape))
 
 
 def _places(landscape: EnergyLandscape) -> list[int]:
-    """Where states stand: beside the one from which a pass leads to them."""
+    """Return the horizontal positions of states, such that neighbours are connected by saddles where possible."""
     beside: dict[int, list[int]] = {number: [] for number in range(len(landscape.states))}
     for each in landscape.passes:
         beside[each.ends[0]].append(each.ends[1])
@@ -79,7 +79,7 @@ def _places(landscape: EnergyLandscape) -> list[int]:
 
 
 def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: float) -> None:
-    """A curve over a saddle, and the barrier from either side."""
+    """Draw a curve over a saddle, and the barrier from either side."""
     (left, low), (right, other) = sorted(ends)
     left_end, right_end = left + _HALF, right - _HALF
     middle = (left_end + right_end) / 2
@@ -102,14 +102,14 @@ def _draw_pass(axes: Axes, ends: list[tuple[int, float]], top: float, factor: fl
     )
 
 
-def _tell(landscape: EnergyLandscape) -> str:
+def _text(landscape: EnergyLandscape) -> str:
     names = [state.name for state in landscape.states]
     states = ", ".join(f"{state.name} {shown_value(state.energy, 'J', 3)}" for state in landscape.states)
-    ways = [
+    paths = [
         f"{names[each.ends[0]]} to {names[each.ends[1]]} {shown_value(each.barriers[0], 'J', 3)}"
         f" and back {shown_value(each.barriers[1], 'J', 3)}"
         for each in landscape.passes
     ]
-    barriers = f" Barriers: {'; '.join(ways)}." if ways else " No saddle between them was found."
+    barriers = f" Barriers: {'; '.join(paths)}." if paths else " No saddle between them was found."
     what = f"Energies of the stable states of the {landscape.structure.appearance.whole} {landscape.design.name}"
     return f"{what} and of saddles between them. States: {states}.{barriers}"

@@ -1,4 +1,4 @@
-"""What slowly growing drives do to a net: the drive against how far it has gone, and the shapes where it turns."""
+"""A net under slowly growing drives: load against displacement, and shapes along the path."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ from forficula.statics.net.net import NetShape
 from forficula.statics.net.net_course import Course, displaces, gone, reaction
 from forficula.structure import drive_unit, driven_motor
 
-_MOST = 5  # pictures of a course
-_PLOT = 2.3  # inch
+_MOST = 5  # largest number of pictures of a path
+_PLOT = 2.3  # height of a plot, inch
 _LEGEND = 0.45
 _LETTERS = "abcdefgh"
-_SAME = 0.04  # of the size of a plot: letters so near are written together
+_SAME = 0.04  # points closer than this share of a plot's size share a label
 
 
 def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the equilibria under every drive, what it does where it grows slowly, and shapes on the way.
+    """Draw the equilibria under every drive as it grows slowly, and shapes along the path.
 
     Args:
-        landscape: of points that slide, with a drive that moves them.
-        width: of the figure, inch.
+        landscape: landscape of a net with a drive.
+        width: width of the figure, inch.
     """
     assert landscape.net is not None
     courses = net_courses(landscape)
@@ -61,7 +61,7 @@ def draw_courses(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figur
         for panel, course, each, picture in zip(panels, courses, moments, pictures, strict=False):
             _draw_course(panel, landscape, course, each, picture, width / columns)
         fit_legend(figure, _handles(courses), 4, loc="outside lower center")
-        return describe(figure, _tell(landscape, courses))
+        return describe(figure, _text(landscape, courses))
 
 
 def _draw_course(
@@ -72,7 +72,7 @@ def _draw_course(
     pictures: Pictures,
     width: float,
 ) -> None:
-    """One drive, so wide, inch: the plot, and beneath it pictures with the letters of their places."""
+    """Draw the plot of one drive, and below it pictures with the letters of their points; `width` is in inches."""
     plot = _Plot(landscape, course)
     grid = panel.add_gridspec(2, len(moments), height_ratios=[_PLOT, max(pictures.slope, 0.3)])
     axes = panel.add_subplot(grid[0, :])
@@ -103,7 +103,7 @@ def _draw_course(
 
 
 class _Plot:
-    """The axes of a course's plot: how far the drive has gone, and its strength; of a displacement what it takes."""
+    """Axes of a drive's plot: displacement, and the drive's strength (of a prescribed displacement, the reaction)."""
 
     def __init__(self, landscape: EnergyLandscape, course: Course) -> None:
         assert landscape.net is not None
@@ -122,7 +122,7 @@ class _Plot:
         if self._displaces:
             self.unit, self._factor = reading_unit("N", max(abs(self._force(point.shape)) for point in points))
             self.drive = "force on all points"
-        self.along = "angle turned" if motor.direction is None else f"way along the {motor.kind}"
+        self.along = "angle turned" if motor.direction is None else f"displacement along the {motor.kind}"
 
     def _gone(self, shape: NetShape) -> float:
         return gone(self._structure, self._net, self._drive, shape)
@@ -131,72 +131,74 @@ class _Plot:
         return reaction(self._structure, self._net, self._drive, shape)
 
     def at(self, factor: float, shape: NetShape) -> tuple[float, float]:
-        """Where a shape under a factor of the load stands."""
+        """Return the point in the plot of a shape under a factor of the load."""
         across = self._along * (self._gone(shape) - self._zero)
         if self._displaces:
             return across, self._factor * self._force(shape)
         return across, self._factor * self._size * factor
 
     def place(self, points: Sequence[PathPoint]) -> tuple[list[float], list[float]]:
-        """Where equilibria stand."""
+        """Return the points in the plot of equilibria."""
         across, upwards = zip(*(self.at(point.factor, point.shape) for point in points), strict=True)
         return list(across), list(upwards)
 
     def lines(self, axes: Axes, points: Sequence[PathPoint]) -> None:
-        """Equilibria: a line where they hold under the load, dashes where they do not."""
+        """Draw equilibria: a line where they are stable under the load, dashes where they are not."""
         for one, other in pairwise(points):
             holds = one.index == 0 and other.index == 0
             axes.plot(*self.place([one, other]), color=BLACK if holds else "0.5", lw=0.9, ls="-" if holds else "--")
 
 
 def _lettered(places: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], str]]:
-    """The letters of places, those that are one with all of theirs."""
+    """Return points with their letters; points that coincide share one label."""
     size = np.ptp(np.array(places), axis=0) + 1e-12
-    found: list[tuple[tuple[float, float], str]] = []
+    labels: list[tuple[tuple[float, float], str]] = []
     for letter, place in zip(_LETTERS, places, strict=False):
-        near = [np.abs((np.array(each) - place) / size).max() < _SAME for each, _ in found]
+        near = [np.abs((np.array(each) - place) / size).max() < _SAME for each, _ in labels]
         if any(near):
             number = near.index(True)
-            found[number] = (found[number][0], f"{found[number][1]}, {letter}")
+            labels[number] = (labels[number][0], f"{labels[number][1]}, {letter}")
         else:
-            found.append((place, letter))
-    return found
+            labels.append((place, letter))
+    return labels
 
 
 def _moments(course: Course) -> list[tuple[float, NetShape, str]]:
-    """Factor, shape and words of what is pictured: the start, the ends of snaps, the end, and where it rests."""
-    found: list[tuple[float, NetShape, str]] = [(0.0, course.start.shape, "start")]
+    """Return factor, shape and words of each picture: the start, both ends of snaps, the end, and the shape at rest."""
+    moments: list[tuple[float, NetShape, str]] = [(0.0, course.start.shape, "start")]
     for snap in course.slow.snaps:
         if snap.kind != "branch":
-            found += [(snap.factor, snap.before, "snaps"), (snap.factor, snap.after.shape, "lands")]
+            moments += [(snap.factor, snap.before, "snaps"), (snap.factor, snap.after.shape, "lands")]
     last = course.slow.points[-1]
     landed = bool(course.slow.snaps) and len(course.slow.snaps) == len(course.slow.paths)
     if not landed:
-        found.append((last.factor, last.shape, "goal" if course.least is not None else "end"))
+        moments.append((last.factor, last.shape, "goal" if course.least is not None else "end"))
     elif course.least is not None:
-        found[-1] = (*found[-1][:2], "at goal")
-    kept = found if len(found) < _MOST else [found[0], *found[1 : _MOST - 2], found[-1]]
-    return [*kept, (0.0, course.rest.shape, "let go")]
+        moments[-1] = (*moments[-1][:2], "at goal")
+    kept = moments if len(moments) < _MOST else [moments[0], *moments[1 : _MOST - 2], moments[-1]]
+    return [*kept, (0.0, course.rest.shape, "released")]
 
 
 def _handles(courses: Sequence[Course]) -> list[Line2D]:
     kinds = {snap.kind == "branch" for course in courses for snap in course.slow.snaps}
-    handles = [Line2D([], [], color=BLUE, lw=1.8, label="grows slowly")]
+    handles = [Line2D([], [], color=BLUE, lw=1.8, label="slowly growing drive")]
     if False in kinds:
-        handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snaps"))
+        handles.append(Line2D([], [], color=VERMILION, marker="o", mfc="white", ms=4, lw=1.2, label="snap"))
     if True in kinds:
-        handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="way branches"))
+        handles.append(Line2D([], [], color=GREEN, marker="o", mfc="white", ms=4, lw=1.2, label="bifurcation"))
     if any(course.through is not None for course in courses):
-        handles.append(Line2D([], [], color="0.5", lw=0.9, ls="--", label="equilibria that do not hold"))
-    handles.append(Line2D([], [], color="0.4", lw=1.0, ls=":", label="let go"))
+        handles.append(Line2D([], [], color="0.5", lw=0.9, ls="--", label="unstable equilibria"))
+    handles.append(Line2D([], [], color="0.4", lw=1.0, ls=":", label="release"))
     return handles
 
 
-def _tell(landscape: EnergyLandscape, courses: Sequence[Course]) -> str:
-    told = []
+def _text(landscape: EnergyLandscape, courses: Sequence[Course]) -> str:
+    paths = []
     for course in courses:
         unit = drive_unit(landscape.structure, course.drive)
         least = "" if course.least is None else f", at its goal with {shown_value(course.least, unit)}"
-        told.append(f"{course.name}: {course_words(landscape.structure, course)}{least}")
-    what = f"What slowly growing drives do to the {landscape.structure.appearance.whole} {landscape.design.name}"
-    return f"{what}, each against how far it has gone, with {len(courses)} plots. {'; '.join(told)}."
+        paths.append(f"{course.name}: {course_words(landscape.structure, course)}{least}")
+    what = (
+        f"Equilibria of the {landscape.structure.appearance.whole} {landscape.design.name} under slowly growing drives"
+    )
+    return f"{what}, strength against displacement, with {len(courses)} plots. {'; '.join(paths)}."

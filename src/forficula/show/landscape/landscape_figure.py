@@ -38,24 +38,24 @@ from forficula.statics.tree.fold_path import rigid_fold
 from forficula.structure import Structure
 
 _RING_TICKS = (0, 2, 5, 10, 20, 40, 60, 90, 120, 150, 180)  # deg
-_TICK_GAP = 0.06  # between two of them, as a share of the axis
-# free places within the axes: left, low, width, height, in shares of them
+_TICK_GAP = 0.06  # least distance of two ticks, as a share of the axis
+# free areas within the axes: left, low, width, height, in shares of the axes
 _LOWER_LEFT, _UPPER_LEFT, _UPPER_RIGHT = (0.09, 0.20, 0.34, 0.50), (0.09, 0.50, 0.34, 0.44), (0.66, 0.50, 0.32, 0.44)
-_LABELS = 0.15  # room that ticks and labels take below and beside such a place, alike
-_INWARDS = 0.1  # in a column, where the names of axes need a larger share
-_WORDS = math.radians(22)  # how far the words on a state reach
-_BESIDE = math.radians(15)  # before a state, where the curve is low where it came down early
+_LABELS = 0.15  # space that ticks and labels take below and beside such an area
+_INWARDS = 0.1  # shift in a column, where the names of axes take a larger share
+_WORDS = math.radians(22)  # length of the words at a state
+_BESIDE = math.radians(15)  # distance before a state at which the curve is checked for space
 
 
 def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw energy and moment over the pleat angle, from camber through flat to folded.
 
     Args:
-        landscape: of a design whose rigid panels have one way to fold.
-        width: of the figure, inch.
+        landscape: landscape of a design whose rigid panels have exactly one way to fold.
+        width: width of the figure, inch.
 
     Raises:
-        InputError: they have none, or several.
+        InputError: the panels have no way or several ways to fold.
     """
     path = fold_path_of(landscape)
     pulling, stretched = springy_parts(landscape.structure), sheet_parts(landscape.structure)
@@ -101,11 +101,11 @@ def draw_fold_path(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Fig
         handles = [handle for axes in (top, middle) for handle in axes.get_legend_handles_labels()[0]]
         handles += state_handles({state.kind for state in states})
         fit_legend(figure, handles, 4, loc="outside upper center")
-        return describe(figure, _tell(landscape))
+        return describe(figure, _text(landscape))
 
 
 def _mark_saddles(axes: Axes, path: FoldPath, factor: float) -> None:
-    """Mark the tops along the fold, if there are any."""
+    """Mark the energy maxima along the fold, if there are any."""
     if saddles := [state for state in path.states if not state.stable]:
         places = np.degrees([saddle.coordinate for saddle in saddles])
         heights = [factor * saddle.energy for saddle in saddles]
@@ -129,7 +129,7 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
         return
     before = float(np.interp(state.far_pleat_angle - _BESIDE, path.pleat_angle, factor * path.energy))
     corner = (math.degrees(state.far_pleat_angle), height)
-    if before < 0.1 * largest:  # the curve has come down before: room above the mark
+    if before < 0.1 * largest:  # the curve is low before the state: space above the mark
         where_words_begin = float(np.interp(state.far_pleat_angle - _WORDS, path.pleat_angle, factor * path.energy))
         above = 24 if where_words_begin < 0.15 * largest else 44
         axes.annotate(last_words, corner, xytext=(0, above), ha="right", **offsets)
@@ -138,7 +138,7 @@ def _mark(axes: Axes, landscape: EnergyLandscape, state: StableState, factor: fl
 
 
 def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
-    """The saddle after the first stable state, by energy above that state; a sentence where there is none."""
+    """Draw an inset of the saddle after the first stable state, relative to that state; a note without a saddle."""
     path = fold_path_of(landscape)
     left, low, width, height = _free_place(landscape)
     if in_column(axes) and left == _LOWER_LEFT[0]:
@@ -161,14 +161,14 @@ def _close_up(axes: Axes, landscape: EnergyLandscape) -> None:
     near.set_xlim(math.degrees(start.coordinate - 0.12 * reach), math.degrees(last))
     words = f"barrier {factor * climb:.4g} {unit}"
     mark_barrier(near, math.degrees(saddle.coordinate), factor * climb, words)
-    name = rigid_fold(landscape.structure).start if start.coordinate <= 0 else "it"
+    name = rigid_fold(landscape.structure).start if start.coordinate <= 0 else "the state"
     near.set_ylabel(f"above {name} ({unit})", fontsize=7, labelpad=2)
     near.set_xlabel("pleat angle (deg)", fontsize=7, labelpad=1)
     near.tick_params(labelsize=6)
 
 
 def _free_place(landscape: EnergyLandscape) -> tuple[float, float, float, float]:
-    """The first place that the curve leaves free, or the one that it crosses least."""
+    """Return the first area that the curve leaves free, or the one that it crosses least."""
     path = fold_path_of(landscape)
     share = (path.pleat_angle - path.pleat_angle[0]) / (path.pleat_angle[-1] - path.pleat_angle[0])
     height = path.energy / (1.12 * float(path.energy.max()))
@@ -187,16 +187,16 @@ def _why_no_saddle(landscape: EnergyLandscape) -> str:
         return path.remarks[0]
     if landscape.tendons and all(tendon.barrier is None for tendon in landscape.tendons):
         return landscape.tendons[0].remarks[0]
-    return "no saddle: along the fold the energy nowhere rises and then falls"
+    return "no saddle: the energy along the fold never rises and then falls"
 
 
 def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding: float) -> None:
-    """Where the moment most resists folding and opening, and the torques that this takes."""
+    """Mark where the moment resists folding and opening most, with the torques required."""
     path = fold_path_of(landscape)
-    there, back = _ways(landscape.structure)
+    forward, back = _directions(landscape.structure)
     driven = "" if path.driven == path.turns else "driven "
     turning = f"on every {driven}{landscape.structure.appearance.bar}"
-    places = [(int(np.argmin(path.moment)), there, path.fold_torque, turning, -9)]
+    places = [(int(np.argmin(path.moment)), forward, path.fold_torque, turning, -9)]
     if path.unfold_torque is not None:
         moves = (path.fold_slope > 0) & (path.unfold_rate > 0)
         torque_back = np.where(moves, path.moment, 0.0) / np.where(moves, path.unfold_rate, 1.0)
@@ -215,21 +215,21 @@ def _mark_climbs(axes: Axes, landscape: EnergyLandscape, factor: float, rounding
         unit, reads = reading_unit("N m", torque)
         at = math.degrees(angle), factor * path.moment[place]
         axes.plot(*at, "o", color=VERMILION, ms=4)
-        words = f"{name} takes {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
+        words = f"{name} requires {reads * torque:.3g} {unit}{chr(10) if in_column(axes) else ' '}{where}"
         axes.annotate(words, at, xytext=(across, up), textcoords="offset points", ha=side, va="center", fontsize=7)
 
 
-def _ways(structure: Structure) -> tuple[str, str]:
-    """What goes on along the fold and back, such as "folding" and "opening"."""
+def _directions(structure: Structure) -> tuple[str, str]:
+    """Return words for the motion along the fold and back, such as "folding" and "opening"."""
     fold, doing = rigid_fold(structure), [transition.wording.doing for transition in structure.transitions]
     states = [transition.state for transition in structure.transitions]
     place = states.index(fold.end) if fold.end in states else len(states)
-    ways = doing[place : place + 2]
-    return ways[0] if ways else f"getting {fold.end}", ways[1] if len(ways) > 1 else f"getting {fold.start}"
+    doings = doing[place : place + 2]
+    return doings[0] if doings else f"getting {fold.end}", doings[1] if len(doings) > 1 else f"getting {fold.start}"
 
 
 def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
-    """The angle of the ring creases along the top, where it changes."""
+    """Add an axis at the top with the angle of the ring creases, if the angle changes."""
     path = fold_path_of(landscape)
     if not np.any(path.ring_angle):
         return
@@ -248,8 +248,8 @@ def _ring_axis(axes: Axes, landscape: EnergyLandscape) -> None:
     above.set_xlabel("fold angle of the ring creases (deg)")
 
 
-def _tell(landscape: EnergyLandscape) -> str:
-    """The structure along its fold in words."""
+def _text(landscape: EnergyLandscape) -> str:
+    """Describe the energy of the structure along its fold."""
     states = [
         f"{state.name} at a pleat angle of {show_angle(state.pleat_angle)} with {show_value(state.energy, 'J', 3)}"
         for state in fold_states(landscape)
@@ -260,7 +260,7 @@ def _tell(landscape: EnergyLandscape) -> str:
         if not state.stable
     ]
     return (
-        f"Energy of the {landscape.structure.appearance.whole} {landscape.design.name} along its fold, with that of its"
-        " membrane and the moment about the pleats beneath."
+        f"Energy of the {landscape.structure.appearance.whole} {landscape.design.name} along its fold; below it, the"
+        " energy of its membrane and the moment about the pleats."
         f" Stable states: {'; '.join(states) or 'none'}. Saddles: {'; '.join(saddles) or 'none'}."
     )

@@ -1,4 +1,4 @@
-"""What the landscape figures share: marks of stable states, barriers close up, sentences in free places, names."""
+"""Elements shared by landscape figures: marks of stable states, barriers, notes and names."""
 
 from __future__ import annotations
 
@@ -22,37 +22,37 @@ from forficula.structure import Measure, Structure, Transition, drive_of, drive_
 
 _KINDS = {"stop": "s", "minimum": "o", "neutral": "o"}
 _NAMES = {
-    "stop": "stable: presses onto a stop",
+    "stop": "stable: pressed onto a stop",
     "minimum": "stable: minimum",
-    "neutral": "stable: range without force",
+    "neutral": "stable: range without torque",
 }
 _WIDE: dict[str, Any] = {"color": GREEN, "lw": 6, "alpha": 0.35, "solid_capstyle": "butt"}
-_ROUNDING = 1e-6  # of a tendon's largest moment
+_ROUNDING = 1e-6  # share of a tendon's largest moment
 
 
 def rounding_torque(landscape: EnergyLandscape) -> float:
-    """Torque up to which one is rounding, N m."""
+    """Return the torque up to which a torque counts as rounding error, N m."""
     hinges = landscape.tendons if landscape.hinge is None else (landscape.hinge,)
     return _ROUNDING * max((float(np.abs(hinge.moment).max()) for hinge in hinges), default=0.0)
 
 
 def rest_name(rest: Rest, between: str = " ") -> str:
-    """The name of a state, and of the one before that rests at the same angles."""
+    """Return the name of a state, with the earlier state that rests at the same angles, if any."""
     return (rest.name or "at the start") + (f"{between}(as {rest.same_as})" if rest.same_as else "")
 
 
 def hinge_measure(structure: Structure, hinge: int) -> Measure:
-    """The first measure of angles that has a hinge in it; else that of its role."""
+    """Return the first measure that contains a hinge's angle; otherwise the measure of its role."""
     for measure in structure.measures:
         if hinge in measure.hinges:
             return measure
-    found = measure_of(structure, structure.hinges[hinge].role)
-    assert found is not None  # the hinge itself has the role
-    return found
+    role_measure = measure_of(structure, structure.hinges[hinge].role)
+    assert role_measure is not None  # the hinge itself has the role
+    return role_measure
 
 
 def torque_words(structure: Structure, transition: Transition) -> str:
-    """Where the torque of a transition acts, as tables say it, such as "on every distal hinge"."""
+    """Return where the torque of a transition acts, such as "on every distal hinge"."""
     drive = drive_of(structure, transition.drive)
     if drive.part:
         return f"on every {drive.part}"
@@ -61,34 +61,34 @@ def torque_words(structure: Structure, transition: Transition) -> str:
 
 
 def show_angles(measure: Measure, angles: Array) -> str:
-    """The reading of a measure of all angles (rad), from the least to the largest where its readings differ."""
+    """Return the reading of a measure at given angles (rad); its range if readings differ."""
     read = read_angles(measure, angles)
     low, high = show_angle(float(read.min())), show_angle(float(read.max()))
     return low if low == high else f"{low} to {high}"
 
 
 def springy_parts(structure: Structure) -> str:
-    """What stores energy beside membranes and guards."""
-    has = (
+    """Return the names of the parts that store energy, except membranes and guards."""
+    parts = (
         ("tendons", bool(structure.tendons)),
         ("springs", any(hinge.stiffness for hinge in structure.hinges)),
         ("couplings", any(not coupling.rigid for coupling in structure.couplings)),
         ("weight", bool(structure.gravity)),
     )
-    return listed(name for name, there in has if there)
+    return listed(name for name, exists in parts if exists)
 
 
 def sheet_parts(structure: Structure) -> str:
-    """What is stretched beside tendons; empty where there is nothing."""
-    has = (
+    """Return the names of the parts that are stretched, except tendons; empty if there are none."""
+    parts = (
         (f"membrane{'s' * (not structure.limits)}", bool(structure.membranes)),
         ("guards", bool(structure.limits)),
     )
-    return listed(name for name, there in has if there)
+    return listed(name for name, exists in parts if exists)
 
 
 def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: ArrayLike, range_y: ArrayLike) -> None:
-    """Mark a stable state: a point, or a band along the curve where it is a range."""
+    """Mark a stable state by a point, or a range of states by a band along the curve."""
     if kind == "neutral":
         axes.plot(range_x, range_y, zorder=1, clip_on=False, **_WIDE)
     else:
@@ -98,7 +98,7 @@ def mark_state(axes: Axes, kind: str, place: float, energy: float, range_x: Arra
 
 
 def state_handles(kinds: set[str]) -> list[Line2D]:
-    """Entries of a legend for kinds of stable states."""
+    """Return the legend's entries for kinds of stable states."""
     handles = []
     for kind in ("stop", "minimum", "neutral"):
         if kind not in kinds:
@@ -113,7 +113,7 @@ def state_handles(kinds: set[str]) -> list[Line2D]:
 
 
 def mark_barrier(axes: Axes, place: float, height: float, text: str) -> None:
-    """An arrow up a barrier from a zero line, and its height."""
+    """Draw an arrow from a zero line to the top of a barrier, with its height."""
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
     axes.annotate(
         "",
@@ -126,7 +126,7 @@ def mark_barrier(axes: Axes, place: float, height: float, text: str) -> None:
 
 
 def write_note(axes: Axes, place: tuple[float, float], text: str, width: int = 44) -> None:
-    """Write a sentence into a free place, in shares of the axes."""
+    """Write a sentence at a position in shares of the axes."""
     axes.text(
         *place,
         textwrap.fill(text, width // 2 if in_column(axes) else width),
@@ -145,19 +145,19 @@ def show_angle(angle: float) -> str:
 
 
 def shown_value(value: float, unit: str, digits: int = 4) -> str:
-    """Write an SI float in the unit in which it reads well, with a minus sign and not a hyphen."""
+    """Return an SI value in a legible unit, with a minus sign and not a hyphen."""
     name, factor = reading_unit(unit, abs(value)) if value else (unit.replace("rad", "deg"), 1.0)
     rounded = float(f"{factor * value:.{digits}g}")
     return f"{rounded:g} {name}".replace("-", "−").replace("m/s^2", "m/s²")
 
 
 def shown_strength(structure: Structure, course: Course, size: float) -> str:
-    """The size of a course's drive."""
+    """Return the strength of a course's drive as text."""
     return shown_value(size, drive_unit(structure, course.drive))
 
 
 def held_words(withstood: Withstood) -> str:
-    """How much of a load a state withstands."""
+    """Return the load that a state withstands as text."""
     value = shown_value(withstood.value, withstood.unit, 3)
     return {"limit": f"to {value}", "bifurcation": f"to {value}, then sideways", "none": f"beyond {value}"}[
         withstood.kind
@@ -165,19 +165,19 @@ def held_words(withstood: Withstood) -> str:
 
 
 def course_words(structure: Structure, course: Course) -> str:
-    """What a slowly growing drive does, in a phrase."""
+    """Return a phrase on the equilibria under a slowly growing drive."""
     size = abs(course.drive.strength)
     snaps = [snap for snap in course.slow.snaps if snap.kind != "branch"]
-    told = [f"snaps at {shown_strength(structure, course, snap.factor * size)}" for snap in snaps]
-    if len(told) > 3:
-        told = [*told[:2], f"{len(told) - 2} times more"]
+    phrases = [f"snaps at {shown_strength(structure, course, snap.factor * size)}" for snap in snaps]
+    if len(phrases) > 3:
+        phrases = [*phrases[:2], f"{len(phrases) - 2} more times"]
     if course.largest_force is not None:
-        told.append(f"takes {shown_value(course.largest_force, 'N', 3)}")
-    return ", ".join(told) or "bends without a snap"
+        phrases.append(f"requires {shown_value(course.largest_force, 'N', 3)}")
+    return ", ".join(phrases) or "bends without a snap"
 
 
 def reading_words(structure: Structure, name: str, readings: list[float]) -> str:
-    """The readings of a measure, from the least to the largest."""
+    """Return the range of a measure's readings."""
     measure = measure_of(structure, name)
     unit = "m" if measure is not None and measure.kind == "distance" else "rad"
     low, high = shown_value(min(readings), unit), shown_value(max(readings), unit)

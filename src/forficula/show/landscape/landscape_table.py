@@ -1,4 +1,4 @@
-"""A landscape as text that a person understands."""
+"""A landscape as text."""
 
 from __future__ import annotations
 
@@ -40,42 +40,42 @@ from forficula.statics.tree.snap import FOLD_START
 from forficula.statics.tree.tip_stiffness import TipStiffness
 from forficula.structure import Structure, drive_unit
 
-# the cells of a row by the headings of their columns, the name of the row first
+# cells of a row by the headings of their columns, the name of the row first
 Row = dict[str, str]
 
-_MEASURES = 5  # whose readings a table has
-_LONGEST = 24  # letters of where a drive acts
-_LEFT = ("", "kind")  # headings of columns whose cells are words
-_KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without force"}
+_MEASURES = 5  # largest number of measures in a table
+_LONGEST = 24  # largest number of letters of a drive's location
+_LEFT = ("", "kind")  # headings of columns that contain words
+_KINDS = {"stop": "on its stop", "minimum": "minimum", "neutral": "range without torque"}
 _NONE = "none"
-_NOTHING = 1e-9  # m, below which a distance is rounding
+_NOTHING = 1e-9  # m, distances below this are rounding errors
 
 
 def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
-    """Print a landscape, and a run of the same design beside its prediction; args are those of `landscape_table`."""
+    """Print a landscape, compared with a run of the same design; args are those of `landscape_table`."""
     Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon))
 
 
 def landscape_table(
     landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
 ) -> RenderableType:
-    """Lay out stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
+    """Return tables of stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
 
-    What the structure does not have is left out.
+    Tables without contents are left out.
 
     Args:
-        landscape: what to show.
-        record: a run of its design.
-        tendon: number of the one whose hinge stands for all; an inner one if not given.
+        landscape: the landscape.
+        record: a run of the same design.
+        tendon: index of the tendon whose hinge is shown as an example; an inner one by default.
     """
     shown = inner_hinge(landscape, tendon)
     tables = (
         _table("Stable states", _states(landscape, shown)),
-        _table("How it can move there, and what its parts bear", _moves(landscape)),
+        _table("Mobility of the states, and stress in their parts", _moves(landscape)),
         _table("Barriers", _barriers(landscape, shown)),
         _table("Least slow torques, without help from inertia", _torques(landscape)),
-        _table("What drives do as they grow slowly", _courses(landscape)),
-        _table("What states withstand", _withstands(landscape)),
+        _table("Motion under slowly growing drives", _courses(landscape)),
+        _table("Loads that states withstand", _withstands(landscape)),
         _table("Stiffness at every tip", _tips(landscape.tips)),
         *_snap(landscape, record, shown),
     )
@@ -92,19 +92,19 @@ def landscape_table(
 def _verdict(landscape: EnergyLandscape) -> str:
     folds, names = landscape.partial_folds, [state.name for state in landscape.states]
     if landscape.net is not None:
-        found = f"{len(names)} stable states were found" if len(names) != 1 else "one stable state was found"
+        result = f"{len(names)} stable states were found" if len(names) != 1 else "one stable state was found"
     elif landscape.fold_path is not None:
-        found = "stable along its fold" if names else "no stable state along its fold"
+        result = "stable along its fold" if names else "no stable state along its fold"
     else:
         names = [rest_name(each) for each in landscape.rests if each.stable]
-        found = "rests stably" if names else "rests nowhere stably"
+        result = "stable states" if names else "no stable state"
     stable = sum(fold.stable for fold in folds)
-    partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if len(folds) > 2 else ""
-    return f"{landscape.design.name}: {found}{': ' * bool(names)}{', '.join(names)}{partly}"
+    partly = f"; {stable} of {len(folds)} states with some hinges folded are stable" if len(folds) > 2 else ""
+    return f"{landscape.design.name}: {result}{': ' * bool(names)}{', '.join(names)}{partly}"
 
 
 def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
-    """The states of the shown hinge, and of the whole: stable ones, or where it rests if none were looked for."""
+    """Yield the states of the shown hinge and of the whole; without a search for stable states, all equilibria."""
     whole, bar = landscape.structure.appearance.whole, landscape.structure.appearance.bar
     for name, hinge in _hinges(landscape, shown):
         for place in hinge.states:
@@ -139,7 +139,7 @@ def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[
 
 
 def _hinges(landscape: EnergyLandscape, shown: CrossedHinge | None) -> list[tuple[str, HingeLandscape]]:
-    """The ideal hinge, where there is one, and the true one, by name."""
+    """Return the shown hinge by name, with its ideal counterpart first if there is one."""
     if shown is None:
         return []
     own = f"{hinge_name(landscape.structure, shown.tendon)} of the {landscape.structure.appearance.whole}"
@@ -160,7 +160,7 @@ def _net_row(structure: Structure, state: NetState) -> Row:
 
 
 def _moves(landscape: EnergyLandscape) -> Iterator[Row]:
-    """How a net can move, as built and in its states, and what its parts bear."""
+    """Yield the mobility of a net, as built and in its states, and the strain and stress of its parts."""
     if landscape.net is None:
         return
     states = net_states(landscape)
@@ -187,12 +187,12 @@ def _freedoms(mobility: Mobility | None) -> Row:
 def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
     whole, columns = landscape.structure.appearance.whole, _hinges(landscape, shown)
     overbend = landscape.structure.appearance.overbend
-    rows = [(f"{name}, {_way(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
+    rows = [(f"{name}, {_climb(hinge, overbend)}", hinge.barrier) for name, hinge in columns]
     fold = landscape.structure.rigid_fold
     start = (landscape.rests[0].name if fold is None else fold.start) or "at the start"
-    # that of a single hinge is its own
+    # a single hinge has its own barrier only
     if len(landscape.hinge_barriers) > len(columns[:1]):
-        rows.append((f"{whole}, {start} until its easiest hinge folds alone", landscape.easiest_barrier))
+        rows.append((f"{whole}, {start} until its weakest hinge folds alone", landscape.easiest_barrier))
     if landscape.fold_path is not None and fold is not None:
         rows += [
             (f"{whole}, {fold.start} to {fold.end}, all hinges together", landscape.fold_barrier),
@@ -202,12 +202,12 @@ def _barriers(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterato
         yield {"": name, "energy": _NONE if value is None else show_value(value, "J")}
     for each in landscape.passes if landscape.net is not None else ():
         one, other = (landscape.states[end].name for end in each.ends)
-        there, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
-        yield {"": f"{one} to {other}", "there": there, "back": back}
+        forward, back = (shown_value(barrier, "J", 3) for barrier in each.barriers)
+        yield {"": f"{one} to {other}", "forward": forward, "back": back}
 
 
-def _way(hinge: HingeLandscape, start: str) -> str:
-    """From where to where a hinge's barrier is climbed: from a start so called; with a spring from where it rests."""
+def _climb(hinge: HingeLandscape, start: str) -> str:
+    """Return the angles between which a hinge's barrier is measured; from the rest angle if the hinge has a spring."""
     top = hinge.barrier_angle
     if hinge.spring is not None and top is not None:
         start = show_angle(hinge.sense * hinge.states[0].angle)
@@ -215,7 +215,7 @@ def _way(hinge: HingeLandscape, start: str) -> str:
 
 
 def _torques(landscape: EnergyLandscape) -> Iterator[Row]:
-    """The torques that make the transitions of a tree, along its rigid fold where there is one, and of the whole."""
+    """Yield the least torques of the transitions of a tree of joints: along its rigid fold, and of the whole."""
     structure, path, fold = landscape.structure, landscape.fold_path, landscape.structure.rigid_fold
     rounding, whole = rounding_torque(landscape), structure.appearance.whole
     courses = {each.name: each for each in landscape.courses if isinstance(each, LeastTorque)}
@@ -235,7 +235,7 @@ def _least(torque: float | None, rounding: float) -> str:
 
 
 def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
-    """What drives do to a net: where it snaps, what takes it to its goal, and what snaps free."""
+    """Yield the path of a net under each drive: snaps, the strength at its goal, and the energy released."""
     structure = landscape.structure
     for course in net_courses(landscape):
         unit, where = drive_unit(structure, course.drive), course.drive.where
@@ -244,12 +244,12 @@ def _courses(landscape: EnergyLandscape) -> Iterator[Row]:
             "": f"{course.name}, {where}" if 0 < len(where) <= _LONGEST else course.name,
             "on the way": course_words(structure, course),
             "at its goal": "" if course.least is None else shown_value(course.least, unit, 3),
-            "snaps free": shown_value(released, "J", 3) if course.slow.snaps else "",
+            "energy released": shown_value(released, "J", 3) if course.slow.snaps else "",
         }
 
 
 def _withstands(landscape: EnergyLandscape) -> Iterator[Row]:
-    """Loads by row, and by state up to where it withstands them."""
+    """Yield a row for each load, with the value up to which each state withstands the load."""
     states = [state for state in net_states(landscape) if state.withstands]
     held = {(state.name, each.load): held_words(each) for state in states for each in state.withstands}
     for load in dict.fromkeys(load for _, load in held):
@@ -263,13 +263,13 @@ def _tips(tips: TipStiffness | None) -> Iterator[Row]:
     for name, along, against in (
         (flat, _stiffness(tips.flat_along), _stiffness(tips.flat_against)),
         ("unlocked, hinges straight", _stiffness(tips.unlocked_along), _stiffness(tips.unlocked_against)),
-        ("flat, does not give up to", f"{tips.holding_force:.3g} N", ""),
+        ("flat, folds beyond", f"{tips.holding_force:.3g} N", ""),
     ):
         yield {"": name, "along folding": along, "against folding": against}
 
 
 def _snap(landscape: EnergyLandscape, record: Record | None, shown: CrossedHinge | None) -> Iterator[Table]:
-    """How fast one hinge snaps: predicted where it has no spring of its own, and in the run where there is one."""
+    """Yield the snap of one hinge: predicted if it has no spring, and simulated if there is a run."""
     if shown is None:
         return
     structure = landscape.structure
@@ -306,7 +306,7 @@ def _simulated_time(snap: SimulatedSnap, time: float | None) -> str:
 
 
 def _simulation_remarks(record: Record | None, shown: CrossedHinge | None) -> Iterator[str]:
-    """What became of the simulation, and how finely it was sampled."""
+    """Yield remarks on the outcome of the simulation and on its sampling interval."""
     if record is None:
         return
     outcome, structure = measure(record), record.structure
@@ -325,22 +325,22 @@ def _simulation_remarks(record: Record | None, shown: CrossedHinge | None) -> It
 
 
 def _rest_remarks(landscape: EnergyLandscape, record: Record | None) -> Iterator[str]:
-    """How near to one another the two routes came to rest."""
+    """Yield a remark on the distance between the rest states of statics and of the simulation."""
     apart = {} if record is None else rest_distances(landscape, record)
     if apart:
-        told = ", ".join(f"{name} {show_value(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
-        yield f"at rest, distances between vertices in the run differ from those in statics by at most: {told}"
+        distances = ", ".join(f"{name} {show_value(max(distance, _NOTHING), 'm')}" for name, distance in apart.items())
+        yield f"at rest, distances between vertices in the run differ from those in statics by at most: {distances}"
 
 
 def _sentence(remark: str) -> str:
-    """A remark with a capital, unless it begins with a key of a design file, and a full stop."""
+    """Return a remark with a capital, unless it begins with a key of a design file, and a full stop."""
     first, _, rest = remark.partition(" ")
     start = first if "." in first else first[0].upper() + first[1:]
     return f"{start} {rest.rstrip('.')}."
 
 
 def _table(title: str, rows: Iterable[Row]) -> Table:
-    """Lay out rows; the columns are those of any row, and a cell that a row does not have stays empty."""
+    """Lay out rows; the columns are those of any row, and a cell that a row lacks stays empty."""
     rows = list(rows)
     headings = list(dict.fromkeys(heading for row in rows for heading in row))
     table = Table(

@@ -1,4 +1,4 @@
-"""What a structure stores with some of its hinges folded, and independent hinges beside it."""
+"""Energies of a structure with some of its hinges folded, compared with independent hinges."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from forficula.show.structure.labels import label_of
 from forficula.show.style import BLACK, BLUE, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.statics import EnergyLandscape, PartialFold, folding_hinges
 
-_NARROW = 0.03  # share of all bars' width in which no words have room
-_ALIKE = 1e-9  # relative difference of energies that count as one
-_GAP = 0.8  # between groups, in bars
+_NARROW = 0.03  # share of the width below which a group has no space for words
+_ALIKE = 1e-9  # relative difference up to which energies count as equal
+_GAP = 0.8  # gap between groups, in bars
 _WORDS = {0: "none folded", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five"}
 
 
 def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the energies of independent hinges, and of the structure let go with these hinges folded.
+    """Draw the energies of independent hinges, and of the structure released with these hinges folded.
 
-    Under every bar stand its hinges, one above the other: filled where the hinge started folded, ringed where it came
-    to rest on the other side of straight. Independent hinges are left out where their energies do not add up.
+    The dots below each bar are its hinges: filled if the hinge started folded, ringed if it came to rest on the other
+    side of straight. Independent hinges are left out if their energies do not add up.
 
     Args:
-        landscape: of a design with hinges that fold.
-        width: of the figure, inch.
+        landscape: landscape of a design with hinges that fold.
+        width: width of the figure, inch.
     """
     folds = landscape.partial_folds
     hinges = [label_of(landscape.structure.hinges[hinge]) for hinge in folding_hinges(landscape.structure)]
@@ -72,14 +72,14 @@ def draw_levels(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         top.tick_params(axis="x", length=0)
         _plot_hinges(bottom, folds, places, hinges)
         overbend = landscape.structure.appearance.overbend
-        bottom.set_xlabel(f"hinges that start folded, the others in the {overbend}")
+        bottom.set_xlabel(f"hinges that start folded (dark) or in the {overbend}")
         top.set_xlim(places[0] - 1, places[-1] + 1)
         fit_legend(figure, _handles(landscape), 3, loc="outside upper center")
-        return describe(figure, _tell(landscape))
+        return describe(figure, _text(landscape))
 
 
 def _level(landscape: EnergyLandscape, count: int) -> float | None:
-    """What independent hinges store with so many of them folded, J; None where it matters which, or is not known."""
+    """Return the energy of independent hinges with a number of them folded, J; None if it depends on which ones."""
     group = [fold for fold in landscape.partial_folds if len(fold.folded) == count]
     energies = [fold.independent_energy for fold in group if fold.independent_energy is not None]
     if landscape.levels is None or not np.allclose(energies, energies[0], rtol=_ALIKE, atol=0):
@@ -88,13 +88,13 @@ def _level(landscape: EnergyLandscape, count: int) -> float | None:
 
 
 def _heading(count: int, level: str | None, *, narrow: bool) -> str:
-    """How many are folded and what that many independent hinges store; a number alone where there is no room."""
+    """Return the number of folded hinges and the energy of as many independent ones; only the number if narrow."""
     words = str(count) if narrow else _WORDS.get(count, str(count))
     return f"{words}\n" if narrow or level is None else f"{words}\n{level}"
 
 
 def _plot_bars(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, factor: float) -> None:
-    """Tendon energy, membrane energy on top of it, and the total as a line; grey where the state does not stay."""
+    """Draw tendon energy, membrane energy on top of it, and the total as a line; hatched if the state is not stable."""
     for fold, place in zip(folds, places.tolist(), strict=True):
         tendons, total = factor * fold.tendon_energy, factor * fold.energy
         hatch = None if fold.stable else "/////"
@@ -105,7 +105,7 @@ def _plot_bars(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, f
 
 
 def _plot_hinges(axes: Axes, folds: tuple[PartialFold, ...], places: np.ndarray, names: list[str]) -> None:
-    """A column of dots for every state, hinge by hinge."""
+    """Draw a column of dots for every state, one row for each hinge."""
     size = 4.5 if len(folds) <= 40 else 2.0
     for hinge in range(len(names)):
         started = np.array([hinge in fold.folded for fold in folds])
@@ -131,12 +131,12 @@ def _handles(landscape: EnergyLandscape) -> list[Line2D | Patch]:
         numbered = " (number above)" * all(_level(landscape, len(fold.folded)) is not None for fold in folds)
         handles.append(Line2D([], [], color=BLACK, ls="--", lw=1.2, label=f"{_independent(landscape)}{numbered}"))
     handles.append(Line2D([], [], color=BLACK, lw=1.6, label=f"coupled {whole}" if compared else whole))
-    handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"of it {springy_parts(landscape.structure)}"))
+    handles.append(Patch(facecolor=BLUE, alpha=0.75, label=f"share of {springy_parts(landscape.structure)}"))
     if stretched:
-        handles.append(Patch(facecolor=ORANGE, alpha=0.75, label=f"of it {stretched}"))
+        handles.append(Patch(facecolor=ORANGE, alpha=0.75, label=f"share of {stretched}"))
     if not all(fold.stable for fold in folds):
         handles += [
-            Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable: where it ends"),
+            Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable: energy at the end"),
             Line2D([], [], ls="none", marker="o", mfc="none", mec=BLACK, ms=7, label="this hinge changes sides"),
         ]
     return handles
@@ -146,15 +146,15 @@ def _independent(landscape: EnergyLandscape) -> str:
     return f"independent {'ideal ' * (landscape.hinge is not None)}hinges"
 
 
-def _tell(landscape: EnergyLandscape) -> str:
-    """The levels in words."""
+def _text(landscape: EnergyLandscape) -> str:
+    """Describe the levels."""
     folds, whole = landscape.partial_folds, landscape.structure.appearance.whole
-    told = (
-        f"Energy that the {whole} {landscape.design.name} stores with some of its hinges folded. Of {len(folds)} ways"
-        f" to fold some of {len(folds[0].angles)} hinges {sum(fold.stable for fold in folds)} are stable"
+    intro = (
+        f"Energy of the {whole} {landscape.design.name} with some of its hinges folded. Of {len(folds)} combinations"
+        f" of {len(folds[0].angles)} hinges {sum(fold.stable for fold in folds)} are stable"
     )
     if landscape.levels is None:
         ends = [show_value(end(fold.energy for fold in folds), "J", 3) for end in (min, max)]
-        return f"{told}; they store from {ends[0]} to {ends[1]}."
+        return f"{intro}; they store from {ends[0]} to {ends[1]}."
     levels = ", ".join(show_value(float(level), "J", 3) for level in landscape.levels)
-    return f"{told}; {_independent(landscape)} store {levels} with none to all of them folded."
+    return f"{intro}; {_independent(landscape)} store {levels} with none to all of them folded."

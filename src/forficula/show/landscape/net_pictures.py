@@ -1,4 +1,4 @@
-"""Small pictures of a net in several shapes, all at one scale and from one side."""
+"""Small pictures of a net in several shapes, at one scale and from one viewpoint."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from forficula.structure import Structure
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pictures:
-    """Shapes that are painted, and the window that holds them all.
+    """Painted shapes, and the window that contains them all.
 
     Attributes:
-        painted: in order.
-        lines: ends of creases and edges on the picture, m, (line, end, 2), by picture.
-        window: lower left and upper right corner of what holds them all, m, (2, 2).
-        handles: what the colours mean.
+        painted: shapes, in order.
+        lines: ends of creases and edges in each picture, m, (line, end, 2).
+        window: lower left and upper right corner, m, (2, 2).
+        handles: entries of the legend.
     """
 
     painted: tuple[PaintedShape, ...]
@@ -38,13 +38,13 @@ class Pictures:
 
     @property
     def slope(self) -> float:
-        """Height by width."""
+        """Height divided by width."""
         width, height = np.ptp(self.window, axis=0)
         return float(height / width)
 
 
 def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> Pictures:
-    """Paint a structure in some shapes of the net that it is."""
+    """Paint a structure in several shapes of its net."""
     shape, view = shape_of(structure), structure_view(structure)
     at = {point.body: number for number, point in enumerate(structure.points)}
     nodes = [at[body] for membrane in structure.membranes for body in membrane.bodies.tolist()]
@@ -69,7 +69,7 @@ def net_pictures(structure: Structure, net: Net, shapes: Sequence[NetShape]) -> 
 
 
 def hang_all(pictures: Pictures, all_axes: Iterable[Axes], width: float) -> None:
-    """Draw pictures into axes so wide, inch, and without lines; axes that are left over stay empty."""
+    """Draw pictures into axes of a given width, inch, without lines; remaining axes stay empty."""
     for axes in (all_axes := list(all_axes)):
         axes.set_axis_off()
     for axes, painted in zip(all_axes, pictures.painted, strict=False):

@@ -1,4 +1,4 @@
-"""Where a structure rests: what it stores there, by what stores it, its angles, and what takes it on to the next."""
+"""Equilibria of a structure: stored energy by part, angles, and the torques that lead from one state to the next."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ from forficula.structure import Measure, read_angles
 
 _COLOURS = {"tendons": BLUE, "springs": GREEN, "couplings": SKY, "membranes": ORANGE, "weight": PURPLE}
 _MARKS = (("o", BLUE), ("s", VERMILION), ("^", GREEN), ("D", PURPLE), ("v", SKY))
-_WIDTH = 0.62  # of a bar
-_NAMED = 6  # so many hinges are named under their angles
-_LEAST_SPAN = 1.0  # deg, of the axis of angles: less is rounding
+_WIDTH = 0.62  # width of a bar
+_NAMED = 6  # largest number of hinges that are named below their angles
+_LEAST_SPAN = 1.0  # deg, least span of the axis of angles: smaller differences are rounding errors
 
 
 def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw where a structure rests, in the order of its protocol: stored energy above, angles beneath.
+    """Draw the equilibria of a structure in the order of its protocol: stored energy above, angles below.
 
-    Over every step from one state to the next stands the least slowly growing torque that makes it.
+    The arrow from one state to the next has the least slowly growing torque that makes this transition.
 
     Args:
-        landscape: of a design.
-        width: of the figure, inch.
+        landscape: landscape of a design.
+        width: width of the figure, inch.
     """
     rests, structure = landscape.rests, landscape.structure
     largest = max(max(abs(each.energy), *map(abs, each.stored.values()), 0.0) for each in rests)
@@ -63,11 +63,11 @@ def draw_rests(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
         bottom.set_ylabel(f"{title_of(measures[0]) if len(measures) == 1 else 'angle'} (deg)")
         bottom.set_xlabel(_order(landscape, measures))
         fit_legend(figure, _handles(landscape, measures), 4, loc="outside upper center")
-        return describe(figure, _tell(landscape, measures))
+        return describe(figure, _text(landscape, measures))
 
 
 def _plot_bar(axes: Axes, place: int, each: Rest, factor: float) -> None:
-    """Energies on one another, those below 0 downwards, and their sum as a line; hatched where it does not stay."""
+    """Draw stacked energies, negative ones downwards, and their sum as a line; hatched if the state is not stable."""
     up = down = 0.0
     hatch = None if each.stable else "/////"
     for part, energy in each.stored.items():
@@ -84,7 +84,7 @@ def _plot_bar(axes: Axes, place: int, each: Rest, factor: float) -> None:
 
 
 def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
-    """An arrow over every step, with its name and the least slow torque that makes it."""
+    """Draw an arrow for every transition, with its name and the least slow torque."""
     over = axes.get_xaxis_transform()
     for place, transition in enumerate(landscape.structure.transitions):
         ends = (place + 0.22, 1.05), (place + 0.78, 1.05)
@@ -95,7 +95,7 @@ def _mark_steps(axes: Axes, landscape: EnergyLandscape) -> None:
 
 
 def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, ...]) -> None:
-    """The angles of the hinges, side by side in the order of their measures."""
+    """Draw the angles of the hinges, side by side in the order of their measures."""
     count = sum(len(measure.parts) for measure in measures)
     shifts = iter(np.linspace(-_WIDTH / 2, _WIDTH / 2, count + 2)[1:-1].tolist())
     axes.axhline(0, color="0.6", lw=0.5, ls=":", zorder=0)
@@ -112,11 +112,11 @@ def _plot_angles(axes: Axes, rests: tuple[Rest, ...], measures: tuple[Measure, .
 
 
 def _order(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
-    """Which hinge stands where, and on what the torques are."""
+    """Return the order of the hinges, and where the torques act."""
     labels = [label for measure in measures for label in measure_labels(landscape.structure, measure)]
     named = parts_of(labels)
     on = dict.fromkeys(torque_words(landscape.structure, each) for each in landscape.structure.transitions)
-    torques = f"torques above act {', '.join(on)}" if on else ""
+    torques = f"the torques above act {', '.join(on)}" if on else ""
     if not 1 < len(labels) <= _NAMED:
         return torques
     order = " ".join(filter(None, ("from left to right", named.heading, ", ".join(named.names))))
@@ -129,7 +129,7 @@ def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[
     handles: list[Line2D | Patch] = [
         Patch(facecolor=_COLOURS[part], alpha=0.75, label=names.get(part, part)) for part in stored
     ]
-    handles.append(Line2D([], [], color=BLACK, lw=1.6, label="all together (number)"))
+    handles.append(Line2D([], [], color=BLACK, lw=1.6, label="sum (number)"))
     if not all(each.stable for each in landscape.rests):
         handles.append(Patch(facecolor="white", edgecolor="0.45", hatch="/////", label="not stable"))
     if len(measures) > 1:
@@ -140,8 +140,8 @@ def _handles(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> list[
     return handles
 
 
-def _tell(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
-    """The states and the steps in words."""
+def _text(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
+    """Describe the states and the transitions."""
     whole, name = landscape.structure.appearance.whole, landscape.design.name
     states = [
         f"{rest_name(each)}{'' if each.stable else ' (not stable)'} with {show_value(each.energy, 'J', 3)}"
@@ -153,4 +153,4 @@ def _tell(landscape: EnergyLandscape, measures: tuple[Measure, ...]) -> str:
         for step, least in landscape.least_torques.items()
     ]
     least = f" Least slowly growing torques: {', '.join(steps)}." if steps else ""
-    return f"Energy and angles of the {whole} {name} where it rests. States: {'; '.join(states)}.{least}"
+    return f"Energy and angles of the equilibria of the {whole} {name}. States: {'; '.join(states)}.{least}"

@@ -1,4 +1,4 @@
-"""The stable states of a net side by side, and the modes in which it swings about them."""
+"""Stable states of a net side by side, and the modes of vibration about them."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from forficula.statics.net.energy import shape_at
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_state import NetState
 
-_SWING = 0.12  # largest displacement that is drawn of a mode, of the net's size
+_SWING = 0.12  # largest displacement drawn for a mode, as a share of the net's size
 _TITLE, _LEGEND = 0.42, 0.35  # inch
-_MOST = 4  # states whose modes are drawn
+_MOST = 4  # largest number of states whose modes are drawn
 
 
 def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
     """Draw the stable states that were found, by rising energy.
 
     Args:
-        landscape: of points that slide, with a stable state.
-        width: of the figure, inch.
+        landscape: landscape of a net with a stable state.
+        width: width of the figure, inch.
     """
     net, structure, states = _net(landscape), landscape.structure, net_states(landscape)
     pictures = net_pictures(structure, net, [state.rest.shape for state in states])
@@ -39,21 +39,21 @@ def draw_states(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure
         for each, state in zip(axes, states, strict=False):
             each.set_title(f"{state.name}\n{shown_value(state.energy, 'J', 3)}", pad=2)
         fit_legend(figure, pictures.handles, 4, loc="outside lower center")
-        told = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in states)
-        what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in space"
-        return describe(figure, f"{what}. {told}.")
+        energies = "; ".join(f"{each.name} with {shown_value(each.energy, 'J', 3)}" for each in states)
+        what = f"The stable states of the {structure.appearance.whole} {landscape.design.name} in 3-D"
+        return describe(figure, f"{what}. {energies}.")
 
 
 def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the slowest modes about stable states, a row for each, far larger than they swing, and dotted the states.
+    """Draw the slowest modes about stable states, one row for each, with exaggerated amplitude; states are dotted.
 
     Args:
-        landscape: of points that slide, with a stable state.
-        width: of the figure, inch.
+        landscape: landscape of a net with a stable state.
+        width: width of the figure, inch.
     """
     net, structure = _net(landscape), landscape.structure
-    told = [state for state in net_states(landscape) if state.withstands] or net_states(landscape)
-    states = [state for state in told if len(state.modes)][:_MOST]
+    preferred = [state for state in net_states(landscape) if state.withstands] or net_states(landscape)
+    states = [state for state in preferred if len(state.modes)][:_MOST]
     count = max(len(state.modes) for state in states)
     columns = min(count, 2 if is_narrow(width) else 4)
     swung = [_swung(net, state, mode) for state in states for mode in range(min(columns, len(state.modes)))]
@@ -73,11 +73,11 @@ def draw_modes(landscape: EnergyLandscape, width: float = PAGE_WIDTH) -> Figure:
                 axes.set_title(f"{state.name}\n{_hertz(frequency)}" if first else f"\n{_hertz(frequency)}", pad=2)
         words = "; ".join(f"{each.name} {', '.join(map(_hertz, each.frequencies.tolist()))}" for each in states)
         what = f"The slowest modes of the {structure.appearance.whole} {landscape.design.name} about its states"
-        return describe(figure, f"{what}, at the end of a swing. {words}.")
+        return describe(figure, f"{what}, at full amplitude. {words}.")
 
 
 def _swung(net: Net, state: NetState, mode: int) -> NetShape:
-    """A state at the end of a swing that is far larger than it would be."""
+    """Return a state displaced along a mode by an exaggerated amplitude."""
     shift = state.modes[mode] / np.linalg.norm(state.modes[mode], axis=1).max()
     return shape_at(net, state.rest.shape.positions + _SWING * net.size * shift, state.rest.shape.angles)
 

@@ -47,12 +47,12 @@ from forficula.statics import CrossedHinge, EnergyLandscape, HingeLandscape
 
 _COLOURS = (BLUE, SKY, GREEN, PURPLE)
 _STOP = "0.87"
-_ALIKE = 1e-6  # relative difference of energies up to which two hinges are drawn as one
-_APART = 12.0  # between two points of the simulation, deg
+_ALIKE = 1e-6  # relative difference of energies up to which two hinges share a line
+_APART = 12.0  # deg, distance between two points of the simulation
 _INSET = (0.62, 0.58, 0.34, 0.40)
-_WIDE_BOWL = 50.0  # of a moment, beside or within which there is room for words, deg
-_CROSSING = 0.15  # of the largest moment, by which another hinge's curve crosses such words
-WIDEST = math.radians(60)  # from the overbend stop to a barrier that needs no close-up
+_WIDE_BOWL = 50.0  # deg, width of a moment's bowl with space for words
+_CROSSING = 0.15  # share of the largest moment above which another hinge's curve crosses these words
+WIDEST = math.radians(60)  # largest angle from the overbend stop to the barrier that is shown enlarged
 _SPRING: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.2, "zorder": 2}
 _BOTH: dict[str, Any] = {"color": BLACK, "ls": "-", "lw": 1.6, "zorder": 3}
 
@@ -60,18 +60,18 @@ _BOTH: dict[str, Any] = {"color": BLACK, "ls": "-", "lw": 1.6, "zorder": 3}
 def draw_tendon(
     landscape: EnergyLandscape, record: Record | None = None, width: float = PAGE_WIDTH, tendon: int | None = None
 ) -> Figure:
-    """Draw energy and moment of one tendon over the angle of the hinge that it lies across.
+    """Draw energy and moment of one tendon over the angle of its hinge.
 
-    Where the hinge has a spring, that is drawn, too, and what both come to.
+    If the hinge has a spring, the spring and the sum of both are drawn as well.
 
     Args:
-        landscape: of a design with a tendon that lies across one hinge.
-        record: a run of it, whose tendon is drawn on top; it must not have diverged.
-        width: of the figure, inch.
-        tendon: number of the tendon; an inner one if not given.
+        landscape: landscape of a design with a tendon across a single hinge.
+        record: a run of the design that did not diverge, whose tendon is drawn on top.
+        width: width of the figure, inch.
+        tendon: index of the tendon; an inner one by default.
 
     Raises:
-        InputError: no tendon lies across one hinge.
+        InputError: no tendon lies across a single hinge.
     """
     shown = inner_hinge(landscape, tendon)
     if shown is None:
@@ -110,20 +110,20 @@ def draw_tendon(
         stops = Patch(color=_STOP, label="beyond the stops")
         handles = [*lines, stops, *simulated, *state_handles({state.kind for state in own.states})]
         fit_legend(figure, handles, 3, loc="outside upper center")
-        return describe(figure, _tell(landscape, shown, title))
+        return describe(figure, _text(landscape, shown, title))
 
 
 def _place(hinge: HingeLandscape, angle: ArrayLike) -> Array:
-    """Where an angle at which folding is negative (rad) is drawn: in the sense of the hinge itself, deg."""
+    """Convert an angle at which folding is negative (rad) to the hinge's own sense, deg."""
     return np.asarray(hinge.sense * np.degrees(angle))
 
 
 def tendon_curves(
     landscape: EnergyLandscape, shown: CrossedHinge
 ) -> Iterator[tuple[HingeLandscape, Array, Array, str, dict[str, Any]]]:
-    """Hinges to draw, with energy, moment, name and line style: the ideal one, and of the true ones those that differ.
+    """Yield hinges to draw, with energy, moment, name and line style: the ideal one, and every distinct real one.
 
-    Of a hinge with a spring the tendon alone comes first, then the spring, then both.
+    For a hinge with a spring the tendon comes first, then the spring, then both.
     """
     if shown.ideal is not None:
         ideal_style = {"color": ORANGE, "ls": "--", "lw": 1.4, "zorder": 3}
@@ -137,7 +137,7 @@ def tendon_curves(
         if len(names) < len(labels.names):
             which = f"{labels.heading} {', '.join(names)}".strip()
         elif len(names) > 1:
-            which = f"all {labels.heading}s alike" if labels.heading else f"{', '.join(names)} alike"
+            which = f"all {labels.heading}s" if labels.heading else ", ".join(names)
         else:
             which = f"{labels.heading} {names[0]}".strip()
         line = LINE_STYLES[number // len(_COLOURS) % len(LINE_STYLES)]
@@ -150,7 +150,7 @@ def tendon_curves(
 
 
 def _groups(hinges: tuple[HingeLandscape, ...], names: tuple[str, ...]) -> list[tuple[HingeLandscape, list[str]]]:
-    """Hinges that store alike, the first of each kind with the names of all."""
+    """Group hinges with equal energies; each group has its first hinge and the names of all."""
     groups: list[tuple[HingeLandscape, list[str]]] = []
     for hinge, name in zip(hinges, names, strict=True):
         largest = float(hinge.energy.max())
@@ -170,7 +170,7 @@ def _between(hinge: HingeLandscape, start: float, end: float) -> Flags:
 
 
 def _plot_simulation(axes: Axes, record: Record, shown: CrossedHinge, factor: float) -> None:
-    """Points of a simulated tendon and its hinge's spring, evenly spaced over the angle, folding and opening apart."""
+    """Draw points of a simulated tendon and its hinge's spring, evenly spaced over the angle, by direction."""
     folding = folding_rows(record, shown.hinge)
     angle = np.degrees(record.series["hinge_angle"][:, shown.hinge])
     energy = factor * record.series["tendon_energy"][:, shown.tendon]
@@ -197,7 +197,7 @@ def _plot_simulation(axes: Axes, record: Record, shown: CrossedHinge, factor: fl
 
 
 def _spread(angle: Array, shift: float) -> Indices:
-    """Rows at which an angle (deg) first enters each of the steps that it comes through."""
+    """Return rows at which an angle (deg) first enters each step of a regular grid."""
     if not len(angle):
         return np.zeros(0, dtype=np.int64)
     _, first = np.unique(np.floor(angle / _APART + shift), return_index=True)
@@ -205,7 +205,7 @@ def _spread(angle: Array, shift: float) -> Indices:
 
 
 def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape], unit: str, factor: float) -> None:
-    """Holding torque, peak torque against opening, and where the tendon goes slack."""
+    """Mark the holding torque, the peak torque against opening, and the angle beyond which the tendon is slack."""
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
     peak, slack, limit = hinge.peak_opening, hinge.slack_angle, hinge.hinge.fold_limit
     if peak is None:
@@ -222,7 +222,7 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
     end = -math.degrees(limit if slack is None else -slack)
     words = f"peak against opening:\n{largest:.4g} {unit}\nat {show_angle(hinge.sense * peak.angle)}"
     column = in_column(axes)
-    # in its bowl, where no other hinge's is above it
+    # within its bowl, unless another hinge's curve crosses there
     folding = hinge.angle[hinge.angle < 0]
     moment = hinge.hinge.moment(folding)
     free = all(float((other.hinge.moment(folding) - moment).max()) < _CROSSING * peak.torque for other in others)
@@ -234,9 +234,9 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
     if hinge.holding_torque is not None:
         place = (float(_place(hinge, hinge.hinge.overbend)), factor * hinge.holding_torque)
         axes.plot(*place, "o", color=BLUE, ms=4)
-        words = f"presses onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
-        # in a column above the words on the slack range, which begins near
-        # and above a spring's line
+        words = f"pressed onto its stop: {factor * hinge.holding_torque:.4g} {unit}"
+        # in a column above the words on the slack range, which begins near, and above a
+        # spring's line
         above = 9 if hinge.spring is not None else 0
         axes.annotate(words, place, xytext=(10, 12 + above) if column else (16, 7 + above), **beside)
     if slack is not None and -slack < limit - math.radians(0.1):
@@ -247,7 +247,7 @@ def _mark_moments(axes: Axes, hinge: HingeLandscape, others: list[HingeLandscape
 
 
 def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> None:
-    """The few degrees about the top, by energy above the overbend stop; a sentence where there is no barrier."""
+    """Draw an inset of the barrier, relative to the overbend stop; a note if there is no barrier or no close-up."""
     own = shown.own
     left, low, width, height = _INSET
     if own.barrier is None or own.barrier_angle is None:
@@ -284,7 +284,7 @@ def _close_up(axes: Axes, landscape: EnergyLandscape, shown: CrossedHinge) -> No
 
 
 def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
-    """Grey beyond the stops."""
+    """Shade the range beyond the stops."""
     stop, limit = math.degrees(hinge.hinge.overbend), -math.degrees(hinge.hinge.fold_limit)
     margin, sense = 0.03 * (stop - limit), hinge.sense
     for axes in rows:
@@ -298,22 +298,22 @@ def _shade_stops(hinge: HingeLandscape, *rows: Axes) -> None:
         rows[0].set(ylim=(0, 1), yticks=[0])
 
 
-def _tell(landscape: EnergyLandscape, shown: CrossedHinge, title: str) -> str:
-    """One tendon in words."""
+def _text(landscape: EnergyLandscape, shown: CrossedHinge, title: str) -> str:
+    """Describe the energy of one tendon."""
     hinge, sprung = shown.own, shown.own.spring is not None
-    told = [f"up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')} are stored"]
+    facts = [f"it stores up to {show_value(float(hinge.stored_energy(hinge.angle).max()), 'J')}"]
     if hinge.barrier is not None and hinge.barrier_angle is not None:
         at = show_angle(hinge.sense * hinge.barrier_angle) if hinge.barrier_angle else "straight"
         start = f"the {landscape.structure.appearance.overbend} stop"
         if sprung:
             start = show_angle(hinge.sense * hinge.states[0].angle)
-        told.append(f"the barrier from {start} to {at} is {show_value(hinge.barrier, 'J')}")
+        facts.append(f"the barrier from {start} to {at} is {show_value(hinge.barrier, 'J')}")
     if hinge.holding_torque is not None:
-        told.append(f"the holding torque onto that stop {show_value(hinge.holding_torque, 'N m')}")
+        facts.append(f"the holding torque onto that stop is {show_value(hinge.holding_torque, 'N m')}")
     states = ", ".join(show_angle(hinge.sense * state.angle) for state in hinge.states) or "none"
     name, whole = landscape.design.name, landscape.structure.appearance.whole
     with_spring = " and of the spring of its hinge" * sprung
     return (
-        f"Energy and moment of one tendon of {name}{with_spring} over its {title}. In the {whole} {', '.join(told)};"
+        f"Energy and moment of one tendon of {name}{with_spring} over its {title}. In the {whole} {', '.join(facts)};"
         f" stable states: {states}."
     )

@@ -1,1 +1,1 @@
-"""Parts to make, as figures and pages show them."""
+"""Parts to make, in figures and tables."""

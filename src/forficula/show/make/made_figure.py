@@ -1,4 +1,4 @@
-"""Energy and moment of a joint over its hinge's angle, as designed and as its parts have it."""
+"""Energy and moment of a joint over its hinge's angle, as designed and as made."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from forficula.study.made_comparison import HingePair, MadeComparison
 _DESIGNED: dict[str, Any] = {"color": ORANGE, "ls": "--", "lw": 1.4, "zorder": 2}
 _MADE: dict[str, Any] = {"color": BLUE, "ls": "-", "lw": 1.4, "zorder": 3}
 _STOP = "0.87"
-# of the range, beyond its ends; what of a barrier's way is shown close up, and where
+# share of the axis beyond its ends; length of the close-up, as a multiple of the distance to the barrier; its position
 _MARGIN, _NEAR, _INSET = 0.03, 2.5, (0.62, 0.56, 0.34, 0.40)
 
 
@@ -29,12 +29,12 @@ def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | 
     """Draw energy and moment of a tendon over the angle of its hinge, as designed and as made.
 
     Args:
-        compared: a design and what its parts make of it.
-        width: of the figure, inch.
-        hinge: name of the hinge; the first if not given.
+        compared: comparison of a design with its parts as made.
+        width: width of the figure, inch.
+        hinge: name of the hinge; the first by default.
 
     Raises:
-        InputError: no tendon lies across one hinge, or not across that one.
+        InputError: no tendon lies across a single hinge, or none across the named hinge.
     """
     pair = _pair(compared, hinge)
     curves = ((pair.designed, "as designed", _DESIGNED), (pair.made, "as made", _MADE))
@@ -65,11 +65,11 @@ def draw_made(compared: MadeComparison, width: float = PAGE_WIDTH, hinge: str | 
             columns,
             loc="outside lower center",
         )
-        return describe(figure, _told(compared, pair))
+        return describe(figure, _text(compared, pair))
 
 
 def _pair(compared: MadeComparison, hinge: str | None) -> HingePair:
-    """The hinge of a name, or the first."""
+    """Return the hinge of a name, or the first."""
     names = [pair.name for pair in compared.hinges]
     if not names:
         raise InputError(f"{compared.designed.name}: no tendon lies across one hinge")
@@ -83,14 +83,14 @@ def _degrees(hinge: HingeLandscape, angle: Any) -> Any:
 
 
 def _mark_stop(axes: Axes, hinge: HingeLandscape, factor: float, style: dict[str, Any]) -> None:
-    """The torque that presses a hinge onto its overbend stop."""
+    """Mark the torque that presses a hinge onto its overbend stop."""
     if hinge.holding_torque is not None:
         place = float(_degrees(hinge, hinge.hinge.overbend))
         axes.plot(place, factor * hinge.holding_torque, "o", color=style["color"], ms=4, zorder=4)
 
 
 def _close_up(axes: Axes, pair: HingePair) -> None:
-    """The few degrees about the barriers, by energy above the overbend stop; nothing where there is none."""
+    """Draw an inset of the barriers, relative to the overbend stop; nothing if there is no barrier."""
     tops = [each for each in (pair.designed, pair.made) if each.barrier and each.barrier_angle is not None]
     if not tops:
         return
@@ -114,7 +114,7 @@ def _close_up(axes: Axes, pair: HingePair) -> None:
 
 
 def _shade(hinge: HingeLandscape, *rows: Axes) -> None:
-    """Grey beyond the stops as made."""
+    """Shade the range beyond the stops as made."""
     stop, limit = math.degrees(hinge.hinge.overbend), -math.degrees(hinge.hinge.fold_limit)
     margin, sense = _MARGIN * (stop + 180.0), hinge.sense
     ends = (max(stop, 0.0) + margin, min(limit, -180.0) - margin)
@@ -125,19 +125,19 @@ def _shade(hinge: HingeLandscape, *rows: Axes) -> None:
         axes.set_xticks([sense * tick for tick in range(180, -181, -30) if ends[1] <= tick <= ends[0]])
 
 
-def _numbers(hinge: HingeLandscape) -> str:
-    """Barrier and holding torque in words."""
+def _numbers(hinge: HingeLandscape, top: str = "") -> str:
+    """Return barrier and holding torque as text."""
     if hinge.barrier is None:
         return "no barrier"
     torque = show_value(hinge.holding_torque or 0.0, "N m")
-    return f"barrier {show_value(hinge.barrier, 'J')}, holding torque {torque}"
+    return f"barrier {show_value(hinge.barrier, 'J')}{top}, holding torque {torque}"
 
 
-def _told(compared: MadeComparison, pair: HingePair) -> str:
-    """Both in words."""
-    told = []
+def _text(compared: MadeComparison, pair: HingePair) -> str:
+    """Describe the tendon as designed and as made."""
+    versions = []
     for each, name in ((pair.designed, "as designed"), (pair.made, "as made")):
-        top = "" if each.barrier_angle is None else f", its top at {show_angle(each.sense * each.barrier_angle)}"
-        told.append(f"{name} {_numbers(each)}{top}")
+        top = "" if each.barrier_angle is None else f" at {show_angle(each.sense * each.barrier_angle)}"
+        versions.append(f"{name} {_numbers(each, top)}")
     beginning = f"Energy and moment of a tendon of {compared.designed.name} over the angle of {pair.name}"
-    return f"{beginning}: {'; '.join(told)}."
+    return f"{beginning}: {'; '.join(versions)}."

@@ -1,4 +1,4 @@
-"""A design beside what its parts make of it, as lines of text and as plain data."""
+"""A design compared with its parts as made, as lines of text."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from forficula.study.made_comparison import HingePair, MadeComparison
 
 
 def print_made(compared: MadeComparison | str | None) -> None:
-    """Print a comparison, or why there is none; nothing where there is nothing to compare."""
+    """Print a comparison, or the reason why there is none; nothing if there is nothing to compare."""
     if compared is None:
         return
     lines = [compared] if isinstance(compared, str) else made_lines(compared)
@@ -22,7 +22,7 @@ def print_made(compared: MadeComparison | str | None) -> None:
 
 
 def made_lines(compared: MadeComparison) -> Iterator[str]:
-    """A comparison as lines: barrier and holding torque, what is otherwise, what runs came to, and what did it."""
+    """Yield a comparison in lines: barrier and holding torque, differences, outcomes of runs, and their causes."""
     pairs = compared.hinges
     alike = [pair for pair in pairs if pairs and _numbers(pair) == _numbers(pairs[0])]
     for pair in pairs if len(alike) < len(pairs) else pairs[:1]:
@@ -43,7 +43,7 @@ def _numbers(pair: HingePair) -> tuple[str, str]:
 
 
 def _landscape(hinge: HingeLandscape) -> str:
-    """Barrier and holding torque in words."""
+    """Return barrier and holding torque as text."""
     if hinge.barrier is None or hinge.barrier_angle is None:
         return "no barrier"
     return (

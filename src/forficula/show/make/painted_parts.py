@@ -1,4 +1,4 @@
-"""Parts as shaded triangles with their edges, at an angle of their joints, together or taken apart."""
+"""Parts as shaded triangles with their edges, at an angle of their joints, assembled or as an exploded view."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from forficula.show.make.pose import apart, poses_at
 from forficula.show.structure.painted_shape import PaintedShape, View, ribbons
 
 _EDGE = "#2A2F35"
-# half width of an edge, and how much nearer to the eye it is painted, m
+# m, half the width of an edge, and the distance by which edges are moved towards the eye
 _THIN, _NEARER = 1.1e-4, 2e-4
-_DARK, _LIGHT = 0.5, 0.55  # how light a face is that is turned away from the light, and how much more one towards it
-_LAMP = np.array([-0.35, 0.55, 0.75])  # to the right, up and towards the eye
+_DARK, _LIGHT = 0.5, 0.55  # brightness of a face turned away from the light, and what is added towards the light
+_LAMP = np.array([-0.35, 0.55, 0.75])  # direction of the light: right, up and towards the eye
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlacedPart:
-    """A part where it is.
+    """Part at its position.
 
     Attributes:
-        part: that it is.
-        look: number of its look.
-        mesh: with its points where they are.
+        part: the part.
+        look: index of its look.
+        mesh: mesh with moved points.
     """
 
     part: Part
@@ -43,26 +43,26 @@ class PlacedPart:
 
 
 def placed_parts(parts: PartSet, angle: float, away: float = 0.0) -> list[PlacedPart]:
-    """Every part with all joints at an angle in their own senses, rad, taken apart by a share.
+    """Return every part with all joints at an angle in their own senses, rad, moved apart by a share.
 
-    Straps are taut or bow away from their hinge; rods at the ground are straight, for nothing turns there.
+    Straps are taut or bow away from their hinge. Rods at the ground are straight, because nothing turns there.
     """
-    poses, ways = poses_at(parts, angle), apart(parts)
+    poses, shifts = poses_at(parts, angle), apart(parts)
     _, looks = part_looks(parts)
     straps = iter(parts.straps)
     placed = []
-    for part, look, way in zip(parts.parts, looks, ways, strict=True):
+    for part, look, shift in zip(parts.parts, looks, shifts, strict=True):
         if part.kind == "strap":
-            mesh = _strap_mesh(parts, next(straps), poses, away * way)
+            mesh = _strap_mesh(parts, next(straps), poses, away * shift)
         else:
             mesh, pose = part_mesh(part, parts.joints), STILL if part.body is None else poses[part.body]
-            mesh = _moved(mesh, pose.of(mesh.points + away * way))
+            mesh = _moved(mesh, pose.of(mesh.points + away * shift))
         placed.append(PlacedPart(part=part, look=look, mesh=mesh))
     return placed
 
 
 def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> PaintedShape:
-    """Shade parts in the colours of their looks, with dark edges and the faces of stops in their colour."""
+    """Shade parts in the colours of their looks, with dark edges, and the faces of stops in the colour of stops."""
     triangles, shades = [], []
     lamp = _LAMP / np.linalg.norm(_LAMP)
     for each in placed:
@@ -73,9 +73,9 @@ def paint_parts(placed: list[PlacedPart], colours: list[str], view: View) -> Pai
         own[: each.mesh.stops] = to_rgb(STOP_COLOUR)
         axes = np.column_stack([view.right, view.up, view.towards])
         facing = np.maximum(normals @ axes @ lamp, 0.0)
-        seen = normals @ view.towards > 0
-        triangles.append(_on_picture(corners[seen], view))
-        shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[seen])
+        visible = normals @ view.towards > 0
+        triangles.append(_on_picture(corners[visible], view))
+        shades.append(np.clip(own * (_DARK + _LIGHT * facing)[:, None], 0, 1)[visible])
         quads, dark = ribbons(each.mesh.points[each.mesh.edges], view, _EDGE, _THIN, _NEARER)
         triangles.append(_on_picture(quads[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3), view))
         shades.append(np.repeat(dark, 2, axis=0))
@@ -90,8 +90,8 @@ def _moved(mesh: PartMesh, points: Array) -> PartMesh:
     return PartMesh(points=points, triangles=mesh.triangles, stops=mesh.stops, edges=mesh.edges)
 
 
-def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], way: Array) -> PartMesh:
-    """All straps of a tendon as they are bent, with their eyes; slack, they bow away from the hinge."""
+def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMotion], shift: Array) -> PartMesh:
+    """Return all straps of a tendon, bent, with their eyes; slack straps bow away from the hinge."""
     joint = next(each for each in parts.joints if each.tendon == place.tendon)
     axis = poses[joint.proximal.body].rotation @ joint.frame[:, 1]
     meshes = []
@@ -102,7 +102,7 @@ def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMoti
             meshes.append(_eye(place, middle, poses[body].rotation @ across))
     first = np.cumsum([0, *(len(mesh.points) for mesh in meshes)])[:-1].tolist()
     return PartMesh(
-        points=np.concatenate([mesh.points for mesh in meshes]) + way,
+        points=np.concatenate([mesh.points for mesh in meshes]) + shift,
         triangles=np.concatenate([mesh.triangles + at for mesh, at in zip(meshes, first, strict=True)]),
         stops=0,
         edges=np.concatenate([mesh.edges + at for mesh, at in zip(meshes, first, strict=True)]),
@@ -110,7 +110,7 @@ def _strap_mesh(parts: PartSet, place: StrapPlace, poses: Mapping[int, RigidMoti
 
 
 def _band(place: StrapPlace, line: Array, axis: Array) -> PartMesh:
-    """The sides of a strap along its middle, as wide as it is along an axis; its ends are in eyes."""
+    """Return the sides of a strap along its centre line, with its width along an axis; its ends lie in eyes."""
     ahead = np.gradient(line, axis=0)
     ahead -= (ahead @ axis)[:, None] * axis
     up = np.cross(axis, ahead)
@@ -125,7 +125,7 @@ def _band(place: StrapPlace, line: Array, axis: Array) -> PartMesh:
 
 
 def _eye(place: StrapPlace, middle: Array, across: Array) -> PartMesh:
-    """The ring of a strap around a peg."""
+    """Return the ring of a strap around a peg."""
     half = place.strap.width / 2 * across
     hole = Rod(start=middle - 2 * half, end=middle + 2 * half, diameter=place.peg_diameter)
     ring = Cut(solid=Rod(start=middle - half, end=middle + half, diameter=place.eye_diameter), taken=(hole,))

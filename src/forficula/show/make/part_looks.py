@@ -1,4 +1,4 @@
-"""What parts are called together, and in which colours they are drawn."""
+"""Colours of parts, and the names of parts with one colour."""
 
 from __future__ import annotations
 
@@ -7,22 +7,22 @@ from dataclasses import dataclass
 from forficula.make.part import Part, PartSet
 from forficula.structure import GROUND
 
-# by kind; bars of several roles take turns
+# by kind; bars of several roles take these colours in turn
 _BARS = ("#7DB3D8", "#E3BE7E", "#B7A6D6", "#A9C98F")
 _KINDS = {"pin": "#B9C0C7", "strap": "#3E9C86", "hub": "#C99AA9", "root": "#C77B52"}
 _OTHERS = "#CFCFCF"
-# of the faces by which two halves of a joint come to rest on one another
+# colour of the faces with which two halves of a joint stop each other
 STOP_COLOUR = "#D55E00"
 
 
 @dataclass(frozen=True, kw_only=True)
 class PartLook:
-    """Parts that are drawn alike.
+    """Parts with one colour.
 
     Attributes:
-        name: what they are called together, such as "distal bar".
-        kind: of all of them.
-        colour: as #RRGGBB.
+        name: common name, such as "distal bar".
+        kind: kind of all of them.
+        colour: colour as #RRGGBB.
     """
 
     name: str
@@ -31,7 +31,7 @@ class PartLook:
 
 
 def part_looks(parts: PartSet) -> tuple[tuple[PartLook, ...], tuple[int, ...]]:
-    """How parts look: all looks in the order of the parts, and the number of each part's own.
+    """Return all looks in the order of the parts, and the index of each part's look.
 
     >>> from forficula.make.make_parts import make_parts
     >>> looks, own = part_looks(make_parts("binder2025", "joint"))
@@ -51,7 +51,7 @@ def part_looks(parts: PartSet) -> tuple[tuple[PartLook, ...], tuple[int, ...]]:
 
 
 def _name(parts: PartSet, part: Part) -> str:
-    """What a part is called with those like it: bars by the role of their bodies, where these have several."""
+    """Return the name shared by parts with one look: bars by the role of their bodies, if there are several roles."""
     if part.kind != "bar" or part.body is None or part.body == GROUND:
         return part.kind
     bodies = [each.body for each in parts.parts if each.kind == "bar" and each.body not in (None, GROUND)]

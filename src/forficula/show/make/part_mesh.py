@@ -1,4 +1,4 @@
-"""A part as what draws it needs it: triangles, the faces of its stops first, and the edges between its faces."""
+"""A part as triangles, the faces of its stops first, and the edges between its faces."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from forficula.make.part import Part
 from forficula.make.solid.mesh import MILLIMETRES, Mesh, mesh_of
 from forficula.pattern.geometry import triangle_normals
 
-# triangles that meet at more than this have an edge between them; those around a circle meet at 5 deg
+# triangles at a larger angle have an edge between them; triangles around a circle meet at 5 deg
 _EDGE = math.cos(math.radians(20.0))
-# how far off the axis of a hinge the plane of a stop's face may pass, and how far it may lean, mm and sin
+# largest distance from a hinge's axis to the plane of a stop's face, mm, and largest sine of the angle between them
 _OFF, _LEANS = 1e-3, 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
 class PartMesh:
-    """Triangles around a part.
+    """Triangles of a part's surface.
 
     Attributes:
-        points: as built, m, (point, 3).
-        triangles: counterclockwise seen from outside, those of the stops first, (triangle, 3).
-        stops: how many of them are faces of stops.
-        edges: numbers of points, (edge, 2).
+        points: vertices in the built shape, m, (point, 3).
+        triangles: vertices, counterclockwise seen from outside, faces of stops first, (triangle, 3).
+        stops: number of triangles that are faces of stops.
+        edges: indices of points, (edge, 2).
     """
 
     points: Array
@@ -37,7 +37,7 @@ class PartMesh:
 
 
 def part_mesh(part: Part, joints: tuple[JointLayout, ...]) -> PartMesh:
-    """The triangles of a part as it is built, with the stops of the joints that it is half of."""
+    """Return the triangles of a part in the built shape, with the stops of the joints that it is part of."""
     mesh = mesh_of(part.shape)
     corners, normals = mesh.points[mesh.triangles], _normals(mesh)
     stops = np.zeros(len(corners), dtype=bool)
@@ -54,28 +54,28 @@ def part_mesh(part: Part, joints: tuple[JointLayout, ...]) -> PartMesh:
 
 
 def _normals(mesh: Mesh) -> Array:
-    """Unit vectors out of the triangles, (triangle, 3)."""
+    """Return unit vectors out of the triangles, (triangle, 3)."""
     corners = mesh.points[mesh.triangles]
     normals = triangle_normals(corners)
     return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None])
 
 
 def _through_axis(corners: Array, normals: Array, joint: JointLayout) -> Flags:
-    """Which triangles lie in planes through the axis of a hinge: stops are the only flat faces that do."""
+    """Return which triangles lie in planes through a hinge's axis: only stops are flat faces of this kind."""
     leans = np.abs(normals @ joint.frame[:, 1]) < _LEANS
     off = np.abs(np.einsum("tca,ta->tc", corners - MILLIMETRES * joint.origin, normals)).max(axis=1)
     return np.asarray(leans & (off < _OFF))
 
 
 def sharp_edges(mesh: Mesh) -> Indices:
-    """Sides of triangles that meet their neighbours at an angle, numbers of points, (edge, 2)."""
+    """Return the sides at which triangles meet at an angle, indices of points, (edge, 2)."""
     triangles, normals = mesh.triangles, _normals(mesh)
     sides = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
     own = np.repeat(np.arange(len(triangles)), 3)
     ends = np.sort(sides, axis=1)
     order = np.lexsort(ends.T[::-1])
     ends, own = ends[order], own[order]
-    # of a closed mesh every side is there twice, once from either triangle
+    # in a closed mesh every side occurs twice, once from either triangle
     pairs, first, second = ends[::2], own[::2], own[1::2]
     sharp = np.sum(normals[first] * normals[second], axis=1) < _EDGE
     return np.asarray(pairs[sharp])

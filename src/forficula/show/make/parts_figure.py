@@ -1,4 +1,4 @@
-"""Parts as they are made: at their stops and half way, and taken apart, with their names and a scale."""
+"""Parts as made: at their stops and half way, and as an exploded view with names and a scale."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from forficula.show.make.pose import angle_range
 from forficula.show.structure.painted_shape import PaintedShape, View, hang
 from forficula.show.style import PAGE_WIDTH, describe, draw_bar, figure_style, is_narrow
 
-# to the eye, in the axes of the first joint: along the arms, along its hinge, and up
+# direction to the eye in the axes of the first joint: along the arms, along its hinge, and up
 _TOWARDS = (0.3, -0.72, 0.62)
-_ROOM = 1.06  # of a picture, by what is in it
-_LINE = 0.16  # inch, of a line of words
-_BESIDE = 0.3  # of a picture's width, on which the scale is
-_BAR = 0.3  # of a picture's width: about as long is its scale
+_ROOM = 1.06  # size of a picture, as a multiple of its contents
+_LINE = 0.16  # inch, height of a line of words
+_BESIDE = 0.3  # share of a picture's width that the scale takes
+_BAR = 0.3  # length of the scale bar, as a share of a picture's width
 
 
 def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the parts of a joint at both its stops and half way, and taken apart; of several joints as built, and apart.
+    """Draw the parts of a single joint at both stops and half way, of several joints as built; then an exploded view.
 
     Args:
-        parts: with a joint or more.
-        width: of the figure, inch.
+        parts: parts with at least one joint.
+        width: width of the figure, inch.
     """
     low, high = angle_range(parts)
     view, (looks, _) = _view(parts), part_looks(parts)
     middle = (low + high) / 2
-    stops = [("stop of the overbend", high), ("half way", middle), ("stop of the fold", low)]
+    stops = [("overbend stop", high), ("half way", middle), ("folding stop", low)]
     posed = stops if len(parts.joints) == 1 else [("as built", 0.0)]
     colours = [look.colour for look in looks]
     pictures = [paint_parts(placed_parts(parts, angle), colours, view) for _, angle in posed]
@@ -51,14 +51,14 @@ def draw_parts(parts: PartSet, width: float = PAGE_WIDTH) -> Figure:
         for axes, (title, angle) in zip(panels, posed, strict=True):
             axes.set_title(f"{title}, {_degrees(angle)}" if len(posed) > 1 else title, pad=3)
         _scale(panels[0])
-        below.set_title("taken apart", pad=3 + 72 * 1.6 * _LINE)
+        below.set_title("exploded view", pad=3 + 72 * 1.6 * _LINE)
         _scale(below)
         _name(below, taken, looks, part_masses(parts), view, narrow)
         return describe(figure, _text(parts, posed))
 
 
 def _view(parts: PartSet) -> View:
-    """From where parts are seen: beside the arms of the first joint, from above."""
+    """Return the viewpoint: beside the arms of the first joint, from above."""
     frame = parts.joints[0].frame
     towards = frame @ np.array(_TOWARDS)
     towards /= np.linalg.norm(towards)
@@ -70,16 +70,16 @@ def _view(parts: PartSet) -> View:
 def _panels(
     width: float, pictures: Sequence[PaintedShape], apart: PaintedShape, columns: int
 ) -> tuple[Figure, list[Axes], Axes]:
-    """A figure with pictures at one scale above one of what is taken apart, each as high as it needs."""
+    """Return a figure with pictures at one scale above the exploded view, each as high as its contents."""
     each = width / columns
     sizes = [np.ptp(picture.corners, axis=0) * _ROOM for picture in pictures]
-    scale = max(size[0] for size in sizes) / each  # m an inch, of all of them
+    scale = max(size[0] for size in sizes) / each  # m per inch, the same for all
     rows = [sizes[start : start + columns] for start in range(0, len(sizes), columns)]
     heights = [max(size[1] for size in row) / scale for row in rows]
     size = np.ptp(apart.corners, axis=0) * _ROOM
     last = size[1] / (size[0] / width)
     titled = [height + 1.4 * _LINE for height in heights]
-    # names above and below what is taken apart, and its own title
+    # names above and below the exploded view, and its title
     total = sum(titled) + last + 6.4 * _LINE
     figure = Figure(figsize=(width, total))
     top, axes = total, []
@@ -97,13 +97,13 @@ def _panels(
 
 
 def _around(picture: PaintedShape, half: Array) -> Array:
-    """The window in whose middle a picture is, m, (2, 2)."""
+    """Return the window with a picture at its centre, m, (2, 2)."""
     middle = picture.corners.mean(axis=0)
     return np.array([middle - half, middle + half])
 
 
 def _scale(axes: Axes) -> None:
-    """A bar of a stated length in the lower left corner of a picture."""
+    """Draw a bar of a stated length into the lower left corner of a picture."""
     (left, right), (bottom, _) = axes.get_xlim(), axes.get_ylim()
     length = round_below(_BAR * (right - left))
     draw_bar(axes, (left + 0.03 * (right - left), bottom), length, f"{1e3 * length:g} mm")
@@ -117,7 +117,7 @@ def _name(
     view: View,
     narrow: bool,
 ) -> None:
-    """The names of parts above and below their picture, each with a line to one of them."""
+    """Write the names of parts above and below their picture, each with a line to one of them."""
     named = []
     for number, look in enumerate(looks):
         own = [each for each in taken if each.look == number]
@@ -129,7 +129,7 @@ def _name(
     stop = _best_stop(taken, view)
     if stop is not None:
         named.append(("face of\na stop", stop))
-    # those that are highest have their names above, as many as below; the scale is below on the left
+    # the upper half of the parts have their names above; the scale is at the lower left
     left, right = axes.get_xlim()
     named.sort(key=lambda each: (each[1][0] > left + _BESIDE * (right - left), -each[1][1]))
     above = (len(named) + 1) // 2
@@ -138,27 +138,27 @@ def _name(
 
 
 def _best_stop(taken: Sequence[PlacedPart], view: View) -> Array | None:
-    """The middle on the picture of the face of a stop that is seen best; None where none is turned to the eye."""
+    """Return the centre of the best visible face of a stop in the picture; None if none faces the eye."""
     best, most = None, 0.0
     for each in taken:
         corners = each.mesh.points[each.mesh.triangles[: each.mesh.stops]]
         areas = triangle_normals(corners) @ view.towards
-        seen = np.maximum(areas, 0.0)
-        if seen.sum() > most:
-            middle = np.average(corners.mean(axis=1), axis=0, weights=seen)
-            best, most = view.project(middle), float(seen.sum())
+        visible = np.maximum(areas, 0.0)
+        if visible.sum() > most:
+            middle = np.average(corners.mean(axis=1), axis=0, weights=visible)
+            best, most = view.project(middle), float(visible.sum())
     return best
 
 
 def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, narrow: bool) -> None:
-    """A row of names along the upper or the lower edge of a picture, each near what it names."""
+    """Write a row of names along the upper or lower edge of a picture, each near its part."""
     left, right = axes.get_xlim()
     first, last = (left + (right - left) * share for share in ((0.14, 0.88) if narrow else (0.1, 0.92)))
     if side < 0:
         first = left + (right - left) * (0.48 if narrow else _BESIDE + 0.08)
     least = (last - first) / max(len(named) - 1, 1)
     at = np.clip([float(anchor[0]) for _, anchor in named], first, last)
-    # from left to right and back, so that they are as far apart as there is room
+    # from left to right and back, for the largest distances that the width allows
     room = min(least, 0.16 * (right - left) * (2 if narrow else 1))
     for place in range(1, len(at)):
         at[place] = max(at[place], at[place - 1] + room)
@@ -182,7 +182,7 @@ def _row(axes: Axes, named: Sequence[tuple[str, Array]], edge: int, side: int, n
 
 
 def _anchor(places: Array) -> Array:
-    """The place of some that is nearest to their middle."""
+    """Return the point closest to the centre of several points."""
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     return np.asarray(places[np.argmin(np.linalg.norm(places - middle, axis=1))])
 
@@ -192,13 +192,13 @@ def _degrees(angle: float) -> str:
 
 
 def _text(parts: PartSet, posed: Sequence[tuple[str, float]]) -> str:
-    """What the figure shows, for those who do not see it."""
+    """Describe the figure."""
     looks, own = part_looks(parts)
     counts = [
         sum(part.count for part, each in zip(parts.parts, own, strict=True) if each == n) for n in range(len(looks))
     ]
-    told = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
+    names = ", ".join(f"{count} × {look.name}" for look, count in zip(looks, counts, strict=True))
     mass = total_mass(parts)
-    weigh = f", together {mass_text(mass)}" if mass is not None else ""
-    places = "; ".join(f"{name}, {_degrees(angle)}" for name, angle in posed)
-    return f"Parts of {parts.design.name}. {told}{weigh}. The joints at: {places}; and all of them taken apart."
+    weight = f", total mass {mass_text(mass)}" if mass is not None else ""
+    angles = "; ".join(f"{name}, {_degrees(angle)}" for name, angle in posed)
+    return f"Parts of {parts.design.name}. {names}{weight}. The joints at: {angles}. Below, an exploded view."

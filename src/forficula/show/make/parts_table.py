@@ -1,4 +1,4 @@
-"""Parts to make as text that a person understands: what they are, what they come to, and what their checks say."""
+"""Parts to make as text: the bill, totals by material, and the checks."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ _FAILED = "bold red"
 
 
 def print_parts(parts: PartSet, checks: Sequence[Check]) -> None:
-    """Print the parts of a design and what was checked of them."""
+    """Print the parts of a design and their checks."""
     Console(width=110, highlight=False).print(parts_table(parts, checks))
 
 
 def parts_table(parts: PartSet, checks: Sequence[Check]) -> RenderableType:
-    """Lay out the bill, what it comes to by material, and the checks; those that hold are counted only."""
+    """Return the bill, totals by material, and the checks; checks that hold are only counted."""
     rows = bill_of(parts)
-    told: list[RenderableType] = [Text(_heading(parts, rows), style="bold"), Text(), _bill(rows)]
+    blocks: list[RenderableType] = [Text(_heading(parts, rows), style="bold"), Text(), _bill(rows)]
     totals = bill_totals(rows)
     if totals:
-        told += [Text(), _totals(totals), *_unknown(totals)]
-    return Group(*told, Text(), *_checks(checks))
+        blocks += [Text(), _totals(totals), *_unknown(totals)]
+    return Group(*blocks, Text(), *_checks(checks))
 
 
 def _heading(parts: PartSet, rows: Sequence[BillRow]) -> str:
-    counts = {way: sum(row.count for row in rows if row.comes == way) for way in ("printed", "bought", "cut")}
+    counts = {origin: sum(row.count for row in rows if row.comes == origin) for origin in ("printed", "bought", "cut")}
     pieces = sum(counts.values())
-    ways = listed([f"{count} {way}" for way, count in counts.items() if count], "and")
-    return f"{parts.design.name}: {pieces} {'piece' if pieces == 1 else 'pieces'}, {ways}"
+    origins = listed([f"{count} {origin}" for origin, count in counts.items() if count], "and")
+    return f"{parts.design.name}: {pieces} {'piece' if pieces == 1 else 'pieces'}, {origins}"
 
 
 def _bill(rows: Sequence[BillRow]) -> Table:
-    table = _plain("part", "pieces", "material", "comes", "mm", "g each")
+    table = _plain("part", "pieces", "material", "origin", "mm", "g each")
     for row in rows:
         size = " x ".join(f"{1e3 * side:.1f}" for side in row.size if side is not None)
         table.add_row(row.part, str(row.count), row.material or "", row.comes, size, _grams(row.mass))
@@ -48,7 +48,7 @@ def _bill(rows: Sequence[BillRow]) -> Table:
 
 
 def _totals(totals: Sequence[BillTotal]) -> Table:
-    table = _plain("material", "pieces", "cm³", "g", "g/cm³", "density by")
+    table = _plain("material", "pieces", "cm³", "g", "g/cm³", "density from")
     for each in totals:
         density = _NONE if each.density is None else f"{1e-3 * each.density:.4g}"
         volume = f"{1e6 * each.volume:.3g}"
@@ -58,20 +58,20 @@ def _totals(totals: Sequence[BillTotal]) -> Table:
 
 
 def _unknown(totals: Sequence[BillTotal]) -> list[Text]:
-    """Whose masses are missing."""
+    """Return a sentence on materials without a known density."""
     names = [each.material for each in totals if each.density is None]
-    return [Text(f"No source gives a density of {listed(names, 'and')}: masses are without it.")] if names else []
+    return [Text(f"No source gives a density of {listed(names, 'and')}: masses do not include it.")] if names else []
 
 
 def _checks(checks: Sequence[Check]) -> list[RenderableType]:
-    """How many checks hold, and a sentence each of those that fail or were not made."""
+    """Return the number of checks that hold, and a sentence for each one that fails or was not made."""
     failed = [check for check in checks if check.ok is False]
     missing = [check for check in checks if check.ok is None]
     held = len(checks) - len(failed) - len(missing)
     counts = f"{held} {'check holds' if held == 1 else 'checks hold'}, {len(failed)} "
     counts += f"{'fails' if len(failed) == 1 else 'fail'}" + (f", {len(missing)} not made" if missing else "")
     table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
-    # what is the same of several parts is said once
+    # the same failure of several parts is listed once
     alike: dict[tuple[bool | None, str, str], list[str]] = {}
     for check in (*failed, *missing):
         alike.setdefault((check.ok, check.name, check.text), []).append(check.part)
@@ -86,8 +86,8 @@ def _grams(mass: float | None) -> str:
 
 
 def _plain(*headings: str) -> Table:
-    """A table without lines; its first column is text."""
+    """Return a table without lines whose first column is text."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for number, heading in enumerate(headings):
-        table.add_column(heading, justify="left" if number == 0 or heading in ("material", "comes") else "right")
+        table.add_column(heading, justify="left" if number == 0 or heading in ("material", "origin") else "right")
     return table

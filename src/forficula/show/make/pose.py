@@ -1,4 +1,4 @@
-"""Where parts are when their joints are turned, and when they are taken apart."""
+"""Positions of parts when their joints turn, and in an exploded view."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from forficula.make.part import Part, PartSet
 from forficula.pattern.rotation import STILL, RigidMotion
 from forficula.structure import GROUND
 
-# how far parts are moved apart at most, by the length of the arms that are moved, or by what they are
+# largest distances in an exploded view, as shares of the length of the arms that are moved, or of the part
 _APART, _RAISED, _PULLED = 0.3, 0.45, 1.6
 
 
 def angle_range(parts: PartSet) -> tuple[float, float]:
-    """From the stop of the fold that is furthest to the furthest stop of an overbend, rad."""
+    """Return the lowest stop of folding and the highest stop of the overbend over all joints, rad."""
     return min(joint.lower for joint in parts.joints), max(joint.upper for joint in parts.joints)
 
 
 def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
-    """Every body with all joints at an angle in their own senses, rad, each no further than its own stops.
+    """Return the motion of every body with all joints at an angle in their own senses, rad, limited by their stops.
 
-    A joint alone turns its distal half; bars that turn against the ground stay as they are built.
+    A single joint turns its distal half. Bars that turn against the ground keep their built positions.
     """
     by_body = {joint.distal.body: joint for joint in parts.joints}
     poses = {GROUND: STILL}
@@ -38,41 +38,41 @@ def poses_at(parts: PartSet, angle: float) -> Mapping[int, RigidMotion]:
 
 
 def within(joint: JointLayout, angle: float) -> float:
-    """An angle, rad, or the stop that it is beyond."""
+    """Return an angle, rad, limited to a joint's stops."""
     return float(np.clip(angle, joint.lower, joint.upper))
 
 
 def apart(parts: PartSet) -> list[Array]:
-    """How far every part is moved, as built, when all are taken apart, m, (3,) each.
+    """Return the displacement of every part in an exploded view, in the built shape, m, (3,) each.
 
-    A distal half is moved away from its hinge with what hangs on it, a pin out of its knuckles, straps up from the
-    bars, the hub back from its rods.
+    A distal half moves away from its hinge with everything attached to it, a pin out of its knuckles, straps up from
+    the bars, the hub away from its rods.
     """
-    ways = {GROUND: np.zeros(3)}
+    shifts = {GROUND: np.zeros(3)}
     by_body = {joint.distal.body: joint for joint in parts.joints}
     for number, body in enumerate(parts.structure.bodies):
-        ways[number] = ways[body.parent]
+        shifts[number] = shifts[body.parent]
         if number in by_body:
             joint = by_body[number]
-            ways[number] = ways[number] + _APART * joint.distal.length * joint.distal.along
-    return [_apart(parts, part, ways) for part in parts.parts]
+            shifts[number] = shifts[number] + _APART * joint.distal.length * joint.distal.along
+    return [_apart(parts, part, shifts) for part in parts.parts]
 
 
-def _apart(parts: PartSet, part: Part, ways: Mapping[int, Array]) -> Array:
+def _apart(parts: PartSet, part: Part, shifts: Mapping[int, Array]) -> Array:
     same = [each for each in parts.parts if each.kind == part.kind]
-    place = same.index(part)
+    index = same.index(part)
     back = np.mean([root.along for root in parts.roots], axis=0) if parts.roots else np.zeros(3)
     rod = parts.roots[0].make.root_length if parts.roots else 0.0
     match part.kind:
         case "strap":
-            strap = parts.straps[place]
-            between = (ways[strap.bodies[0]] + ways[strap.bodies[1]]) / 2
+            strap = parts.straps[index]
+            between = (shifts[strap.bodies[0]] + shifts[strap.bodies[1]]) / 2
             return np.asarray(between + _RAISED * strap.strap.rest_length * strap.up)
         case "pin":
-            joint = [each for each in parts.joints if each.make.hinge == "pin"][place]
-            return np.asarray(ways[joint.proximal.body] - _PULLED * joint.width * joint.frame[:, 1])
+            joint = [each for each in parts.joints if each.make.hinge == "pin"][index]
+            return np.asarray(shifts[joint.proximal.body] - _PULLED * joint.width * joint.frame[:, 1])
         case "hub":
             return np.asarray(-6 * rod * back)
         case "root":
             return np.asarray(-3 * rod * back)
-    return np.asarray(ways[GROUND if part.body is None else part.body])
+    return np.asarray(shifts[GROUND if part.body is None else part.body])

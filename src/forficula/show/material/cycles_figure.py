@@ -19,13 +19,13 @@ from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_s
 
 WAYS = {"loading": (BLUE, "-"), "unloading": (VERMILION, "--")}
 _SLACK: dict[str, Any] = {"ls": "none", "marker": "o", "color": "white", "mec": VERMILION, "ms": 4.5}
-_LEAST_SLACK = 2.0  # %
+_LEAST_SLACK = 2.0  # %, slack strain below which no mark is drawn
 _MOST_CYCLES = 6
 _POINTS = 201
 
 
 def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
-    """Draw stress over strain, a panel a cycle: every specimen thin, the median over specimens thick; width in inch."""
+    """Draw stress over strain, a panel for each cycle: specimens thin, their median thick; width in inch."""
     left_out = {cycle.number for each in material.specimens for cycle in each.left_out}
     by_number: dict[int, list[Cycle]] = {}
     for each in material.specimens:
@@ -53,11 +53,11 @@ def draw_cycles(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
         _legend(figure, spare[:1], many=len(material.specimens) > 1)
         for axes in spare:
             axes.set_axis_off()
-        return describe(figure, _tell(material, numbers))
+        return describe(figure, _text(material, numbers))
 
 
 def _shown(numbers: Sequence[int]) -> list[int]:
-    """All cycles, or as many as a page holds, the first two and the last among them."""
+    """Return all cycles, or as many as fit on a page, including the first two and the last."""
     if len(numbers) <= _MOST_CYCLES:
         return list(numbers)
     places = np.unique(np.geomspace(2, len(numbers), _MOST_CYCLES - 1).round().astype(int)) - 1
@@ -65,8 +65,8 @@ def _shown(numbers: Sequence[int]) -> list[int]:
 
 
 def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
-    for way, (colour, style) in WAYS.items():
-        branches: list[CycleBranch] = [getattr(cycle, way) for cycle in cycles]
+    for name, (colour, style) in WAYS.items():
+        branches: list[CycleBranch] = [getattr(cycle, name) for cycle in cycles]
         if len(branches) > 1:
             for branch in branches:
                 axes.plot(100 * branch.strain, branch.stress / factor, color=colour, lw=0.5, alpha=0.35)
@@ -75,18 +75,18 @@ def _draw_cycle(axes: Axes, cycles: Sequence[Cycle], factor: float) -> None:
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
     slack = [cycle.slack_strain for cycle in cycles if math.isfinite(cycle.slack_strain)]
     place = 100 * float(np.median(slack)) if slack else 0.0
-    # one that never hangs slack has the strain at 1 % of its peak stress there
+    # for a specimen that is never slack this is the strain at 1 % of its peak stress
     if place > _LEAST_SLACK:
         axes.plot(place, 0, **_SLACK, zorder=5, clip_on=False)
         words = f"no force below {place:.0f} %"
-        if in_column(axes):  # the title has no room for it
+        if in_column(axes):  # too narrow for words beside the title
             axes.text(0.04, 0.96, words, transform=axes.transAxes, va="top", fontsize=7)
         else:
             axes.set_title(words, loc="right", fontsize=7)
 
 
 def _median_curve(branches: Sequence[CycleBranch]) -> tuple[Array, Array]:
-    """The median over specimens at each strain that all of them pass, shape (points,)."""
+    """Return the median over specimens at strains that all specimens reach, shape (points,)."""
     low = max(float(branch.strain.min()) for branch in branches)
     high = min(float(branch.strain.max()) for branch in branches)
     strain = np.linspace(low, high, _POINTS)
@@ -98,10 +98,10 @@ def _median_curve(branches: Sequence[CycleBranch]) -> tuple[Array, Array]:
 
 
 def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
-    """What the lines are: in a place that no cycle needs, or below."""
+    """Draw the legend in the area of an unused panel, or below."""
     what = ", median of the specimens" if many else ""
     handles = [
-        Line2D([], [], color=colour, ls=style, lw=1.6, label=way + what) for way, (colour, style) in WAYS.items()
+        Line2D([], [], color=colour, ls=style, lw=1.6, label=name + what) for name, (colour, style) in WAYS.items()
     ]
     if many:
         handles.append(Line2D([], [], color="0.5", lw=0.6, label="each specimen"))
@@ -112,8 +112,8 @@ def _legend(figure: Figure, spare: Sequence[Axes], *, many: bool) -> None:
         fit_legend(figure, handles, 2, loc="outside lower center")
 
 
-def _tell(material: Characterisation, numbers: Sequence[int]) -> str:
-    """The cycles in words."""
+def _text(material: Characterisation, numbers: Sequence[int]) -> str:
+    """Describe the cycles."""
     count = len(material.specimens)
     specimens = f"{count} specimens" if count > 1 else "one specimen"
     cycles = ", ".join(str(number) for number in numbers)

@@ -1,4 +1,4 @@
-"""How a material changes from cycle to cycle."""
+"""Changes of a material from cycle to cycle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from forficula.show.style import BLUE, PAGE_WIDTH, VERMILION, describe, figure_s
 
 
 def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
-    """Draw peak stress, loss and residual strain over the cycles, and the drift that was fitted; width in inch."""
+    """Draw peak stress, loss and residual strain over the cycles, and the fitted drift; width in inch."""
     with figure_style():
         narrow, count = is_narrow(width), len(DRIFTING)
         figure = Figure(figsize=(width, 5.6 if narrow else 2.6), layout="constrained")
@@ -29,7 +29,7 @@ def draw_drift(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
             axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
         left_out = any(each.left_out for each in material.specimens)
         _legend(figure, many=len(material.specimens) > 1, left_out=left_out)
-        return describe(figure, _tell(material))
+        return describe(figure, _text(material))
 
 
 def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
@@ -46,7 +46,7 @@ def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
         number = material.specimens[0].left_out[0].number
         axes.plot([number] * len(first), first[:, 0] / factor, "o", color="white", mec=BLUE, ms=3.5, mew=0.7)
     drift = material.drifts[key]
-    title = "drift cannot be told"
+    title = "drift unknown"
     if drift is not None:
         title = _words(drift)
         _draw_drift(axes, drift, numbers, table, factor)
@@ -58,7 +58,7 @@ def _draw_value(axes: Axes, material: Characterisation, key: str) -> None:
 
 
 def _reading(key: str, largest: float) -> tuple[str, float]:
-    """The axis' name and the size of its unit in SI."""
+    """Return the label of an axis and the size of its unit in SI."""
     if key == "peak_stress":
         unit, factor = stress_unit(largest)
         return f"peak stress ({unit})", factor
@@ -69,7 +69,7 @@ def _reading(key: str, largest: float) -> tuple[str, float]:
 
 
 def _draw_drift(axes: Axes, drift: Drift, numbers: Sequence[int], table: Array, factor: float) -> None:
-    """The fitted course over the cycles seen with its 95 % interval, at the level of the median specimen."""
+    """Draw the fitted curve over the measured cycles with its 95 % interval, at the level of the median specimen."""
     changes = np.array([drift.change(number) for number in numbers]).T
     if drift.relative:
         start = np.exp(np.median(np.mean(np.log(table / changes[0]), axis=1)))
@@ -97,14 +97,14 @@ def _legend(figure: Figure, *, many: bool, left_out: bool) -> None:
     ]
     if left_out:
         handles.append(Line2D([], [], ls="none", marker="o", color="white", mec=BLUE, ms=3.5, label="left out"))
-    handles.append(Line2D([], [], ls="--", color=VERMILION, label="drift that was fitted, and its 95 % interval"))
+    handles.append(Line2D([], [], ls="--", color=VERMILION, label="fitted drift and its 95 % interval"))
     fit_legend(figure, handles, 3, loc="outside lower center")
 
 
-def _tell(material: Characterisation) -> str:
-    """The drift of every value in words."""
-    told = [
-        f"{key.replace('_', ' ')}: {'drift cannot be told' if drift is None else _words(drift)}"
+def _text(material: Characterisation) -> str:
+    """Describe the drift of every value."""
+    drifts = [
+        f"{key.replace('_', ' ')}: {'drift unknown' if drift is None else _words(drift)}"
         for key, drift in material.drifts.items()
     ]
-    return f"Peak stress, loss and residual strain of {material.name} over the cycles. {'; '.join(told)}."
+    return f"Peak stress, loss and residual strain of {material.name} over the cycles. {'; '.join(drifts)}."

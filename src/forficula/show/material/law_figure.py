@@ -1,4 +1,4 @@
-"""Measured stress beside that of the fitted law, and what is left."""
+"""Measured stress, stress of the fitted law, and residuals."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from forficula.show.material.material_units import stress_unit
 from forficula.show.style import BLACK, PAGE_WIDTH, SKY, VERMILION, describe, figure_style, fit_legend, is_narrow
 
 _MINUTE, _HOUR = 60.0, 3600.0
-_SOME_ROWS = 1.5  # more than one
+_SOME_ROWS = 1.5  # rows per point from which points count as means
 
 
 def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
-    """Draw data and law over strain and over time, and the residual under both.
+    """Draw data and law over strain and over time, and the residual below both.
 
-    Offset and drift of the force's zero, which the fit found beside the law, are taken off the data. The law is drawn
-    with the amplitude of the specimen along which it runs.
+    The offset and drift of the force's zero, which the fit determines with the law, are subtracted from the data. The
+    law is drawn with the amplitude of the specimen whose strain it follows.
 
     Args:
-        material: whose law and data are drawn.
-        width: of the figure, inch.
+        material: material with its law and data.
+        width: width of the figure, inch.
 
     Raises:
         InputError: there is no law.
@@ -54,18 +54,18 @@ def draw_fit(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
             for side in (-1, 1):
                 axes.axhline(side * fit.misfit / factor, color=BLACK, lw=0.7, ls=":")
         panels[0, 0].set_ylabel(f"engineering stress ({unit})")
-        panels[1, 0].set_ylabel(f"law less\ndata ({unit})")
+        panels[1, 0].set_ylabel(f"law − data\n({unit})")
         panels[1, 0].set_xlabel("engineering strain (%)")
         panels[1, 1].set_xlabel(f"time ({time_unit})")
         end = ":\n" if is_narrow(width) else ": "
-        off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
-        figure.suptitle(f"{fit.form.name}{end}{off}", fontsize=8)
+        residual = f"residual {100 * fit.relative_misfit:.2g} % of the largest stress"
+        figure.suptitle(f"{fit.form.name}{end}{residual}", fontsize=8)
         _legend(figure, material, fit, f"{fit.misfit / factor:.2g} {unit}", shown)
-        return describe(figure, _tell(material.name, fit))
+        return describe(figure, _text(material.name, fit))
 
 
 def _typical(fit: LawFit) -> Residual:
-    """The specimen whose misfit is the median one."""
+    """Return the specimen with the median misfit."""
     ranked = sorted(fit.residuals, key=lambda each: float(np.mean((each.fitted - each.stress) ** 2)))
     return ranked[len(ranked) // 2]
 
@@ -80,12 +80,12 @@ def _time_unit(longest: float) -> tuple[str, float]:
 
 
 def _without_zero(residual: Residual, stress: Any, middle: float) -> Any:
-    """A stress less the offset and drift of the force's zero, Pa, shape (points,)."""
+    """Return a stress without the offset and drift of the force's zero, Pa, shape (points,)."""
     return stress - residual.offset - residual.drift * (residual.time - middle)
 
 
 def _draw_data(panels: Any, residual: Residual, factor: float, time: float, middle: float) -> None:
-    """One specimen over strain and over time, and its residual under both; the middle of its test in s."""
+    """Draw one specimen over strain and over time, and its residual below both; `middle` is its mean time, s."""
     stress = _without_zero(residual, residual.stress, middle) / factor
     left = (residual.fitted - residual.stress) / factor
     look: dict[str, Any] = {"color": SKY, "lw": 1.2, "alpha": 0.6}
@@ -110,7 +110,7 @@ def _legend(figure: Figure, material: Characterisation, fit: LawFit, misfit: str
     fit_legend(figure, handles, 3, loc="outside lower center", fontsize=size)
 
 
-def _tell(name: str, fit: LawFit) -> str:
-    """The fit in words."""
-    off = f"off by {100 * fit.relative_misfit:.2g} % of the largest stress"
-    return f"Measured stress of {name} over strain and time beside that of the fitted law. {fit.form.name}, {off}."
+def _text(name: str, fit: LawFit) -> str:
+    """Describe the fit."""
+    residual = f"residual {100 * fit.relative_misfit:.2g} % of the largest stress"
+    return f"Measured stress of {name} over strain and time, and stress of the fitted law. {fit.form.name}, {residual}."

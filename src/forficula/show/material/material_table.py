@@ -1,4 +1,4 @@
-"""A characterised material as text that a person understands."""
+"""A characterised material as text."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _DRIFT_NAMES = {"peak_stress": "peak stress", "loss": "loss", "residual_strain":
 
 
 def print_material(material: Characterisation) -> None:
-    """Print what the tests say of a material."""
+    """Print the results of a material's tests."""
     Console(width=110, highlight=False).print(material_table(material))
 
 
 def material_table(material: Characterisation) -> RenderableType:
-    """Lay out cycles, moduli, drift and law, and the remarks as sentences."""
+    """Return cycles, moduli, drift and law as tables, and the remarks as sentences."""
     parts: list[RenderableType] = [Text(_heading(material), style="bold"), Text()]
     parts += [*_cycles(material), Text(), *_moduli(material), Text(), *_drifts(material)]
     if material.law is not None and material.fit is not None:
@@ -41,14 +41,14 @@ def material_table(material: Characterisation) -> RenderableType:
 
 
 def sentence(remark: str) -> str:
-    """A remark with a capital, unless it begins with a key, and a full stop."""
+    """Return a remark with a capital, unless it begins with a key, and a full stop."""
     first, _, rest = remark.partition(" ")
     start = first if "." in first or ":" in first else first[0].upper() + first[1:]
     return f"{start} {rest.rstrip('.')}."
 
 
 def plain_table(*headings: str) -> Table:
-    """A table without lines whose first column is text."""
+    """Return a table without lines whose first column is text."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for number, heading in enumerate(headings):
         table.add_column(heading, justify="right" if number else "left")
@@ -66,7 +66,7 @@ def _heading(material: Characterisation) -> str:
 
 
 def _spread(texts: list[str]) -> str:
-    return texts[0] if len(set(texts)) == 1 else f"from {texts[0]} on, not all alike"
+    return texts[0] if len(set(texts)) == 1 else f"{texts[0]} and larger"
 
 
 def _cycles(material: Characterisation) -> list[RenderableType]:
@@ -106,10 +106,10 @@ def _moduli(material: Characterisation) -> list[RenderableType]:
     classes: dict[tuple[float, float], dict[str, ModulusClass]] = {}
     for each in material.pooled:
         classes.setdefault((each.from_strain, each.to_strain), {})[each.way] = each
-    for (low, high), ways in sorted(classes.items()):
+    for (low, high), by_branch in sorted(classes.items()):
         cells = [
-            _quartiles(getattr(ways[way], kind), factor) if way in ways else _NONE
-            for way in ("loading", "unloading")
+            _quartiles(getattr(by_branch[branch], kind), factor) if branch in by_branch else _NONE
+            for branch in ("loading", "unloading")
             for kind in ("secant_modulus", "local_modulus")
         ]
         table.add_row(f"{100 * low:g} to {100 * high:g}", *cells)
@@ -118,15 +118,15 @@ def _moduli(material: Characterisation) -> list[RenderableType]:
 
 
 def _drifts(material: Characterisation) -> list[RenderableType]:
-    table = plain_table("", "first cycle to last", "95 % interval", "by the course")
+    table = plain_table("", "first cycle to last", "95 % interval", "form")
     for key, drift in material.drifts.items():
-        table.add_row(_DRIFT_NAMES[key], *(["cannot be told", "", ""] if drift is None else _drift(drift)))
+        table.add_row(_DRIFT_NAMES[key], *(["unknown", "", ""] if drift is None else _drift(drift)))
     return [Text("Drift over the cycles", style="italic"), table]
 
 
 def _drift(drift: Drift) -> list[str]:
     if drift.kind == "none":
-        return ["none in the data", "", ""]
+        return ["no drift", "", ""]
     values = [100 * (each - 1) if drift.relative else 100 * each for each in drift.change(drift.seen[1])]
     middle, low, high = (_signed(value) for value in values)
     unit = "%" if drift.relative else "percentage points"
@@ -135,7 +135,7 @@ def _drift(drift: Drift) -> list[str]:
 
 
 def law_table(law: MaterialLaw) -> Table:
-    """Lay out the values of a law, each with its interval where it has one."""
+    """Return a table of a law's values, with intervals where they are known."""
     table = plain_table("", "value", "95 % interval")
     for each in known_values(law):
         interval = _NONE if each.interval is None else _minus(show_range(each.key, *each.interval))
@@ -144,35 +144,35 @@ def law_table(law: MaterialLaw) -> Table:
 
 
 def _law(law: MaterialLaw, fit: LawFit) -> list[RenderableType]:
-    left = f"{_stress(fit.misfit)}, {100 * fit.relative_misfit:.2g} % of the largest stress"
-    return [Text(f"Law: {fit.form.name}; residual {left}", style="italic"), law_table(law), *_amplitudes(fit)]
+    residual = f"{_stress(fit.misfit)}, {100 * fit.relative_misfit:.2g} % of the largest stress"
+    return [Text(f"Law: {fit.form.name}; residual {residual}", style="italic"), law_table(law), *_amplitudes(fit)]
 
 
 def _amplitudes(fit: LawFit) -> Iterator[Text]:
-    """By how much specimens differ, where there are several."""
+    """Yield a sentence on the differences between specimens, if there are several."""
     if fit.scatter is None:
         return
     least, *_, most = sorted(fit.residuals, key=lambda each: each.amplitude)
     shown = [f"{_signed(100 * (each.amplitude - 1))} % ({each.name})" for each in (least, most)]
     yield Text(
         f"The specimens' amplitudes differ from the law's by {shown[0]} to {shown[1]}, standard deviation"
-        f" {_number(100 * fit.scatter)} %; the intervals hold for the material, not for these specimens alone."
+        f" {_number(100 * fit.scatter)} %; the intervals hold for the material, not only for these specimens."
     )
 
 
 def _candidates(fit: LawFit) -> list[RenderableType]:
     tried = [each for each in fit.candidates if math.isfinite(each.bic)]
-    table = plain_table("", "values", "criterion above\nthe chosen", "residual")
-    for each in _telling(tried)[:_MOST_LAWS]:
+    table = plain_table("", "values", "criterion minus\nthat of the chosen", "residual")
+    for each in _best_of_each_kind(tried)[:_MOST_LAWS]:
         above = "chosen" if each is tried[0] else _minus(f"{each.bic - tried[0].bic:+.3g}")
         table.add_row(each.form.name, str(len(each.form.keys)), above, _stress(each.misfit))
     refused = len(fit.candidates) - len(tried)
-    title = f"Best laws of each kind by the Bayesian information criterion; {len(tried)} compared, {refused} refused"
+    title = f"Best laws of each kind by the Bayesian information criterion; {len(tried)} compared, {refused} rejected"
     return [Text(title, style="italic"), table]
 
 
-def _telling(tried: list[FitCandidate]) -> list[FitCandidate]:
-    """The best of each kind: order of the spring and way to lose energy."""
+def _best_of_each_kind(tried: list[FitCandidate]) -> list[FitCandidate]:
+    """Return the best candidate for each model of dissipation and softening."""
     best: dict[tuple[object, ...], FitCandidate] = {}
     for each in tried:
         best.setdefault((each.form.damper, each.form.branches, each.form.softening), each)
@@ -190,7 +190,7 @@ def _quartiles(entry: Quartiles, factor: float) -> str:
 
 
 def _number(value: float, decimals: int = 3) -> str:
-    """Three digits, and no more than some decimals, so that noise about 0 reads as such."""
+    """Return a number with three digits and a limited number of decimals, so that noise about 0 reads as 0."""
     if not math.isfinite(value):
         return _NONE
     digits = 2 - math.floor(math.log10(abs(value))) if value else 0

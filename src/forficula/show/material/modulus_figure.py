@@ -37,16 +37,16 @@ _NAMES: dict[Kind, str] = {
     "local_modulus": "local modulus,\nd stress / d strain (MPa)",
 }
 _MPA = 1e6
-_COLUMN_LINE = 54  # letters of a line in a column
-_GAP = 0.2  # between the two boxes of a class and its middle, in classes
+_COLUMN_LINE = 54  # letters per line in a column
+_GAP = 0.2  # distance of the two boxes from the centre of their class, in classes
 
 
 def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure:
-    """Draw secant and local moduli by class of strain, loading beside unloading, with the moduli that folding needs.
+    """Draw secant and local moduli by class of strain, loading beside unloading, with the moduli required for folding.
 
     Args:
-        material: whose moduli are drawn.
-        width: of the figure, inch.
+        material: material with its moduli.
+        width: width of the figure, inch.
     """
     with figure_style():
         figure = Figure(figsize=(width, 5.2), layout="constrained")
@@ -54,8 +54,8 @@ def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
         kinds: tuple[Kind, Kind] = ("secant_modulus", "local_modulus")
         for axes, kind in zip(panels, kinds, strict=True):
             _draw_band(axes, material)
-            for way in _LOOKS:
-                _draw_boxes(axes, material, way, kind)
+            for branch in _LOOKS:
+                _draw_boxes(axes, material, branch, kind)
             axes.set_ylabel(_NAMES[kind])
             axes.axhline(0, color="0.6", lw=0.5, zorder=1)
         _scale(panels[0], material)
@@ -63,11 +63,11 @@ def draw_moduli(material: Characterisation, width: float = PAGE_WIDTH) -> Figure
         panels[0].tick_params(axis="x", length=0)
         panels[1].set_xlabel("engineering strain, in classes (%)")
         _legend(figure, material)
-        return describe(figure, _tell(material))
+        return describe(figure, _text(material))
 
 
 def _place(low: float, high: float) -> float:
-    """Where a class stands: one apart, whatever the width."""
+    """Return the position of a class; classes are one apart, whatever their width."""
     return (low + high) / 2 / (high - low)
 
 
@@ -76,12 +76,12 @@ def _draw_band(axes: Axes, material: Characterisation) -> None:
     axes.axhspan(low, high, color=_BAND, zorder=0, lw=0)
 
 
-def _draw_boxes(axes: Axes, material: Characterisation, way: str, kind: Kind) -> None:
-    """One box a class: quartiles and median over specimens and cycles, whiskers to the extremes."""
-    face, edge, hatch = _LOOKS[way]
-    side = -_GAP if way == "loading" else _GAP
+def _draw_boxes(axes: Axes, material: Characterisation, branch: str, kind: Kind) -> None:
+    """Draw one box for each class: quartiles and median over specimens and cycles, whiskers to the extremes."""
+    face, edge, hatch = _LOOKS[branch]
+    side = -_GAP if branch == "loading" else _GAP
     boxes, places = [], []
-    for entry in (each for each in material.pooled if each.way == way):
+    for entry in (each for each in material.pooled if each.way == branch):
         values = _single_values(material, entry, kind)
         quartiles = getattr(entry, kind)
         boxes.append(
@@ -110,19 +110,19 @@ def _draw_boxes(axes: Axes, material: Characterisation, way: str, kind: Kind) ->
 
 
 def _single_values(material: Characterisation, entry: ModulusClass, kind: Kind) -> Any:
-    """The values behind an entry, Pa, shape (value,)."""
+    """Return the single values of an entry, Pa, shape (value,)."""
     same = [each for each in material.single if (each.way, each.from_strain) == (entry.way, entry.from_strain)]
     return np.array([getattr(each, kind).median for each in same])
 
 
 def _straight(material: Characterisation) -> float:
-    """The decade below the largest secant modulus, MPa: the scale is linear below it."""
+    """Return the decade below the largest secant modulus, MPa, below which the scale is linear."""
     largest = max(each.secant_modulus.upper for each in material.pooled) / _MPA
     return float(10.0 ** math.floor(math.log10(largest / 2)))
 
 
 def _scale(axes: Axes, material: Characterisation) -> None:
-    """Logarithmic over the decades of the moduli, straight about 0, where a slack specimen has them."""
+    """Set a logarithmic scale over the decades of the moduli, linear about 0 for slack specimens."""
     values = [getattr(each, kind).median / _MPA for each in material.single for kind in _NAMES]
     low, high = min(values), max(*values, material.simulated_moduli[1] / _MPA)
     straight = _straight(material)
@@ -132,7 +132,7 @@ def _scale(axes: Axes, material: Characterisation) -> None:
 
 
 def _classes(axes: Axes, material: Characterisation) -> None:
-    """Name the classes and part them."""
+    """Label the classes and draw lines between them."""
     classes = sorted({(each.from_strain, each.to_strain) for each in material.pooled})
     places = [_place(low, high) for low, high in classes]
     axes.set_xticks(places, [f"{100 * low:g}–{100 * high:g}" for low, high in classes])
@@ -150,13 +150,13 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     size = f"{show_quantity(length, LENGTH)} and {show_quantity(area, AREA).replace('^2', '²')}"
     handles = [
-        Patch(facecolor=face, edgecolor=edge, hatch=hatch, lw=0.8, label=way)
-        for way, (face, edge, hatch) in _LOOKS.items()
+        Patch(facecolor=face, edgecolor=edge, hatch=hatch, lw=0.8, label=branch)
+        for branch, (face, edge, hatch) in _LOOKS.items()
     ]
-    band = f"{low:.3g} to {high:.3g} MPa, that 10 to 60 N/cm need at {size}"
+    band = f"{low:.3g} to {high:.3g} MPa, required for 10 to 60 N/cm at {size}"
     handles.append(Patch(facecolor=_BAND, edgecolor=_BAND_INK, lw=0.4, label=band))
     count = max(each.values for each in material.pooled)
-    what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one a specimen and cycle"
+    what = f"box: quartiles, line: median, whiskers: extremes of up to {count} values, one per specimen and cycle"
     note = f"{what}; linear scale below {_straight(material):g} MPa"
     narrow = is_narrow(figure.get_figwidth())
     if narrow:
@@ -164,14 +164,14 @@ def _legend(figure: Figure, material: Characterisation) -> None:
     fit_legend(figure, handles, 3, loc="outside upper center", title=note, title_fontsize=7)
 
 
-def _tell(material: Characterisation) -> str:
-    """The secant moduli in words."""
-    told = []
-    for way in _LOOKS:
-        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == way]
-        told.append(f"when {way} {min(medians):.3g} to {max(medians):.3g} MPa")
+def _text(material: Characterisation) -> str:
+    """Describe the secant moduli."""
+    medians_by_branch = []
+    for branch in _LOOKS:
+        medians = [each.secant_modulus.median / _MPA for each in material.pooled if each.way == branch]
+        medians_by_branch.append(f"when {branch} {min(medians):.3g} to {max(medians):.3g} MPa")
     low, high = (modulus / _MPA for modulus in material.simulated_moduli)
     return (
-        f"Moduli of {material.name} by class of strain. Median secant moduli {' and '.join(told)};"
-        f" tendons of 10 to 60 N/cm need {low:.3g} to {high:.3g} MPa."
+        f"Moduli of {material.name} by class of strain. Median secant moduli {' and '.join(medians_by_branch)};"
+        f" tendons of 10 to 60 N/cm require {low:.3g} to {high:.3g} MPa."
     )

@@ -1,4 +1,4 @@
-"""Sizes of tendons as text and as a table for other programs."""
+"""Sizes of tendons as text and as a table for spreadsheets."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def print_sizes(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> None:
 
 
 def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType:
-    """Lay out a table for each length, and what it means for the flat structure."""
+    """Return a table for each length, with the tendon's state in the flat structure."""
     parts: list[RenderableType] = []
     for each in sizes:
         heading = f"{law.name}, length {show_quantity(each.length, LENGTH)}, {each.why}"
@@ -40,7 +40,7 @@ def size_table(law: MaterialLaw, sizes: Sequence[TendonSizes]) -> RenderableType
 
 
 def sizes_json(sizes: Sequence[TendonSizes]) -> list[dict[str, float | bool | None]]:
-    """The sizes as plain data in SI, one row a tendon; None for what is absent."""
+    """Return the sizes as plain data in SI, one row for each tendon; None for missing values."""
     return [
         dict(
             zip(
@@ -58,7 +58,7 @@ def sizes_json(sizes: Sequence[TendonSizes]) -> list[dict[str, float | bool | No
 
 
 def sizes_csv(sizes: Sequence[TendonSizes]) -> str:
-    """The rows of `sizes_json` as comma-separated values; what is absent is empty."""
+    """Return the rows of `sizes_json` as comma-separated values; missing values are empty."""
     return csv_text([_COLUMNS, *([_cell(value) for value in row.values()] for row in sizes_json(sizes))])
 
 
@@ -92,10 +92,10 @@ def _is_linear(law: MaterialLaw) -> bool:
 
 def _flat(sizes: TendonSizes, law: MaterialLaw) -> str:
     if sizes.flat_strain <= law.residual_strain:
-        return f"The flat {sizes.whole} leaves it slack."
-    strain = f"The flat {sizes.whole} stretches it by {100 * sizes.flat_strain:.3g} %"
+        return f"The tendon is slack in the flat {sizes.whole}."
+    strain = f"The tendon is stretched by {100 * sizes.flat_strain:.3g} % in the flat {sizes.whole}"
     if sizes.beyond is None:
-        return f"{strain}; the law does not say up to which strain it holds."
+        return f"{strain}; the law does not report the strain up to which it was measured."
     shown = show_value("largest_strain", law.largest_strain or math.nan)
     return f"{strain}, {'beyond' if sizes.beyond else 'within'} the {shown} up to which {law.name} was measured."
 
@@ -103,11 +103,11 @@ def _flat(sizes: TendonSizes, law: MaterialLaw) -> str:
 def _remarks(law: MaterialLaw) -> Iterator[str]:
     if law.residual_strain:
         shown = show_value("residual_strain", law.residual_strain)
-        yield f"the material has grown by {shown} for good: the length is that before, and it pulls only beyond that"
+        yield f"the material is permanently {shown} longer; the length is that before, and the tendon pulls beyond it"
     if law.branches:
-        yield "the stiffness is that of a slow pull; fast ones find the Maxwell branches, too"
+        yield "the stiffness is that of slow extension; fast extension adds the Maxwell branches"
     if law.softening is not None:
-        yield "the stiffness is that of a first pull; below the largest strain that it has seen the material is softer"
+        yield "the stiffness is that of the first extension; below the largest strain so far the material is softer"
 
 
 def _area(area: float) -> str:

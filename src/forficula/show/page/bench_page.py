@@ -1,4 +1,4 @@
-"""A page with a structure to be moved by its reader and no run in it."""
+"""Page with a structure that the reader can move, without a run."""
 
 from __future__ import annotations
 
@@ -21,23 +21,24 @@ from forficula.show.page.playback import Clip, clip_data, legend_data, make_clip
 from forficula.show.page.run_page import repeat
 from forficula.structure import structure_warnings
 
-_STEPS = 2  # that it is drawn after
+_STEPS = 2  # length of the run that gives the shape at the start, timesteps
 
 
 def write_bench_page(design: Design, path: Path) -> None:
-    """Write a design as one HTML file in which its structure is moved, without a network.
+    """Write a design as one HTML file in which the reader moves its structure, without a network.
 
     Raises:
-        InputError: the engine in a page would move it otherwise, and why, or the file cannot be written.
+        InputError: the engine in a page would simulate the design differently (with the reason), or the file cannot be
+            written.
     """
     write_text(path, bench_page(design))
 
 
 def bench_page(design: Design) -> str:
-    """A design as one page: its structure live, with sliders for what is changed in place, and its values.
+    """Return a design as one page: its structure, simulated live, with sliders for some of its values, and all values.
 
     Raises:
-        InputError: the engine in a page would move it otherwise, and why.
+        InputError: the engine in a page would simulate the design differently (with the reason).
     """
     design = with_timestep(design)
     if why := why_not_portable(compile_model(design)):
@@ -56,11 +57,11 @@ def bench_page(design: Design) -> str:
         )
     )
     live = live_data(design, [each.measure for each in clip.readings], clip.mesh.anchors.tolist())
-    return page_html(f"{title}: to be moved", body, bench_data(clip), live)
+    return page_html(f"{title}: interactive", body, bench_data(clip), live)
 
 
 def at_start(design: Design) -> Clip:
-    """The structure where it starts: as a run of two steps has it."""
+    """Return the structure at its start as a clip, from a run of two timesteps."""
     timestep = float(design.protocol.timestep)
     stage = {"name": "start", "drive": "none", "until": "time", "hold": 0.0, "time_limit": _STEPS * timestep}
     short = with_values(design, {"protocol.stages": [stage]})
@@ -69,7 +70,7 @@ def at_start(design: Design) -> Clip:
 
 
 def bench_data(clip: Clip) -> dict[str, Any]:
-    """A structure that a reader moves, as data for JSON: what is drawn of it, and what the picture needs."""
+    """Return a structure that the reader moves, as data for JSON: its shape and what the picture needs."""
     tendons = clip.structure.tendons
     largest = max((float(tendon.law.elastic.energy(tendon.longest)) for tendon in tendons), default=0.0)
     unit, factor = reading_unit("J", largest)

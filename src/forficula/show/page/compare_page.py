@@ -1,4 +1,4 @@
-"""The page that shows several runs side by side, on one clock."""
+"""Page that plays several runs side by side with a common clock."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ _ELASTIC = ("tendons", "membrane", "hinges", "creases", "facet bends", "bars", "
 
 @dataclass(frozen=True, kw_only=True)
 class ComparedRun:
-    """A run on the page.
+    """Run on the page.
 
     Attributes:
-        label: what tells it from the others.
-        record: what happened.
-        outcome: what it means.
+        label: name that distinguishes it from the others.
+        record: the simulated motion.
+        outcome: the outcome of the run.
     """
 
     label: str
@@ -60,14 +60,15 @@ class ComparedRun:
 
 
 def compare_runs(folders: Sequence[Path], path: Path) -> None:
-    """Write a page that shows runs side by side.
+    """Write a page that plays runs side by side.
 
     Args:
-        folders: that `forficula run` wrote, two to twelve.
-        path: of the page; must end with .html.
+        folders: two to twelve folders written by `forficula run`.
+        path: path of the page; must end with .html.
 
     Raises:
-        InputError: too few or too many folders, one that holds no run, a wrong ending, or it cannot be written.
+        InputError: too few or too many folders, a folder without a run, a path with another ending, or the file cannot
+            be written.
     """
     with error_prefix("--out: "):
         path = page_path(path)
@@ -81,7 +82,7 @@ def compare_runs(folders: Sequence[Path], path: Path) -> None:
 
 
 def compare_page(runs: Sequence[ComparedRun]) -> str:
-    """Runs as one page: structures side by side, their plots in one, their numbers in columns."""
+    """Return runs as one page: structures side by side, common plots, and a table with one column for each run."""
     clips = [make_clip(run.record, run.outcome, name=run.label, budget=BUDGET // len(runs)) for run in runs]
     labels = [run.label for run in runs]
     sentences = "".join(f"<li>{escaped(outcome_sentence(run.label, run.outcome))}</li>" for run in runs)
@@ -99,7 +100,7 @@ def compare_page(runs: Sequence[ComparedRun]) -> str:
 
 
 def _labels(folders: Sequence[Path]) -> list[str]:
-    """Names of the folders, with as many of those above as tell them apart."""
+    """Return the names of the folders, with as many parent folders as are needed to distinguish them."""
     resolved = [folder.resolve() for folder in folders]
     if len(set(resolved)) < len(resolved):
         twice = next(folder for folder, path in zip(folders, resolved, strict=True) if resolved.count(path) > 1)
@@ -112,7 +113,7 @@ def _labels(folders: Sequence[Path]) -> list[str]:
 
 
 def _printable(name: str) -> str:
-    """A name of a file as text: on Linux it may hold bytes that are none."""
+    """Return a file name as text: on Linux it may contain bytes that are not text."""
     return os.fsencode(name).decode("utf-8", "replace")
 
 
@@ -127,19 +128,19 @@ def _data(clips: Sequence[Clip]) -> dict[str, Any]:
         "plots": plot_data([*([] if progress is None else [progress]), _energies(clips)]),
         "energy": energy_scale(clips),
         "legend": legend_data(clips),
-        "text": f"The {whole}s of {names} side by side, moving on one clock and seen from one side.",
+        "text": f"The {whole}s of {names} side by side, with a common clock and camera.",
     }
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Watched:
-    """Of a run what tells how far it got: of a fan the distal angle of the hinge that has folded least.
+class _ProgressReading:
+    """Progress of a run: for a fan, the distal angle of the hinge that has folded least.
 
     Attributes:
-        readings: of the measure of the first transition.
-        least: of these what is furthest from the goal, rad or m, (time,).
-        best: the value of that which is nearest to the goal, rad or m.
-        done: what the transition comes to, such as "folded".
+        readings: readings of the measure of the first transition.
+        least: reading furthest from the goal, rad or m, (time,).
+        best: value of `least` closest to the goal, rad or m.
+        done: participle of the transition, such as "folded".
     """
 
     readings: Readings
@@ -149,37 +150,37 @@ class _Watched:
 
     @property
     def title(self) -> str:
-        """What is told, such as "distal angle of the hinge folded least"."""
+        """Name of the quantity, such as "distal angle of the hinge folded least"."""
         name = title_of(self.readings.measure)
         return f"{name} of the hinge {self.done} least" if len(self.readings.labels) > 1 else name
 
 
-def _watched(clip: Clip) -> _Watched | None:
+def _progress_reading(clip: Clip) -> _ProgressReading | None:
     for transition in clip.structure.transitions:
         for readings in clip.readings:
             if readings.measure.name == transition.measure:
                 largest = transition.furthest == "largest"
                 least = readings.values.max(axis=1) if largest else readings.values.min(axis=1)
                 best = float(least.min() if largest else least.max())
-                return _Watched(readings=readings, least=least, best=best, done=transition.wording.done)
+                return _ProgressReading(readings=readings, least=least, best=best, done=transition.wording.done)
     return None
 
 
 def _progress(clips: Sequence[Clip]) -> Plot | None:
-    """How far every run has got; None where they tell that by nothing, or by angles here and distances there."""
-    watched = [found for clip in clips if (found := _watched(clip)) is not None]
-    kinds = {each.readings.measure.kind for each in watched}
-    if len(watched) < len(clips) or len(kinds) > 1:
+    """Return a plot of the progress of every run; None if a run has no measure of it or the units differ."""
+    readings = [progress for clip in clips if (progress := _progress_reading(clip)) is not None]
+    kinds = {each.readings.measure.kind for each in readings}
+    if len(readings) < len(clips) or len(kinds) > 1:
         return None
     unit, factor = "deg", float(np.degrees(1.0))
     if "distance" in kinds:
-        unit, factor = reading_unit("m", max(float(np.abs(each.least).max()) for each in watched))
-    titles, dones = {each.title for each in watched}, {each.done for each in watched}
-    title = titles.pop() if len(titles) == 1 else "what is furthest from its goal"
-    told = title if title.startswith("what") else f"the {title}"
+        unit, factor = reading_unit("m", max(float(np.abs(each.least).max()) for each in readings))
+    titles, dones = {each.title for each in readings}, {each.done for each in readings}
+    title = titles.pop() if len(titles) == 1 else "reading furthest from its goal"
+    subject = title if title.startswith("reading") else f"the {title}"
     reached = ", ".join(
         f"{clip.name} {reading_range(np.array([factor * each.best]), unit)}"
-        for clip, each in zip(clips, watched, strict=True)
+        for clip, each in zip(clips, readings, strict=True)
     )
     furthest = f"furthest {dones.pop()}" if len(dones) == 1 else "at best"
     return Plot(
@@ -187,14 +188,14 @@ def _progress(clips: Sequence[Clip]) -> Plot | None:
         unit=unit,
         lines=tuple(
             Line(name=clip.name, clip=index, values=factor * each.least)
-            for index, (clip, each) in enumerate(zip(clips, watched, strict=True))
+            for index, (clip, each) in enumerate(zip(clips, readings, strict=True))
         ),
-        text=f"{told[0].upper()}{told[1:]} in every {whole_of(clips)}; {furthest}: {reached}.",
+        text=f"{subject[0].upper()}{subject[1:]} in every {whole_of(clips)}; {furthest}: {reached}.",
     )
 
 
 def _energies(clips: Sequence[Clip]) -> Plot:
-    """What all tendons hold, or, where a run has none, all that is elastic."""
+    """Return a plot of the energy of all tendons, or of all elastic energy if a run has no tendons."""
     tendons = all(clip.structure.tendons for clip in clips)
     what, names = ("energy of all tendons", ("tendons",)) if tendons else ("elastic energy", _ELASTIC)
     lines = [
@@ -202,7 +203,7 @@ def _energies(clips: Sequence[Clip]) -> Plot:
         for index, clip in enumerate(clips)
     ]
     most = ", ".join(f"{name} {readable(float(values.max(initial=0.0)), 'J')}" for name, _, values in lines)
-    return energy_plot(what, lines, f"The {what} of every {whole_of(clips)}; at most: {most}.")
+    return energy_plot(what, lines, f"The {what} of every {whole_of(clips)}; largest values: {most}.")
 
 
 def _sum(energies: list[Array], clip: Clip) -> Array:
@@ -215,23 +216,23 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
         kind = listed(dict.fromkeys(acting(run.record.structure).removesuffix("s") for run in runs), "or")
         tried = [f"{name} {kind}, time, work", *("not tried" for _ in runs)]
         for index, run in enumerate(runs, start=1):
-            found, built = run.outcome.transitions.get(name), run.record.structure
+            result, built = run.outcome.transitions.get(name), run.record.structure
             transition = next((each for each in built.transitions if each.name == name), None)
-            if found is not None and transition is not None:
-                time = "—" if found.time is None else readable(found.time, "s")
-                strength = readable(found.strength, drive_unit(built, drive_of(built, transition.drive)))
-                tried[index] = f"{strength}, {time}, {readable(found.work, 'J')}"
+            if result is not None and transition is not None:
+                time = "—" if result.time is None else readable(result.time, "s")
+                strength = readable(result.strength, drive_unit(built, drive_of(built, transition.drive)))
+                tried[index] = f"{strength}, {time}, {readable(result.work, 'J')}"
         rows.append(tried)
     measures = [
         {each.name: each for each in (*shown_angles(built), *shown_distances(built))}
         for built in (run.record.structure for run in runs)
     ]
-    titles = {name: title_of(own[name]) + "s" * (len(own[name].parts) > 1) for own in measures for name in own}
+    titles = {name: title_of(those[name]) + "s" * (len(those[name].parts) > 1) for those in measures for name in those}
     tendons = any(run.record.structure.tendons for run in runs)
     for name, called in _states(runs).items():
         states = [run.outcome.states.get(name) for run in runs]
-        for watched, title in titles.items():
-            cells = [_read(state, own.get(watched)) for state, own in zip(states, measures, strict=True)]
+        for readings, title in titles.items():
+            cells = [_read(state, those.get(readings)) for state, those in zip(states, measures, strict=True)]
             rows.append([f"{title} {called}", *cells])
         if tendons:
             energies = [
@@ -243,7 +244,7 @@ def _outcome_rows(runs: Sequence[ComparedRun]) -> list[list[str]]:
 
 
 def _states(runs: Sequence[ComparedRun]) -> dict[str, str]:
-    """What rows call the states, by name: those that transitions lead to by when they are looked for."""
+    """Return the row names of the states: states that transitions lead to are named before their outcome is known."""
     called: dict[str, str] = {}
     structures = [run.record.structure for run in runs]
     led_to = {transition.state for structure in structures for transition in structure.transitions}
@@ -253,13 +254,13 @@ def _states(runs: Sequence[ComparedRun]) -> dict[str, str]:
     return called
 
 
-def _read(state: State | None, watched: Measure | None) -> str:
-    """What a measure reads in a state, from the least to the most of its hinges."""
-    if state is None or watched is None:
+def _read(state: State | None, readings: Measure | None) -> str:
+    """Return the value of a measure in a state; the range over its hinges for angles."""
+    if state is None or readings is None:
         return "—"
-    if watched.kind == "angle":
-        return angle_range(np.degrees(state_angles(state, watched)))
-    return readable(float(state.readings[watched.name].mean[0]), "m")
+    if readings.kind == "angle":
+        return angle_range(np.degrees(state_angles(state, readings)))
+    return readable(float(state.readings[readings.name].mean[0]), "m")
 
 
 def _designs(labels: Sequence[str], designs: Sequence[Design]) -> list[str]:
@@ -270,6 +271,6 @@ def _designs(labels: Sequence[str], designs: Sequence[Design]) -> list[str]:
     cells: list[list[str | Cell]] = [[key, *values] for key, values in rows]
     cells.append(["design hash", *(design.hash for design in designs)])
     return [
-        paragraph("Only what differs; all other values are the same."),
+        paragraph("Only values that differ are listed."),
         table("Values that differ", ("", *labels), cells),
     ]

@@ -1,4 +1,4 @@
-"""The page of an optimisation: what was asked and how far it is met, and every design that was tried, to be played."""
+"""Page of an optimisation: the goal, its margins for the best design, and all designs that were tried, to play back."""
 
 from __future__ import annotations
 
@@ -37,15 +37,17 @@ from forficula.study.tables.outcome_kinds import transitions_text
 if TYPE_CHECKING:
     from xarray import Dataset
 
-_MEETS, _MISSES, _FEW = "meets the goal", "works, misses a limit", "works, too few neighbours do"
-_UNASKED, _LOST = "meets its limits, neighbours not asked", "did not hold when verified"
+_MEETS, _MISSES, _FEW = "meets the goal", "works, misses a limit", "works, too few neighbours work"
+_UNASKED, _LOST = "meets its limits, neighbours not run", "not confirmed by verification"
 _RULED_OUT, _MISSES_PLAINLY = "ruled out without a run", "misses a limit"
 _SIGNS = {_MEETS: "●", _UNASKED: "○", _LOST: "□", _FEW: "◒", _MISSES: "◐", _MISSES_PLAINLY: "×", _RULED_OUT: "·"}
 _NOT_RUN = "not run"
 _SHARE = {"units": "", "display": "%"}
 
 
-def write_goal_page(optimum: Optimum, found: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0) -> None:
+def write_goal_page(
+    optimum: Optimum, printed: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0
+) -> None:
     """Write an optimisation as one HTML file that needs no network.
 
     Args are those of `goal_page`.
@@ -53,21 +55,21 @@ def write_goal_page(optimum: Optimum, found: LaidOut, path: Path, kept: Iterable
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, goal_page(optimum, found, kept, count))
+    write_text(path, goal_page(optimum, printed, kept, count))
 
 
-def goal_page(optimum: Optimum, found: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0) -> str:
-    """An optimisation as one page: the goal, the best design's margins, and all that were tried.
+def goal_page(optimum: Optimum, printed: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0) -> str:
+    """Return an optimisation as one page: the goal, the best design's margins, and all designs that were tried.
 
     Args:
-        optimum: what was asked, and what came out.
-        found: the sentence and the remarks, as the terminal has them; tables that this page does not have itself.
-        kept: the runs that can be played; `point` is the number of the candidate.
-        count: how many these are.
+        optimum: the result of the optimisation.
+        printed: the sentence and the remarks of the terminal; tables that this page does not have.
+        kept: runs that the page can play back; `point` is the index of the candidate.
+        count: number of these runs.
     """
     goal, best = optimum.goal, shown_candidate(optimum)
     results = _in_percent(optimum)
-    asked = (
+    answers = (
         [limits_table(optimum, results, best), objectives_table(optimum, results, best), verifications_table(optimum)]
         if best is not None
         else []
@@ -75,12 +77,12 @@ def goal_page(optimum: Optimum, found: LaidOut, kept: Iterable[KeptRun] = (), co
     return samples_page(
         name=goal.name,
         kind="optimise",
-        found=found,
-        told=(
-            section("What was asked, and what came out", *asked, name="asked"),
-            section("What would have to give", relaxations_table(optimum), name="give"),
+        printed=printed,
+        before=(
+            section("Limits, objectives and verification", *answers, name="asked"),
+            section("Limits that no design meets", relaxations_table(optimum), name="give"),
         ),
-        more=(section("What it took, and what was saved", effort_table(optimum), name="effort"),),
+        after=(section("Cost of the search", effort_table(optimum), name="effort"),),
         data=_data(goal, optimum, results),
         views=_views(goal, optimum, results, best),
         headings=("All designs that were tried", "The goal"),
@@ -92,22 +94,22 @@ def goal_page(optimum: Optimum, found: LaidOut, kept: Iterable[KeptRun] = (), co
 
 
 def shown_candidate(optimum: Optimum) -> int | None:
-    """Number of the candidate that a page opens with: of the best the one with the largest margin, else the nearest.
+    """Return the index of the candidate that a page opens with: the best with the largest margin, or the nearest.
 
-    None where none was tried.
+    None if no design was tried.
     """
     if not optimum.candidates:
         return None
     margins = optimum.table["margin"].values.astype(float)
     best = optimum.table["best"].values.astype(bool)
-    # what was ruled out early has a margin of only what was looked at
+    # the margin of a candidate that was ruled out early includes only the limits checked until then
     known = best if best.any() else optimum.table["works"].values.astype(bool)
     known = known if known.any() else np.ones(len(margins), dtype=bool)
     return int(np.argmax(np.where(known & np.isfinite(margins), margins, -np.inf)))
 
 
 def _in_percent(optimum: Optimum) -> Dataset:
-    """The table, whose shares are to be read in per cent."""
+    """Return the table with shares marked to be shown in per cent."""
     table = optimum.table.copy()
     for name in map(str, table.data_vars):
         if name.startswith(("margin", PROBABILITY)):
@@ -134,13 +136,13 @@ def _views(goal: Goal, optimum: Optimum, results: Dataset, best: int | None) -> 
 
 
 def _data(goal: Goal, optimum: Optimum, results: Dataset) -> dict[str, Any]:
-    """The candidates for the page's script."""
+    """Return the candidates as data for the page's script."""
     return samples_data(
         ShownSamples(
             name=goal.name,
             noun="design",
             file="table.csv",
-            keeps="The runs of the best designs are kept, and of some others.",
+            keeps="The runs of the best designs, and of some others, are kept.",
             table=results,
             factors=tuple(each.factor.dimension for each in goal.parameters),
             numbers=_numbers(goal, results),
@@ -153,7 +155,7 @@ def _data(goal: Goal, optimum: Optimum, results: Dataset) -> dict[str, Any]:
 
 
 def _word(optimum: Optimum, results: Dataset, number: int) -> str:
-    """What became of a candidate, in a few words."""
+    """Return the outcome of a candidate in a few words."""
     if bool(results["feasible"].values[number]):
         return _MEETS
     candidate, outcome = optimum.candidates[number], str(results["outcome"].values[number])
@@ -167,7 +169,7 @@ def _word(optimum: Optimum, results: Dataset, number: int) -> str:
 
 
 def _numbers(goal: Goal, results: Dataset) -> tuple[Number, ...]:
-    """Quantities with their limits, the least margin, and that of each limit."""
+    """Return the quantities with their limits, the least margin, and the margin of each limit."""
     numbers = []
     aims = {each.quantity.name: each.kind for each in goal.objectives}
     own = {each.factor.dimension for each in goal.parameters}
@@ -186,13 +188,17 @@ def _numbers(goal: Goal, results: Dataset) -> tuple[Number, ...]:
 
 
 def _about(goal: Goal) -> list[str]:
-    """The goal as its file has it, and how to repeat it."""
+    """Return the goal as in its file, and the command that repeats the optimisation."""
     rows = [["design", goal.base.name]]
     rows += [["may vary", str(each)] for each in goal.parameters]
     rows += [["must hold", limit_text(each)] for each in (*goal.given, *goal.limits)]
-    rows += [["to be", f"{each.kind} {title_of(each.quantity)}"] for each in goal.objectives]
-    rows += [["built within", f"{each.key} {deviation_text(goal.base, each)}"] for each in goal.deviations]
-    rows += [["designs at most", str(goal.runs)], ["side by side", str(goal.batch)], ["seed", str(goal.seed)]]
+    rows += [["objective", f"{each.kind} {title_of(each.quantity)}"] for each in goal.objectives]
+    rows += [["tolerance", f"{each.key} {deviation_text(goal.base, each)}"] for each in goal.deviations]
+    rows += [
+        ["largest number of designs", str(goal.runs)],
+        ["designs per batch", str(goal.batch)],
+        ["seed", str(goal.seed)],
+    ]
     if goal.deviations:
-        rows.append(["neighbours of one", str(goal.neighbours)])
+        rows.append(["neighbours of one design", str(goal.neighbours)])
     return about_rows(rows, goal.base.hash, goal.source, f"forficula optimise {goal.name}")

@@ -1,4 +1,4 @@
-"""The page of an identification: which unknown values agree with what was seen, and which facts exclude one another."""
+"""Page of an identification: values of the unknowns that agree with the observations, and incompatible facts."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 _AGREES, _APART, _PLACED, _NOT_RUN = "agrees", "does not agree", "placed, not drawn", "could not run"
 _SIGNS = {_AGREES: "●", _APART: "○", _PLACED: "△", _NOT_RUN: "⊘"}
-# unknowns of which all pairs can be told in one picture
+# largest number of unknowns for which plots of all pairs fit into one picture
 _MOST_PAIRED = 4
-# as the result has them, from the worst
+# CSS class for each word of the result, the worst first
 _TOGETHER: dict[str, str] = {
     Together.EXCLUDED: "excluded",
     Together.UNTRIED: "rare",
@@ -40,7 +40,7 @@ _TOGETHER: dict[str, str] = {
 
 
 def write_identify_page(
-    results: Dataset, found: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
+    results: Dataset, printed: LaidOut, path: Path, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
 ) -> None:
     """Write an identification as one HTML file that needs no network.
 
@@ -49,28 +49,30 @@ def write_identify_page(
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, identify_page(results, found, kept, count, csv))
+    write_text(path, identify_page(results, printed, kept, count, csv))
 
 
-def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = "") -> str:
-    """An identification as one page.
+def identify_page(
+    results: Dataset, printed: LaidOut, kept: Iterable[KeptRun] = (), count: int = 0, csv: str = ""
+) -> str:
+    """Return an identification as one page.
 
     Args:
         results: samples of the unknowns, over "sample" and "fact", from `forficula.goals.identify`.
-        found: the sentence, the tables and the remarks, as the terminal has them.
-        kept: runs that can be played; `point` is the number of the sample.
-        count: how many these are.
-        csv: the text of `samples.csv`.
+        printed: the sentence, the tables and the remarks of the terminal.
+        kept: runs that the page can play back; `point` is the index of the sample.
+        count: number of these runs.
+        csv: contents of `samples.csv`.
     """
     data = _data(results)
-    telling = telling_unknowns(results)
+    ranked = telling_unknowns(results)
     keys = {name: each["key"] for name, each in zip(_unknowns(results), data["factors"], strict=True)}
-    named = [keys[name] for name in telling]
+    named = [keys[name] for name in ranked]
     views = {
         "lines": [*named[:8], "facts_met"],
-        "plane": {"title": "Over two of them", "x": named[0], "y": named[1] if len(named) > 1 else "facts_met"},
+        "plane": {"title": "Two unknowns", "x": named[0], "y": named[1] if len(named) > 1 else "facts_met"},
         "order": ["pairs", "plane", "lines"],
-        "best_word": "meets most",
+        "best_word": "most facts",
         "pairs": named[:_MOST_PAIRED],
         "marginals": named,
         "front": [],
@@ -79,14 +81,14 @@ def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = ()
     return samples_page(
         name=str(results.attrs["name"]),
         kind="identify",
-        found=found,
-        told=(
-            section("How far each fact is met", _facts_table(results), name="facts"),
-            section("Facts met together", _together_table(results), name="together"),
+        printed=printed,
+        before=(
+            section("Agreement with each fact", _facts_table(results), name="facts"),
+            section("Facts met by the same samples", _together_table(results), name="together"),
         ),
         data=data,
         views=views,
-        headings=("All samples", "What was seen"),
+        headings=("All samples", "Observations and settings"),
         about=_about(results),
         kept=kept,
         count=count,
@@ -95,15 +97,16 @@ def identify_page(results: Dataset, found: LaidOut, kept: Iterable[KeptRun] = ()
 
 
 def _unknowns(results: Dataset) -> list[str]:
-    """Names of the coordinates that are unknown."""
+    """Return the names of the coordinates that are unknowns."""
     named = results.attrs["unknowns"]
     return [named] if isinstance(named, str) else [str(each) for each in named]
 
 
 def telling_unknowns(results: Dataset) -> list[str]:
-    """The unknowns, those first of which the samples that agree are spread least like all that were drawn.
+    """Return the unknowns, beginning with those about which the facts say most.
 
-    Measured by the largest distance between the two distributions (Kolmogorov and Smirnov).
+    Ranked by the largest distance between the distribution of the samples that agree and that of all drawn samples
+    (Kolmogorov and Smirnov).
     """
     agrees, drawn = _flag(results, "agrees"), ~_flag(results, "directed")
     names = _unknowns(results)
@@ -119,7 +122,7 @@ def telling_unknowns(results: Dataset) -> list[str]:
 
 
 def _flag(results: Dataset, name: str) -> Any:
-    """What holds of which samples; of none where the result does not say so."""
+    """Return a flag of every sample; False for all if the result does not have the flag."""
     return results[name].values.astype(bool) if name in results else np.zeros(results.sizes["sample"], dtype=bool)
 
 
@@ -128,7 +131,7 @@ def _ran(results: Dataset) -> Any:
 
 
 def _best(results: Dataset) -> int | None:
-    """Number of the sample that meets most facts, of these the one that misses the others least."""
+    """Return the index of the sample that meets most facts; among equals the one that misses the others least."""
     if not _ran(results).any():
         return None
     met = results["met"].values.sum(axis=1)
@@ -162,7 +165,7 @@ def _data(results: Dataset) -> dict[str, Any]:
             name=str(results.attrs["name"]),
             noun="sample",
             file="samples.csv",
-            keeps="Runs of samples are made for the facts, and not kept whole.",
+            keeps="The runs of samples are used to compare with the facts and are not kept.",
             table=table,
             factors=tuple(_unknowns(results)),
             numbers=(
@@ -178,7 +181,7 @@ def _data(results: Dataset) -> dict[str, Any]:
 
 
 def _facts_table(results: Dataset) -> str:
-    """Every fact with the share of what was drawn that meets it, and how near the others come."""
+    """Return a table with the share of drawn samples that meets each fact, and the distances of the others."""
     drawn = ~_flag(results, "directed") & _ran(results)
     met, distance = results["met"].values.astype(bool), results["distance"].values.astype(float)
     rows = []
@@ -186,7 +189,7 @@ def _facts_table(results: Dataset) -> str:
         share = float(met[drawn, number].mean()) if drawn.any() else 0.0
         ends = (share, share)
         if "met_share_low" in results:
-            # of those that tell
+            # shares of the samples that decide whether the fact is met
             share = float(results["met_share"].values[number])
             ends = (float(results["met_share_low"].values[number]), float(results["met_share_high"].values[number]))
         far = distance[drawn, number]
@@ -207,10 +210,10 @@ def _facts_table(results: Dataset) -> str:
             )
         )
     caption = (
-        "Share of the samples drawn that meet a fact, with its 95 % interval, and by how much the nearest and the"
-        " middle one miss it"
+        "Share of the drawn samples that meet each fact, with its 95 % interval, and the distance to the fact of the"
+        " nearest and of the median sample"
     )
-    return bar_table(caption, ("fact", "met by", "share", "nearest", "middle"), rows, (0.0, 1.0))
+    return bar_table(caption, ("fact", "met by", "share", "nearest", "median"), rows, (0.0, 1.0))
 
 
 def _distance(value: float, unit: str) -> str:
@@ -222,7 +225,7 @@ def _text(results: Dataset, name: str, number: int) -> str:
 
 
 def _together_table(results: Dataset) -> str:
-    """How many samples meet each pair of facts; who never come together is marked."""
+    """Return a table with the number of samples that meet each pair of facts; incompatible pairs are marked."""
     facts = [str(name) for name in results["fact"].values]
     if len(facts) < 2:
         return ""
@@ -237,12 +240,12 @@ def _together_table(results: Dataset) -> str:
         + "</tr>"
         for number, name in enumerate(facts)
     )
-    caption = f"How many of the {len(met)} samples meet both facts; on the diagonal, the one"
-    told = paragraph(_together_words(results, facts), "note")
+    caption = f"Number of the {len(met)} samples that meet both facts; on the diagonal, one fact"
+    note = paragraph(_together_words(results, facts), "note")
     return (
         f'<div class="table" tabindex="0" role="group" aria-label="{escaped(caption)}"><table class="numbers together">'
         f"<caption>{escaped(caption)}</caption><thead><tr><td></td>{head}</tr></thead><tbody>{body}</tbody></table></div>"
-        f"{told}"
+        f"{note}"
     )
 
 
@@ -256,20 +259,20 @@ def _together_cell(results: Dataset, counts: Any, one: int, other: int) -> str:
 
 
 def _together_words(results: Dataset, facts: list[str]) -> str:
-    """Which pairs exclude one another, and whether others are met by none."""
+    """Return sentences about incompatible pairs of facts, and about pairs that no sample happens to meet."""
     if "together" not in results:
         return ""
     words = results["together"].values
     pairs = [(one, other) for one in range(len(facts)) for other in range(one + 1, len(facts))]
     excluded = [f"{one + 1} and {other + 1}" for one, other in pairs if str(words[one, other]) == Together.EXCLUDED]
-    said = (
-        f"✕ each is met by some samples, and none meets both, placed ones among them: {', '.join(excluded)}."
+    text = (
+        f"✕ some samples meet each of the two facts, but none, drawn or placed, meets both: {', '.join(excluded)}."
         if excluded
         else ""
     )
     open_ = any(_TOGETHER.get(str(words[one, other])) == "rare" for one, other in pairs)
-    more = " ? no sample meets both, but that does not tell that none can." if open_ else ""
-    return f"{said}{more}".strip()
+    more = " ? no sample meets both, but some values might." if open_ else ""
+    return f"{text}{more}".strip()
 
 
 def _about(results: Dataset) -> list[str]:

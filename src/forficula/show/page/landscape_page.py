@@ -1,4 +1,4 @@
-"""The page of a landscape: the run and where it is on the curves of energy, figures and numbers."""
+"""Page of a landscape: a run beside its position on the energy curves, figures and numbers."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from forficula.show.page.run_page import playback_data
 from forficula.statics import EnergyLandscape
 
 _HEADINGS = {
-    "tendon": "One tendon over its hinge",
-    "wing": "Along the fold",
-    "rests": "Where it rests",
-    "levels": "With some hinges folded",
+    "tendon": "Energy of one tendon and its hinge",
+    "wing": "Energy along the fold",
+    "rests": "Equilibria",
+    "levels": "Energy with some hinges folded",
     "states": "Stable states",
     "barriers": "Barriers between them",
-    "courses": "What drives do",
-    "modes": "How it swings",
+    "courses": "Motion under the drives",
+    "modes": "Modes of vibration",
 }
 
 
@@ -42,14 +42,14 @@ def landscape_page(
     record: Record | None = None,
     tendon: int | None = None,
 ) -> str:
-    """A landscape as one page.
+    """Return a landscape as one page.
 
     Args:
         landscape: what is shown.
-        folder: in which its figures lie.
-        texts: that stand for them, by the stems of their files.
-        record: a run of its design, which plays there; one that diverged is named only.
-        tendon: number of the one that stands for all; an inner one if not given.
+        folder: folder that contains its figures.
+        texts: descriptions of the figures, by the stems of their files.
+        record: a run of the same design, played back on the page; a run that diverged is only named.
+        tendon: index of the tendon shown as an example; an inner one by default.
     """
     name, run = design_title(landscape.design), ""
     drawn = record if record is not None and record.diverged_at is None else None
@@ -63,7 +63,7 @@ def landscape_page(
     if drawn is not None:
         outcome = measure(drawn)
         clip = make_clip(drawn, outcome)
-        run = f"The run beside it: {outcome_sentence(name, outcome)}"
+        run = f"Run of this design: {outcome_sentence(name, outcome)}"
         data = playback_data(clip)
         drawn_curves = [curve_data(each) for each in landscape_curves(landscape, drawn, tendon, clip.time)]
     return results_page(
@@ -77,7 +77,7 @@ def landscape_page(
 
 
 def _still_data(poses: LandscapePoses) -> dict[str, Any]:
-    """What the page's script draws of a structure that a slider moves."""
+    """Return the data of a structure that a slider moves, for the page's script."""
     clip = pose_clip(poses, poses.structure.name)
     return {
         "whole": whole_of([clip]),
@@ -89,7 +89,7 @@ def _still_data(poses: LandscapePoses) -> dict[str, Any]:
 
 
 def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: LandscapePoses | None) -> dict[str, Any]:
-    """At which angle of a curve each pose is, rising, deg, and words on how they were found, or why there are none."""
+    """Return the angles of the poses on a curve, rising, deg, and a text on how they were computed or why not."""
     if poses is None:
         return {"poses": None, "drawn": NO_POSE}
     if curve.hinge is not None:
@@ -98,6 +98,6 @@ def _pose_data(curve: Curve, landscape: EnergyLandscape, poses: LandscapePoses |
             return {"poses": None, "drawn": NO_POSE}
     else:
         path = landscape.fold_path
-        assert path is not None  # the curve is of it
+        assert path is not None  # the curve is computed from the path
         angle = -path.ring_angle if np.any(path.ring_angle) else path.pleat_angle
     return {"poses": packed(np.degrees(angle), "f4"), "drawn": poses.why}

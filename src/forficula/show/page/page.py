@@ -1,4 +1,4 @@
-"""One HTML file that needs nothing else: style, script and data in it, and no way to the network."""
+"""One HTML file with its style, script and data inside, without access to the network."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from forficula.quantities import READING_UNITS
 from forficula.show.page.parts.html import escaped
 
 _BUILT = resources.files("forficula.show.page") / "built"
-_NO_SCRIPT = "Without JavaScript nothing moves and there are no plots; the numbers below are all there."
+_NO_SCRIPT = "Without JavaScript there is no motion and there are no plots; all numbers are below."
 
 
 def page_path(path: object) -> Path:
-    """Take the path of a page.
+    """Check the path of a page.
 
     Raises:
-        InputError: it is none, or does not end with .html.
+        InputError: it is not a path, or does not end with .html.
     """
     file = as_path(path, "a file that ends with .html")
     if file.suffix != ".html":
@@ -41,17 +41,17 @@ def page_html(
 ) -> str:
     """Assemble a page.
 
-    Only the packed script may run, named by its hash, and nothing may be fetched: a name of a design that looks like a
-    script stays text, and the page works without a network as it does with one.
+    Only the packed script may run, identified by its hash, and nothing may be fetched: a design's name that looks like
+    a script stays text, and the page works offline.
 
     Args:
-        title: of the window.
-        body: HTML, already escaped.
-        data: what the script shows; its "kind" says how. None for a page on which nothing moves, which has no script.
-        live: of a structure that the engine is to move in the page, from `live_data`; None where there is none, and so
-            no engine in the page.
-        served: whether the page may ask the server that it comes from, which then tells what is live; the engine is in
-            it.
+        title: title of the window.
+        body: contents, as escaped HTML.
+        data: data for the script; "kind" selects its view. None for a page without motion, which has no script.
+        live: data of a structure that the engine simulates in the page, from `live_data`; None for a page without the
+                engine.
+        served: whether the page may send requests to the server that it comes from, which then provides the data of
+                structures; the page contains the engine.
     """
     script, style = "" if data is None else built("page.js"), built("page.css")
     return f"""<!DOCTYPE html>
@@ -79,12 +79,12 @@ def _moves(live: dict[str, Any] | None) -> bool:
 
 
 def _live(live: dict[str, Any] | None) -> str:
-    """What is live, only read once it is asked for."""
+    """Return the element with the data of the structure to simulate, which the script reads only when needed."""
     return "" if live is None else f'<script type="application/json" id="live">{_json(live)}</script>\n'
 
 
 def _engine() -> str:
-    """The engine, alike."""
+    """Return the elements with the engine, which the script reads only when needed."""
     script = base64.b64encode(zlib.compress(built("engine.js").encode(), 9)).decode("ascii")
     program = base64.b64encode((_BUILT / "engine.wasm.gz").read_bytes()).decode("ascii")
     return (
@@ -94,7 +94,7 @@ def _engine() -> str:
 
 
 def _json(data: dict[str, Any]) -> str:
-    # "<" could end the element that the data stand in
+    # "<" could close the element that contains the data
     return json.dumps(data, separators=(",", ":"), ensure_ascii=False, allow_nan=False).replace("<", "\\u003c")
 
 
@@ -105,16 +105,16 @@ def _scripted(data: dict[str, Any], script: str) -> str:
 
 
 def built(name: str) -> str:
-    """A file that is built from the folder web/."""
+    """Return a file that is built from the folder web/."""
     return (_BUILT / name).read_text("utf-8")
 
 
 def _policy(script: str, *, engine: bool, served: bool) -> str:
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode("ascii")
-    # the engine is compiled of what stands in the page, and runs in a worker that is made of it
+    # the engine is compiled from text in the page and runs in a worker made from text in the page
     compiled, worker = (" 'wasm-unsafe-eval'", " worker-src blob:;") if engine else ("", "")
-    asked = " connect-src 'self'; frame-src 'self';" if served else ""
+    requests = " connect-src 'self'; frame-src 'self';" if served else ""
     return (
-        f"default-src 'none'; script-src 'sha256-{digest}'{compiled};{worker}{asked} style-src 'unsafe-inline';"
+        f"default-src 'none'; script-src 'sha256-{digest}'{compiled};{worker}{requests} style-src 'unsafe-inline';"
         " img-src data: blob:; base-uri 'none'; form-action 'none'"
     )

@@ -1,4 +1,4 @@
-"""The page of parts to make: the parts moving in 3-D, their bill, what is checked of them, and the sheet."""
+"""Page of parts to make: the parts in 3-D, the bill of materials, the checks, and the sheet."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ from forficula.show.page.parts.design_tables import design_tables
 from forficula.show.page.parts.html import Cell, escaped, paragraph, red, remarks, section, table
 
 _CHECKED = (
-    "solids at their nominal size: whether they overlap, how far they are apart, where they stop",
-    "straps as they are bent without a twist, taut or as an elastica",
-    "forces by formulas of beams and columns, with the strengths of data sheets, each the least that is told",
+    "solids at their nominal size: whether they overlap, their clearance, and where they stop",
+    "straps that bend without twist, either taut or as an elastica",
+    "forces by formulas for beams and columns, with the lowest strengths that data sheets report",
 )
 _UNCHECKED = (
-    "that it prints: shrinkage, warping, the fit of your printer; print one joint first",
-    "fatigue of hinges and straps, creep of what is kept under load, ageing",
-    "bonding: glue between sheet and bars, layers of a print beyond the strength that its data sheet gives",
-    "impact where a half snaps against its stop",
+    "printing: shrinkage, warping, the fit of your printer; print one joint first",
+    "fatigue of hinges and straps, creep under lasting load, ageing",
+    "bonding: glue between sheet and bars; layers of a print beyond the strength of the data sheet",
+    "impact when a half snaps against its stop",
 )
 _WORDS = {True: "passed", False: "failed", None: "not checked"}
 
@@ -49,14 +49,14 @@ def write_parts_page(
     *,
     files: Sequence[str] = (),
 ) -> None:
-    """Write parts as one HTML file that needs no network; the same parts give the same bytes.
+    """Write parts as one HTML file that works offline; the same parts give the same bytes.
 
     Args:
-        parts: to make.
-        checks: of them.
-        path: of the file.
-        record: of the same design, whose motion can be played.
-        files: names of files beside the page, to which it links.
+        parts: parts to make.
+        checks: checks of these parts.
+        path: path of the file.
+        record: a run of the same design, to be played back.
+        files: names of files beside the page, to which the page links.
 
     Raises:
         InputError: the record is of another design, or the file cannot be written.
@@ -71,7 +71,7 @@ def parts_page(
     *,
     files: Sequence[str] = (),
 ) -> str:
-    """Parts as one page, as `write_parts_page` writes it; where only the sheet is made, nothing moves."""
+    """Return parts as one page, as `write_parts_page` writes it; without solid parts there is no picture in 3-D."""
     title = f"{design_title(parts.design)}: parts to make"
     solid = bool(parts.parts)
     player = f'<div><div id="player"></div>{_moving_note(parts, record)}</div>' if solid else ""
@@ -80,7 +80,7 @@ def parts_page(
         (
             section("The sheet", _drawn(parts.sheet), name="sheet"),
             section("Checks", _check_table(checks), name="checks"),
-            section("What is checked, and what is not", *_honest(), name="honest"),
+            section("Scope of the checks", *_scope_of_checks(), name="honest"),
             section("Design", _every_value(parts), name="design"),
         )
     )
@@ -93,18 +93,20 @@ def parts_page(
 
 
 def _sentence(parts: PartSet) -> str:
-    """What is to be made, and how heavy it is."""
-    told = [parts_text(parts)] if parts.parts else ["A sheet to cut."]
+    """Return a sentence on the parts and their mass."""
+    sentences = [parts_text(parts)] if parts.parts else ["A sheet to cut."]
     if parts.parts:
         mass = total_mass(parts)
-        told.append(f"Together {mass_text(mass)}." if mass is not None else "Of a material the density is not known.")
-    return " ".join(told)
+        sentences.append(
+            f"Total mass {mass_text(mass)}." if mass is not None else "The density of a material is unknown."
+        )
+    return " ".join(sentences)
 
 
 def _checked(checks: Sequence[Check]) -> str:
-    """How many checks fail, in red, as HTML."""
+    """Return a sentence with the number of checks that fail, in red, as HTML."""
     if not checks:
-        return "They are not checked yet: ff.check_parts does that."
+        return "The parts are not checked yet; ff.check_parts checks them."
     failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
     left = sum(check.ok is None for check in checks)
     rest = f" {left} could not be carried out." * (left > 0)
@@ -115,20 +117,20 @@ def _checked(checks: Sequence[Check]) -> str:
 
 
 def _moving_note(parts: PartSet, record: Record | None) -> str:
-    """What is moved in the picture, and what is not."""
+    """Return a note on the motion in the picture and on what it leaves out."""
     several = len(parts.joints) > 1
-    told = "Each joint turns by itself, all by the same angle or to their stops; " if several else ""
-    told += "slack straps are drawn as elasticas between pegs that turn freely, taut ones with their own thickness."
-    told = told[:1].upper() + told[1:]
+    note = "Each joint turns independently, all by the same angle or to their stops; " if several else ""
+    note += "slack straps are drawn as elasticas between pegs that turn freely, taut straps with their own thickness."
+    note = note[:1].upper() + note[1:]
     if record is not None:
-        told += (
-            " The simulated run moves bars without thickness: where solids would touch, they pass through one another."
+        note += (
+            " The simulated run moves bars without thickness, so solids that would touch pass through one another here."
         )
-    return paragraph(told, "note")
+    return paragraph(note, "note")
 
 
 def _bill(parts: PartSet) -> str:
-    """Every part with what it is made of, in the order in which the script has them."""
+    """Return the table of parts and materials, in the order of the page's script."""
     masses = part_masses(parts)
     rows: list[list[str | Cell]] = [
         [
@@ -141,30 +143,30 @@ def _bill(parts: PartSet) -> str:
     if not rows:
         return ""
     mass = total_mass(parts)
-    foot = paragraph(f"Mass of all: {mass_text(mass)}. Sizes are of parts as they lie on the printer.")
-    bill = table("What to print, and what to buy", ("part", "count", "mass of one"), rows)
+    foot = paragraph(f"Total mass: {mass_text(mass)}. Sizes are those of parts as they lie on the printer.")
+    bill = table("Parts to print and to buy", ("part", "count", "mass of one"), rows)
     return section("Bill of materials", bill, foot, name="bill")
 
 
 def _links(files: Sequence[str]) -> str:
-    """Links to files beside the page."""
+    """Return links to files beside the page."""
     items = "".join(f'<li><a href="{escaped(quote(name))}">{escaped(name)}</a></li>' for name in files)
     return section("Files", f'<ul class="files">{items}</ul>', name="files") if items else ""
 
 
 def _drawn(sheet: CutSheet | None) -> str:
-    """The drawing of the sheet, within the page, with what its lines mean."""
+    """Return the drawing of the sheet, as part of the page, with the meaning of its lines."""
     if sheet is None:
         return ""
     across, upwards = MILLIMETRES * sheet.size
     size = f"The finished sheet is {across:.1f} mm × {upwards:.1f} mm."
     legend = remarks([size, *(text for text in layer_texts(sheet).values()), *sheet.notes])
-    drawing = f'<div class="sheet" role="img" aria-label="{escaped(f"The lines of the cutter. {size}")}">'
+    drawing = f'<div class="sheet" role="img" aria-label="{escaped(f"The lines to cut and score. {size}")}">'
     return f"{drawing}{sheet_svg(sheet)}</div>{legend}"
 
 
 def _check_table(checks: Sequence[Check]) -> str:
-    """What is checked, what fails first."""
+    """Return the table of checks, failed ones first."""
     order = {False: 0, None: 1, True: 2}
     rows: list[list[str | Cell]] = [
         [
@@ -177,13 +179,13 @@ def _check_table(checks: Sequence[Check]) -> str:
     ]
     if not rows:
         return ""
-    return table("What fails comes first", ("check", "result", "found", "limit"), rows, numbers=False)
+    return table("Failed checks come first", ("check", "result", "value", "limit"), rows, numbers=False)
 
 
-def _honest() -> list[str]:
-    """What the checks rest on, and what nobody has looked at."""
+def _scope_of_checks() -> list[str]:
+    """Return paragraphs on what the checks include and what they leave out."""
     return [
-        paragraph("Checked, on the computer alone:"),
+        paragraph("Checked by computation:"),
         remarks(_CHECKED),
         paragraph("Not checked:"),
         remarks(_UNCHECKED),
@@ -191,5 +193,5 @@ def _honest() -> list[str]:
 
 
 def _every_value(parts: PartSet) -> str:
-    """The design's values, folded away: they are many, and most are told above."""
+    """Return the table of all values of the design, collapsed."""
     return f"<details><summary>Every value</summary>{''.join(design_tables(parts.design))}</details>"

@@ -1,4 +1,4 @@
-"""A run as a clip: what a page needs to show the structure moving."""
+"""Runs as clips: the data that a page needs to play back a run."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ from forficula.show.structure.labels import (
 )
 from forficula.structure import Measure, Structure
 
-# bytes of one clip; as text in the page they take a third more
+# bytes of one clip; as text in the page they grow by a third
 BUDGET = 2_500_000
-_SERIES = 5  # numbers of a frame beside the positions and what is read: stored energies
-# what a plot calls an energy where a figure has another word
+_SERIES = 5  # numbers of a frame besides positions and readings: stored energies
+# names of energies in plots where they differ from those in figures
 _STORED = {"gravitational": "weight"}
-# a structure drawn between two frames is no further from the record: m, and by its length
+# largest error of a structure drawn between two frames: m, and as a share of its span
 _TOLERANCE, _RELATIVE_TOLERANCE = 5e-7, 1e-5
 
 
 @dataclass(frozen=True, kw_only=True)
 class Mark:
-    """A state on the time line.
+    """State on the time line.
 
     Attributes:
-        letter: a, b or c, as Binder et al. 2025 call the states.
-        name: what it is, such as "folded", or "after folding" where it is not.
-        state: means over the last part of its stage, which ends at the mark.
+        letter: a, b or c, the letters of Binder et al. 2025.
+        name: name of the state, such as "folded", or "after folding" if the run did not reach it.
+        state: means over the last part of its stage, whose end is the time of the mark.
     """
 
     letter: str
@@ -67,13 +67,13 @@ class Readings:
     """Angles or distances over the frames of a clip.
 
     Attributes:
-        measure: what is read.
-        title: heading of their plot.
-        row: what a row of a table calls them.
-        unit: of what is shown.
-        factor: to it from rad or m.
-        labels: what they are called, (reading,).
-        values: rad or m, (time, reading).
+        measure: the measure.
+        title: heading of its plot.
+        row: name of its row in a table.
+        unit: unit that the page shows.
+        factor: factor from rad or m to that unit.
+        labels: names of the readings, (reading,).
+        values: readings, rad or m, (time, reading).
     """
 
     measure: Measure
@@ -87,22 +87,23 @@ class Readings:
 
 @dataclass(frozen=True, kw_only=True)
 class Clip:
-    """A run that can be played.
+    """Run that can be played back.
 
     Attributes:
-        name: what it is called on the page.
-        structure: what was built.
-        time: of the frames, s, (time,).
-        points: of the mesh, m, (time, point, 3).
-        mesh: what is drawn between them.
-        marks: the states that the run got to.
-        stages: of the protocol, those that took place.
-        readings: what is measured, then what is driven beside it.
-        tendon_energy: J, (time, tendon).
-        stored_energy: of tendons, membrane and what else there is, by name, J, (time,).
-        largest_energy: of each of these over the whole run, J; the kinetic one may lie between two frames.
-        rest_length: of the tendons, m, (time, tendon), or (1, tendon) where none yields.
-        efforts: what drives do.
+        name: name of the run on the page.
+        structure: structure that moves.
+        time: times of the frames, s, (time,).
+        points: points of the mesh, m, (time, point, 3).
+        mesh: surfaces and lines between the points.
+        marks: states that the run reached.
+        stages: stages of the protocol that took place.
+        readings: measures, then the driven angles that are not measured.
+        tendon_energy: energies of the tendons, J, (time, tendon).
+        stored_energy: stored energy by name (tendons, membrane, ...), J, (time,).
+        largest_energy: maximum of each stored energy over the whole run, J; that of the kinetic one may lie between
+            frames.
+        rest_length: rest lengths of the tendons, m, (time, tendon), or (1, tendon) if no tendon yields.
+        efforts: actions of the drives.
     """
 
     name: str
@@ -121,18 +122,18 @@ class Clip:
 
 
 def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int = BUDGET) -> Clip:
-    """Turn a run into a clip.
+    """Convert a run to a clip.
 
-    Rows of the record are left out where the structure drawn between their neighbours is within 0.5 µm of them (in one
-    shorter than 5 cm, within 1e-5 of its length), so that what rests takes few. Where that is more than the budget
-    allows, the rows are taken in which it moves least evenly; those of the states and at the ends of the stages are
-    always there.
+    Rows of the record are left out where interpolation between their neighbours is within 0.5 µm of them (1e-5 of the
+    span for structures smaller than 5 cm), so that a structure at rest takes few rows. If the budget allows fewer
+    rows, those with the most uneven motion are kept; rows at states and at the ends of stages are
+    always kept.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        name: what to call it; that of the design if empty.
-        budget: most bytes for positions, angles and energies.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        name: name on the page; the design's name if empty.
+        budget: largest number of bytes for positions, angles and energies.
     """
     structure = record.structure
     mesh = shape_mesh(structure)
@@ -144,8 +145,8 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
         moments += [end.start, end.end, *([] if end.goal_time is None else [end.goal_time])]
     tolerance = min(_TOLERANCE, _RELATIVE_TOLERANCE * structure.span)
     read = sum(each.values.shape[1] for each in readings) + len(structure.tendons)
-    a_frame = 8 + 4 * (points[0].size + read + _SERIES)
-    most = max(budget // a_frame, 2)
+    bytes_per_frame = 8 + 4 * (points[0].size + read + _SERIES)
+    most = max(budget // bytes_per_frame, 2)
     rows = kept_frames(record.time, points, moments, most=most, tolerance=tolerance)
     shown_until = record.time[rows[-1]]
     return Clip(
@@ -166,47 +167,47 @@ def make_clip(record: Record, outcome: Outcome, *, name: str = "", budget: int =
 
 
 def _rest_lengths(record: Record, rows: Indices) -> Array:
-    """Lengths below which tendons are slack, m, (time, tendon), or (1, tendon) where none yields."""
+    """Return lengths below which tendons are slack, m, (time, tendon), or (1, tendon) if no tendon yields."""
     if (grown := record.series.get("tendon_rest_length")) is not None:
         return grown[rows]
     return np.array([[tendon.law.rest_length for tendon in record.structure.tendons]])
 
 
 def state_marks(structure: Structure, outcome: Outcome) -> tuple[Mark, ...]:
-    """Where the states are on the time line."""
+    """Return the marks of the states on the time line."""
     letters = state_letters(structure)
     return tuple(
-        Mark(letter=letters[state.name], name=table_name(state, outcome), state=found)
+        Mark(letter=letters[state.name], name=table_name(state, outcome), state=reached)
         for state in structure.states
-        if (found := outcome.states[state.name]) is not None
+        if (reached := outcome.states[state.name]) is not None
     )
 
 
 def blown_up(record: Record) -> Flags:
-    """Which rows of a diverged run mean nothing, (time,): from where a hinge has passed its stops by a full turn."""
+    """Return which rows of a diverged run are meaningless, (time,): from a full turn of a hinge beyond its stops on."""
     if record.diverged_at is None:
         return np.zeros(len(record.time), dtype=np.bool_)
     angles = np.abs(record.series["hinge_angle"])
     stopped = [np.isfinite(hinge.lower) or np.isfinite(hinge.upper) for hinge in record.structure.hinges]
     most = np.where(stopped, 2 * np.pi, np.inf)
-    # nan is beyond everything, inf is beyond what has no stop, too
+    # nan exceeds every limit, and inf exceeds the limit of a hinge without stops
     return np.logical_or.accumulate(~((angles <= most) & np.isfinite(angles)).all(axis=1))
 
 
 def mark_readings(clip: Clip, readings: Readings, mark: Mark) -> tuple[Array, Array | None]:
-    """What is read in a state: the means, and half the swings where the state knows them, both rad or m, (reading,)."""
+    """Return the readings in a state: means, and half the ranges if the state has them, rad or m, (reading,)."""
     measured = mark.state.readings.get(readings.measure.name)
     if measured is not None:
         mean, low, high = (
             condensed(clip.structure, readings.measure, each) for each in (measured.mean, measured.low, measured.high)
         )
         return mean, (high - low) / 2
-    # an outcome has no such means
+    # the outcome has no means of driven angles
     return readings.values[np.argmin(np.abs(clip.time - mark.time))], None
 
 
 def clip_data(clip: Clip) -> dict[str, Any]:
-    """A clip as data for JSON: lists and texts, long arrays packed by `packed`."""
+    """Return a clip as data for JSON: lists and texts, long arrays packed by `packed`."""
     mesh, (heading, names, places) = clip.mesh, _columns(clip)
     return {
         "name": clip.name,
@@ -252,18 +253,18 @@ def clip_data(clip: Clip) -> dict[str, Any]:
 
 
 def _readings(record: Record) -> list[Readings]:
-    """What is measured, and the angles that are driven beside it."""
+    """Return the readings of the measures and of the driven angles that are not measured."""
     structure, titles = record.structure, record.structure.appearance.titles
     measured = shown_angles(structure)
     driven = driven_angles(structure, measured)
-    found = []
+    readings = []
     for measure in (*measured, *shown_distances(structure), *driven):
         values = record.measured(measure.name)
         unit, factor = "deg", float(np.degrees(1.0))
         if measure.kind == "distance":
             unit, factor = reading_unit("m", float(np.nanmax(np.abs(values), initial=0.0)) or structure.span)
         row = measure.name if measure in driven else title_of(measure)
-        found.append(
+        readings.append(
             Readings(
                 measure=measure,
                 title=titles.get(measure.name, title_of(measure)),
@@ -274,15 +275,15 @@ def _readings(record: Record) -> list[Readings]:
                 values=condensed(structure, measure, values),
             )
         )
-    return found
+    return readings
 
 
 def _columns(clip: Clip) -> tuple[str, tuple[str, ...], list[list[int]]]:
-    """The columns of a table of everything by hinge and tendon: their heading, their names, and which has what.
+    """Return the columns of a table of all readings and energies by hinge and tendon.
 
     Returns:
-        The word that all names begin with, or none; the names; and for all readings, then for the tendons, the column
-        of each of their numbers.
+        The word with which all names begin, or ""; the names; and the column indices of each reading's numbers, then
+        of the tendons'.
     """
     rows = [list(each.labels) for each in clip.readings] + [[label_of(tendon) for tendon in clip.structure.tendons]]
     columns, places = aligned(rows)
@@ -291,7 +292,7 @@ def _columns(clip: Clip) -> tuple[str, tuple[str, ...], list[list[int]]]:
 
 
 def _mark_data(clip: Clip, mark: Mark) -> dict[str, Any]:
-    """A state with the numbers that the summary states for it."""
+    """Return a state as data for JSON, with the numbers of the summary."""
     states = {}
     for each in clip.readings:
         mean, swing = mark_readings(clip, each, mark)
@@ -307,8 +308,8 @@ def _mark_data(clip: Clip, mark: Mark) -> dict[str, Any]:
 
 
 def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
-    """What the colours of all clips mean, as data for JSON: a sample, as the page's script knows it, and a text."""
-    told: dict[str, str] = {}
+    """Return the legend of all clips as data for JSON: a sample that the page's script knows, and a text."""
+    entries: dict[str, str] = {}
     for clip in clips:
         looks, tubes = clip.structure.appearance, clip.mesh.tubes
         letters = {tube.crease for tube in tubes if tube.kind in ("bar", "crease")}
@@ -316,52 +317,52 @@ def legend_data(clips: Sequence[Clip]) -> list[dict[str, str]]:
         for letter, name, stroke in (("M", "mountain", "dash-dotted"), ("V", "valley", "dashed")):
             lines = [f"{stroke} {looks.crease}"] * ("crease" in folded) + [f"{looks.bar}s"] * ("bar" in folded)
             if letter in letters:
-                told.setdefault(name, f"{name} ({', '.join(lines)})")
+                entries.setdefault(name, f"{name} ({', '.join(lines)})")
         if any(tube.kind == "bar" and tube.crease == "B" for tube in tubes):
-            told.setdefault("border", f"{looks.bar} at the rim" if "bar" in folded else looks.bar)
+            entries.setdefault("border", f"{looks.bar} at the rim" if "bar" in folded else looks.bar)
         if any(tube.kind == "edge" for tube in tubes):
-            told.setdefault("edge", "edge of a plate")
+            entries.setdefault("edge", "edge of a plate")
         for region, name in enumerate(clip.mesh.names):
-            told.setdefault(f"region {region}", name)
+            entries.setdefault(f"region {region}", name)
         if len(clip.mesh.joints):
-            told.setdefault("joint", "held vertex" if clip.mesh.held else "hinge")
+            entries.setdefault("joint", "support" if clip.mesh.held else "hinge")
         if len(clip.mesh.base):
-            told.setdefault("base", "held fast")
+            entries.setdefault("base", "fixed")
         if clip.structure.tendons:
-            told.setdefault("tendon", "tendon, energy stored")
+            entries.setdefault("tendon", "tendon, coloured by stored energy")
     order = ("mountain", "valley", "border", "edge", "region", "joint", "base", "tendon")
     return [
         {"sample": sample, "text": text}
-        for sample, text in sorted(told.items(), key=lambda item: order.index(item[0].partition(" ")[0]))
+        for sample, text in sorted(entries.items(), key=lambda item: order.index(item[0].partition(" ")[0]))
     ]
 
 
 def whole_of(clips: Sequence[Clip]) -> str:
-    """What the structures of clips are called, one of them."""
+    """Return the common noun of the structures of clips, such as "wing"."""
     names = {clip.structure.appearance.whole for clip in clips}
     return names.pop() if len(names) == 1 else "structure"
 
 
 def energy_scale(clips: Sequence[Clip]) -> dict[str, Any]:
-    """One unit for the energies of all tendons, and the largest energy of one of them, J, as data for JSON."""
+    """Return the unit of the energies of all tendons, and the largest energy of a tendon, J, as data for JSON."""
     largest = max(float(clip.tendon_energy.max(initial=0.0)) for clip in clips)
     unit, factor = reading_unit("J", largest)
     return {"unit": unit, "factor": factor, "largest_J": largest}
 
 
 def kept_frames(time: Array, points: Array, moments: Iterable[float], *, most: int, tolerance: float) -> Indices:
-    """Choose rows so that what is drawn between them goes as it went.
+    """Choose rows between which interpolation follows the record.
 
-    The rows nearest to the moments, the first and the last are kept. Then, again and again, the row is added at which
-    what is drawn between its neighbours is furthest from the record (Douglas and Peucker 1973, with time
-    as the line's parameter), until none is further than the tolerance or there are enough rows.
+    The rows nearest to the moments, the first and the last row are kept. Then the row with the largest distance from
+    the interpolation between its neighbours is added (Douglas and Peucker 1973, with time
+    as the line's parameter), until no distance exceeds the tolerance or there are enough rows.
 
     Args:
         time: s, (time,).
-        points: m, (time, point, 3); rows that are not finite as floats of four bytes are never kept.
-        moments: times that must be kept, s.
-        most: number of rows; more are kept only where the moments are more.
-        tolerance: distance that no one sees, m.
+        points: m, (time, point, 3); rows that are not finite as 4-byte floats are left out.
+        moments: times to keep, s.
+        most: number of rows; exceeded only if there are more moments.
+        tolerance: distance that is not visible, m.
 
     Returns:
         Rows, rising, (kept,).
@@ -384,12 +385,12 @@ def kept_frames(time: Array, points: Array, moments: Iterable[float], *, most: i
 
 
 def _push(gaps: list[tuple[float, int, int, int]], time: Array, points: Array, first: int, last: int) -> None:
-    """Add a gap between two kept rows to the heap, by how far what is drawn across it is from the record."""
+    """Add a gap between two kept rows to the heap, ordered by the error of interpolation across the gap."""
     if last - first < 2:
         return
-    inside = slice(first + 1, last)
-    share = (time[inside] - time[first]) / (time[last] - time[first])
+    between = slice(first + 1, last)
+    share = (time[between] - time[first]) / (time[last] - time[first])
     drawn = points[first] + share[:, np.newaxis, np.newaxis] * (points[last] - points[first])
-    errors = np.square(drawn - points[inside]).sum(axis=2).max(axis=1)
+    errors = np.square(drawn - points[between]).sum(axis=2).max(axis=1)
     worst = int(np.argmax(errors))
     heappush(gaps, (-float(np.sqrt(errors[worst])), first, first + 1 + worst, last))

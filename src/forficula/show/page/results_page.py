@@ -1,4 +1,4 @@
-"""The page of results that are figures and tables, below a run where one belongs to them."""
+"""Page of results that consist of figures and tables, below a run if there is one."""
 
 from __future__ import annotations
 
@@ -16,40 +16,40 @@ from forficula.show.page.parts.html import escaped, paragraph, remarks, section
 from forficula.show.page.parts.rich_html import LaidOut, laid_out
 from forficula.show.style import COPIES
 
-# what comes with a run stands below this section of its page
+# sections that are added later, such as a landscape, are placed before this section
 _LAST = '<section id="design">'
 
 
 def results_page(
     kind: str,
     name: str,
-    found: LaidOut,
+    printed: LaidOut,
     figures: Iterable[str],
     *,
     run: str = "",
     data: dict[str, Any] | None = None,
 ) -> str:
-    """Results as one page.
+    """Return results as one page.
 
     Args:
-        kind: of results, such as "landscape", in the title of the window.
-        name: of what they are of.
-        found: the sentence, the tables and the remarks.
+        kind: kind of results, such as "landscape", for the title of the window.
+        name: name of the design.
+        printed: the sentence, the tables and the remarks of the terminal.
         figures: sections, from `figure_sections`.
-        run: what a run beside them came to, in a sentence.
-        data: what the page's script shows, if there is such.
+        run: a sentence on the outcome of a run of the same design.
+        data: data for the page's script, if any.
     """
-    places = "".join(f'<div id="{each}"></div>\n' for each in ("player", "curves", "plots", "readout"))
-    told = found.heading.removeprefix(f"{name}: ").rstrip(".")
-    sentence = paragraph(f"{told[:1].upper()}{told[1:]}.", "outcome")
+    elements = "".join(f'<div id="{each}"></div>\n' for each in ("player", "curves", "plots", "readout"))
+    heading = printed.heading.removeprefix(f"{name}: ").rstrip(".")
+    sentence = paragraph(f"{heading[:1].upper()}{heading[1:]}.", "outcome")
     body = "".join(
         (
             f"<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main>",
             paragraph(run, "note"),
-            places * (data is not None),
+            elements * (data is not None),
             *figures,
-            section("Numbers", *found.tables, name="numbers"),
-            section("What to know", remarks(found.sentences), name="remarks"),
+            section("Numbers", *printed.tables, name="numbers"),
+            section("What to know", remarks(printed.sentences), name="remarks"),
             "</main>",
         )
     )
@@ -57,12 +57,12 @@ def results_page(
 
 
 def figure_sections(folder: Path, headings: Mapping[str, str], texts: Mapping[str, str]) -> list[str]:
-    """The figures of a folder, each in a section of its own, in the order of the headings.
+    """Return the figures of a folder, each in a section, in the order of the headings.
 
     Args:
-        folder: in which they lie.
-        headings: by the stems of their files.
-        texts: that stand for them, likewise; a figure without one is left out.
+        folder: folder that contains the figures.
+        headings: headings by the stems of the files.
+        texts: descriptions by the stems of the files; a figure without one is left out.
     """
     return [
         section(heading, figure_html(folder, stem, texts[stem]), name=stem)
@@ -79,15 +79,15 @@ def write_results_page(
     headings: Mapping[str, str],
     texts: Mapping[str, str],
 ) -> None:
-    """Write report.html of results that consist of one table and of the figures of their folder.
+    """Write report.html of results that consist of one table and of the figures in their folder.
 
     Args:
-        folder: of the results, with the figures in it.
-        kind: of results, as for `results_page`.
-        name: of the design.
-        table: as the terminal prints it.
-        headings: of the figures, by the stems of their files.
-        texts: that describe the figures, likewise.
+        folder: folder of the results, with the figures.
+        kind: kind of results, as for `results_page`.
+        name: name of the design.
+        table: table as the terminal prints it.
+        headings: headings of the figures, by the stems of their files.
+        texts: descriptions of the figures, by the stems of their files.
 
     Raises:
         InputError: it cannot be written.
@@ -97,7 +97,7 @@ def write_results_page(
 
 
 def figure_html(folder: Path, stem: str, text: str) -> str:
-    """A figure within the page; on a phone that of a journal's column, whose letters can be read there."""
+    """Return a figure for a page; phones get the version for a journal's column, whose letters are legible there."""
     wide, narrow = folder / f"{stem}.png", folder / COPIES / f"{stem}.svg"
     return (
         f'<figure class="drawn"><picture><source media="(max-width: 560px)" srcset="{_packed(narrow, "svg+xml")}">'
@@ -105,26 +105,26 @@ def figure_html(folder: Path, stem: str, text: str) -> str:
     )
 
 
-def with_section(page: str, name: str, made: str) -> str:
-    """A page with one more section: before its design, where it tells that, or else at its end.
+def with_section(page: str, name: str, section_html: str) -> str:
+    """Return a page with one more section, before its design section or else at its end.
 
-    All other text of a page is escaped, so that these marks are its own.
+    All other text of a page is escaped, so these marks occur only where the page itself has them.
 
     Args:
         page: HTML.
-        name: of the section; one of this name that is there already goes.
-        made: HTML, from `forficula.show.page.parts.html.section`.
+        name: name of the section; an existing section of this name is replaced.
+        section_html: HTML, from `forficula.show.page.parts.html.section`.
     """
-    before, there, after = page.partition(f'<section id="{name}">')
-    if there:
+    before, existing, after = page.partition(f'<section id="{name}">')
+    if existing:
         page = before + after.partition("</section>\n")[2]
     mark = _LAST if _LAST in page else "</main>"
     before, _, after = page.partition(mark)
-    return f"{before}{made}{mark}{after}"
+    return f"{before}{section_html}{mark}{after}"
 
 
 def read_page(folder: Path) -> str | None:
-    """The page that a folder of results has; None where it has none.
+    """Return the page of a folder of results; None if it has none.
 
     Raises:
         InputError: it cannot be read.

@@ -1,4 +1,4 @@
-"""The page of a run: the structure moving, its plots, and every number."""
+"""Page of a run: the moving structure, its plots, and all numbers."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from forficula.show.page.parts.words import energy_text, outcome_remarks, outcom
 from forficula.show.page.playback import BUDGET, Clip, clip_data, energy_scale, legend_data, make_clip, whole_of
 from forficula.structure import structure_warnings
 
-# bytes of a clip in a page that has the engine, so that all of it stays below 5 MB
+# bytes of a clip on a page that contains the engine, so that the page stays below 5 MB
 _BESIDE_ENGINE = 550_000
 
 
 def write_run_page(record: Record, outcome: Outcome, path: Path, *, engine: bool = True) -> None:
-    """Write a run as one HTML file that needs no network.
+    """Write a run as one HTML file that works offline.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        path: of the file.
-        engine: whether the simulator is in it, with which a reader moves the structure.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        path: path of the file.
+        engine: whether the page contains the simulator, with which a reader can vary the run.
 
     Raises:
         InputError: it cannot be written.
@@ -44,12 +44,12 @@ def write_run_page(record: Record, outcome: Outcome, path: Path, *, engine: bool
 
 
 def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
-    """A run as one page: the structure in 3-D, its plots, its numbers, its design and how to repeat it.
+    """Return a run as one page: the structure in 3-D, its plots, its numbers, its design and how to repeat it.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        engine: whether the simulator is in it; it takes 3.5 MB.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        engine: whether the page contains the simulator, which takes 3.5 MB.
     """
     design = record.design
     clip = make_clip(record, outcome, budget=_BESIDE_ENGINE if engine else BUDGET)
@@ -57,29 +57,29 @@ def run_page(record: Record, outcome: Outcome, *, engine: bool = False) -> str:
     live = live_data(design, measures, clip.mesh.anchors.tolist()) if engine else None
     title = design_title(design)
     sentence = paragraph(outcome_sentence(design.name, outcome), "outcome")
-    places = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
+    elements = "".join(f'<div id="{name}"></div>\n' for name in ("player", "plots", "readout"))
     trial = "" if live is None else '<section id="try" aria-label="try it"></section>\n'
-    places = places.replace('<div id="plots">', f'{trial}<div id="plots">')
-    body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{places}{numbers(record, outcome)}</main>"
+    elements = elements.replace('<div id="plots">', f'{trial}<div id="plots">')
+    body = f"<header><h1>{escaped(title)}</h1>{sentence}</header>\n<main>{elements}{numbers(record, outcome)}</main>"
     return page_html(f"{title}: {outcome.status}", body, playback_data(clip), live)
 
 
 def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | None = None) -> str:
-    """The sections of a run's page under its plots, as HTML.
+    """Return the sections below the plots of a run's page, as HTML.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        run_versions: that the run was made with; those of now if not given.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        run_versions: versions with which the run was made; the installed ones by default.
     """
     design = record.design
     known = [*structure_warnings(design, record.structure), *timestep_warnings(design), *run_warnings(record)]
     warnings = [*outcome_remarks(record, outcome), *storage_texts(record, outcome), *known]
     return "".join(
         (
-            section("What to know", remarks(warnings) or paragraph("There is nothing to warn of.")),
+            section("What to know", remarks(warnings) or paragraph("There are no warnings.")),
             section("Outcome", *outcome_tables(outcome), strength_table(record), name="outcome"),
-            section("What weighs how much", groups_table(record), name="groups"),
+            section("Dimensionless groups", groups_table(record), name="groups"),
             section("Design", *design_tables(design), name="design"),
             section("Run it again", *_repeat(design, run_versions or versions()), name="repeat"),
         )
@@ -87,7 +87,7 @@ def numbers(record: Record, outcome: Outcome, run_versions: Mapping[str, str] | 
 
 
 def playback_data(clip: Clip) -> dict[str, Any]:
-    """A run as data for JSON: what moves, its plots, and the parts of its time that are shown close up."""
+    """Return a run as data for JSON: the motion, its plots, and the time spans that the page shows enlarged."""
     energies = [(name, 0, values) for name, values in clip.stored_energy.items()]
     plots = (
         *(reading_plot(clip, number) for number in range(len(clip.readings))),
@@ -108,7 +108,7 @@ def playback_data(clip: Clip) -> dict[str, Any]:
 
 def _repeat(design: Design, run_versions: Mapping[str, str]) -> list[str]:
     return [
-        paragraph("The design file holds every value; running it with the same versions gives the same numbers."),
+        paragraph("The design file contains every value; running it with the same versions gives the same numbers."),
         *repeat(design),
         table(
             "Versions",
@@ -120,7 +120,7 @@ def _repeat(design: Design, run_versions: Mapping[str, str]) -> list[str]:
 
 
 def repeat(design: Design) -> list[str]:
-    """A design's file to download, and the command that runs it, as HTML."""
+    """Return the HTML of a link to a design's file and of the command that runs the design."""
     content = base64.b64encode(design_text(design).encode()).decode("ascii")
     return [
         f'<p><a class="button" download="design.toml" href="data:application/toml;base64,{content}">'

@@ -1,4 +1,4 @@
-"""What the pages of goals have in common: what was found, points to choose and to play, a table, and what was asked."""
+"""Layout shared by the pages of goals: the result, points to select and to play back, a table, and the question."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ def samples_page(
     *,
     name: str,
     kind: str,
-    found: LaidOut,
-    told: Iterable[str],
-    more: Iterable[str] = (),
+    printed: LaidOut,
+    before: Iterable[str],
+    after: Iterable[str] = (),
     data: dict[str, Any],
     views: dict[str, Any],
     headings: tuple[str, str],
@@ -29,24 +29,24 @@ def samples_page(
     count: int,
     csv: str,
 ) -> str:
-    """A page of points.
+    """Return a page of points.
 
     Args:
-        name: of what was asked.
-        kind: of results, in the title of the window.
-        found: the sentence, the tables and the remarks.
-        told: sections that stand before the points, HTML.
-        more: sections after them.
-        data: the points, from `samples_data`.
-        views: what the script draws of them: `order` of "lines", "plane" and "pairs"; `lines`, keys or names of the
-            axes of parallel coordinates; `plane`, those of the two over which points lie, `x` and `y`, with a `title`;
-            `pairs`, those of the pair plots, and `marginals`; `front`, numbers of the points that none beats; `best`,
-            the number of the best or None, and `best_word`, what that is called.
-        headings: of the table of all points and of what was asked.
-        about: what was asked, HTML.
-        kept: the runs that can be played.
-        count: how many these are.
-        csv: the text of `table.csv`; empty for none.
+        name: name of the goal or design.
+        kind: kind of results, for the title of the window.
+        printed: the sentence, the tables and the remarks of the terminal.
+        before: sections before the points, HTML.
+        after: sections after the points, HTML.
+        data: points, from `samples_data`.
+        views: plots of the points that the script draws: `order` of "lines", "plane" and "pairs"; `lines`, keys or
+            names of the axes of parallel coordinates; `plane`, those of the axes `x` and `y` of a scatter plot, with a
+            `title`; `pairs`, those of the pair plots, and `marginals`; `front`, indices of the Pareto-optimal points;
+            `best`, index of the best point or None, and `best_word`, its label.
+        headings: headings of the table of all points and of the section about the question.
+        about: HTML of the question and its settings.
+        kept: runs that the page can play back.
+        count: number of these runs.
+        csv: contents of `table.csv`; empty for none.
     """
     shown = {
         "kind": "goals",
@@ -55,29 +55,29 @@ def samples_page(
         "runs": runs_data(kept, count),
         "csv": csv if csv and has_rows(data) else None,
     }
-    return page_html(f"{name}: {kind}", _body(name, found, told, more, data, headings, about), shown)
+    return page_html(f"{name}: {kind}", _body(name, printed, before, after, data, headings, about), shown)
 
 
 def _body(
     name: str,
-    found: LaidOut,
-    told: Iterable[str],
-    more: Iterable[str],
+    printed: LaidOut,
+    before: Iterable[str],
+    after: Iterable[str],
     data: dict[str, Any],
     headings: tuple[str, str],
     about: Sequence[str],
 ) -> str:
-    """What stands on a page of points, from the sentence down to what was asked."""
-    heading = found.heading.removeprefix(f"{name}: ").rstrip(".")
+    """Return the contents of a page of points, from the sentence down to the question."""
+    heading = printed.heading.removeprefix(f"{name}: ").rstrip(".")
     sentence = paragraph(f"{heading[:1].upper()}{heading[1:]}." if heading else "", "outcome")
     return "".join(
         (
             f'<header><h1>{escaped(name)}</h1>{sentence}</header>\n<main class="study">',
-            *told,
+            *before,
             '<div id="explorer"></div>\n',
-            *more,
-            section("Numbers", *found.tables, name="numbers"),
-            section("What to know", remarks(found.sentences), name="remarks"),
+            *after,
+            section("Numbers", *printed.tables, name="numbers"),
+            section("What to know", remarks(printed.sentences), name="remarks"),
             section(headings[0], points_table(data), name="points"),
             section(headings[1], *about, name="about"),
             "</main>",
@@ -86,11 +86,11 @@ def _body(
 
 
 def about_rows(rows: Sequence[Sequence[str]], design_hash: str, source: str, command: str) -> list[str]:
-    """What was asked as a table, with the versions and the command that repeats it."""
+    """Return the question as a table, with the versions and the command that repeats it."""
     every = [*rows, *([name, version] for name, version in versions().items()), ["design hash", design_hash]]
     return [
         paragraph(f"Source: {source}" if source else "", "note"),
-        table("What was asked, and with what", ("", ""), every, numbers=False),
-        paragraph("The same command repeats it with the same numbers, or goes on where it stopped."),
+        table("Settings and versions", ("", ""), every, numbers=False),
+        paragraph("The same command repeats this with the same numbers, or continues an interrupted search."),
         f"<pre><code>{escaped(command)}</code></pre>",
     ]

@@ -1,4 +1,4 @@
-"""A study's structure as data for the engine in its page: what every point changes, and what is asked of it."""
+"""Data of a study's structure for the engine in its page: the values of every point, and the search."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from forficula.study.search_steps import Search, SearchStep
 
 
 def study_live(study: Study) -> dict[str, Any]:
-    """What the engine in a study's page needs to answer as the study would.
+    """Return the data with which the engine in a study's page computes what the study would compute.
 
     Returns:
         Data for JSON, as `live_data` has it, and
 
-        - `bench`: the structure of the study's design to be drawn, as of a page of `forficula open`;
-        - `points`: SI values by key, a point each;
-        - `search`: the least values to look for, or None where a point is one run.
+        - `bench`: the structure of the study's design, as on a page of `forficula open`;
+        - `points`: SI values by key for each point;
+        - `search`: the search for least values, or None if each point is one run.
 
-        Where it would not move the structures as the study did only "refused", why.
+        Only "refused", with the reason, if the engine would simulate the structures differently from the study.
     """
     design = study.base
     if design.protocol.timestep == "auto":
@@ -37,12 +37,12 @@ def study_live(study: Study) -> dict[str, Any]:
     except InputError as error:
         return {"refused": str(error)}
     if why or any(point is None for point in points):
-        return {"refused": why or "some of what it varies are no numbers with units"}
+        return {"refused": why or "some of the varied values are not numbers with units"}
     values: dict[str, list[float]] = {}
     for point in points:
         for key, value in (point or {}).items():
             values.setdefault(key, []).append(value)
-    ranges = {key: (min(each), max(each)) for key, each in values.items()}
+    ranges = {key: (min(numbers), max(numbers)) for key, numbers in values.items()}
     for step in study.search.steps if study.search is not None else ():
         ends = [step.sign * value for value in (*step.values, study.search.reference if study.search else 0.0)]
         ranges[step.key] = (min(ends), max(ends))
@@ -55,15 +55,15 @@ def study_live(study: Study) -> dict[str, Any]:
 
 
 def _in_si(study: Study, point: Any) -> dict[str, float] | None:
-    """The values of a point, SI; None where one is no number with a unit."""
-    found = {}
+    """Return the values of a point, SI; None if one is not a number with a unit."""
+    values = {}
     for key, value in point.items():
         quantity = key_quantity(key, type(study.base))
         read = None if quantity is None else quantity.read(value, in_si=True)
         if not isinstance(read, float):
             return None
-        found[key] = read
-    return found
+        values[key] = read
+    return values
 
 
 def _search(search: Search, stages: Sequence[StageSection]) -> dict[str, Any]:
@@ -88,7 +88,7 @@ def _step(step: SearchStep, until: int) -> dict[str, Any]:
         "name": step.least_name,
         "title": step.least_name.replace("_", " "),
         "values": list(step.values),
-        # of torques, which a status names
+        # only torques: a status names them
         "texts": [show_quantity(value, step.unit) for value in step.values] if step.unit is TORQUE else None,
         "sign": step.sign,
         "until": until,
@@ -96,5 +96,5 @@ def _step(step: SearchStep, until: int) -> dict[str, Any]:
 
 
 def _first_driven(stages: Sequence[StageSection], drive: str) -> int | None:
-    """Number of the first stage with a drive."""
+    """Return the index of the first stage with a drive; None if no stage has it."""
     return next((number for number, stage in enumerate(stages) if drive in stage_drives(stage)), None)

@@ -1,4 +1,4 @@
-"""The page of a study: its maps, its runs to play, and its table."""
+"""Page of a study: its maps, its runs to play back, and its table."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ from forficula.study.tables.outcome_kinds import (
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# bytes that runs leave to the engine, which takes 3.5 MB, where it is there
+# bytes that runs leave to the engine on a page that contains it; the engine takes 3.5 MB
 _ENGINE = 2_900_000
-_AGREES = {True: "yes", False: "no", None: "cannot tell"}
+_AGREES = {True: "yes", False: "no", None: "undecided"}
 
 
 def write_study_page(
@@ -70,15 +70,15 @@ def study_page(
     *,
     engine: bool = True,
 ) -> str:
-    """A study as one page: maps, the runs behind their cells, all points, and what a paper says of them.
+    """Return a study as one page: maps, the runs of their cells, all points, and the claims of a paper.
 
     Args:
-        study: what was asked.
-        results: its table.
-        kept: the runs that can be played.
-        count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
-        compared: a paper's claims beside the study's results.
-        engine: whether the simulator is in it, which answers where no run was kept.
+        study: the study.
+        results: table of its points.
+        kept: runs that the page can play back.
+        count: number of these runs; they share a budget of bytes, so that a page with 60 points stays below 10 MB.
+        compared: claims of a paper beside the study's results.
+        engine: whether the page contains the simulator, which simulates points whose runs were not kept.
     """
     data = study_data(study, results)
     body = "".join(
@@ -87,7 +87,7 @@ def study_page(
             '<main class="study"><div id="explorer"></div>\n',
             section("Choices side by side", _choices(results), name="choices"),
             section("All points", points_table(data), name="points"),
-            section("Beside the paper", _comparison(compared), name="comparison"),
+            section("Comparison with the paper", _comparison(compared), name="comparison"),
             section("The study", *_about(study), name="about"),
             "</main>",
         )
@@ -104,18 +104,18 @@ def study_page(
 
 
 def study_sentence(study: Study, results: Dataset) -> str:
-    """How many points there are and what became of them."""
+    """Return a sentence with the number of points and of those that completed each transition."""
     count, transitions = f"{len(study.points)} points", asked_transitions(results)
     confirmed = f" {sentence}." if (sentence := confirmation_sentence(results)) else ""
     if study.search is None:
-        told = [
-            f"{int(did_all(results, transitions[: place + 1]).sum())} {_can(transitions, place)}"
-            for place in range(len(transitions))
+        counts = [
+            f"{int(did_all(results, transitions[: index + 1]).sum())} {_can(transitions, index)}"
+            for index in range(len(transitions))
         ]
-        return f"{count}: {', '.join(told)}.{confirmed}" if told else f"{count}.{confirmed}"
+        return f"{count}: {', '.join(counts)}.{confirmed}" if counts else f"{count}.{confirmed}"
     parts = []
-    for place, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
-        what = _can(transitions, place, again=False) if place == 0 else f"{each.wording.verb} again"
+    for index, (step, each) in enumerate(zip(study.search.steps, transitions, strict=True)):
+        what = _can(transitions, index, again=False) if index == 0 else f"{each.wording.verb} again"
         values = least_values(results, each)
         if not len(values):
             parts.append(f"none can {what}{undecided_text(results, each)}")
@@ -126,14 +126,14 @@ def study_sentence(study: Study, results: Dataset) -> str:
     return f"{count}: {'; '.join(parts)}.{confirmed}"
 
 
-def _can(transitions: Sequence[TableTransition], place: int, *, again: bool = True) -> str:
-    """What is done by then, such as "fold and open again"."""
-    verbs = [each.wording.verb for each in transitions[: place + 1]]
-    return f"{' and '.join(verbs)}{' again' if place and again else ''}"
+def _can(transitions: Sequence[TableTransition], index: int, *, again: bool = True) -> str:
+    """Return the verbs of the transitions up to an index, such as "fold and open again"."""
+    verbs = [each.wording.verb for each in transitions[: index + 1]]
+    return f"{' and '.join(verbs)}{' again' if index and again else ''}"
 
 
 def _choices(results: Dataset) -> str:
-    """How many points of the grid did what at each choice; of single ones the table of points tells."""
+    """Return a table with the number of points that completed each transition, for every choice."""
     headings, rows = choice_rows(results)
     return table("One value is changed at a time", headings, rows) if rows else ""
 
@@ -142,7 +142,7 @@ def _comparison(compared: Comparison | None) -> str:
     if compared is None:
         return ""
     paper, rows = compared.paper, compared.claims
-    told = [row.agrees for row in rows if row.agrees is not None]
+    decided = [row.agrees for row in rows if row.agrees is not None]
     cells: list[list[str | Cell]] = [
         [
             Cell(text=row.claim, note=row.why),
@@ -152,13 +152,13 @@ def _comparison(compared: Comparison | None) -> str:
         ]
         for row in rows
     ]
-    return paragraph(f"{sum(told)} of {len(told)} claims of {paper.authors} ({paper.published}) agree.") + table(
-        "Claims", ("claim", "paper", "here", "agrees"), cells, numbers=False
+    return paragraph(f"{sum(decided)} of {len(decided)} claims of {paper.authors} ({paper.published}) agree.") + table(
+        "Claims", ("claim", "paper", "forficula", "agrees"), cells, numbers=False
     )
 
 
 def _about(study: Study) -> list[str]:
-    """What was varied, what was tried, and how to repeat it."""
+    """Return the varied values, the search and the command that repeats the study."""
     rows = [["design", study.base.name], *([factor.key, _values(study, factor)] for factor in study.factors)]
     if study.choices:
         rows.append(["varied", "one at a time"])
@@ -179,14 +179,14 @@ def _about(study: Study) -> list[str]:
     file = study.name if study.name in named_studies() else f"{study.name}.toml"
     return [
         paragraph(f"Source: {study.source}" if study.source else "", "note"),
-        table("What was varied, and with what", ("", ""), rows, numbers=False),
-        paragraph("The same command repeats it with the same numbers, or goes on where it stopped."),
+        table("Varied values and versions", ("", ""), rows, numbers=False),
+        paragraph("The same command repeats the study with the same numbers, or continues it if it was interrupted."),
         f"<pre><code>forficula study {escaped(file)}</code></pre>",
     ]
 
 
 def _values(study: Study, factor: Factor) -> str:
-    """A factor's values, or how many were drawn."""
+    """Return a factor's values, or their number if they were drawn."""
     if study.sampled:
         return f"{len(study.points)} values drawn"
     values = list(dict.fromkeys(str(value) for value in factor.values))

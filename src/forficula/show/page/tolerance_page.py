@@ -1,4 +1,4 @@
-"""The page of a tolerance: how likely a design works as it is built, what decides it, and how far off failure is."""
+"""Page of a tolerance analysis: the probability of working, the deviations that matter most, the nearest failures."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class VerdictCells:
-    """What becomes of a design of which two values are off and nothing else: a map under the cloud of what is built.
+    """Verdicts of designs in which only two values deviate: a map under the scatter plot of the samples.
 
     Attributes:
-        first: key of the one across.
-        second: key of the one upwards.
-        across: its values, rising, SI.
-        upwards: likewise.
+        first: key on the horizontal axis.
+        second: key on the vertical axis.
+        across: values of `first`, rising, SI.
+        upwards: values of `second`, rising, SI.
         works: whether the design works, (across, upwards).
     """
 
@@ -47,9 +47,9 @@ class VerdictCells:
 
 
 _WORKS, _MISSES = "works", "misses a limit"
-# rows of bars
+# largest number of rows of bars
 _MOST_BARS = 10
-# axes of the lines over what is built: those that decide most
+# largest number of axes of the parallel coordinates
 _MOST_AXES = 8
 
 
@@ -57,58 +57,58 @@ def write_tolerance_page(
     design: Design,
     deviations: Sequence[Deviation],
     results: Dataset,
-    found: LaidOut,
+    printed: LaidOut,
     path: Path,
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
     cells: VerdictCells | None = None,
 ) -> None:
-    """Write a tolerance as one HTML file that needs no network.
+    """Write a tolerance analysis as one HTML file that works offline.
 
     Args are those of `tolerance_page`.
 
     Raises:
         InputError: it cannot be written.
     """
-    write_text(path, tolerance_page(design, deviations, results, found, kept, count, csv, cells))
+    write_text(path, tolerance_page(design, deviations, results, printed, kept, count, csv, cells))
 
 
 def tolerance_page(
     design: Design,
     deviations: Sequence[Deviation],
     results: Dataset,
-    found: LaidOut,
+    printed: LaidOut,
     kept: Iterable[KeptRun] = (),
     count: int = 0,
     csv: str = "",
     cells: VerdictCells | None = None,
 ) -> str:
-    """A tolerance as one page.
+    """Return a tolerance analysis as one page.
 
     Args:
-        design: as it is meant.
-        deviations: how far off it may be built.
-        results: from `tolerance_table`: facts with their probabilities, factors, groups of them, and samples.
-        found: the sentence with the probability, the tables and the remarks, as the terminal has them.
-        kept: the runs that can be played; `point` is the number of the sample.
-        count: how many these are.
-        csv: the text of `table.csv`.
-        cells: a map over two of the values, under the cloud.
+        design: the nominal design.
+        deviations: tolerances of its values.
+        results: from `tolerance_table`: facts with their probabilities, factors, groups of factors, and samples.
+        printed: the sentence with the probability, the tables and the remarks of the terminal.
+        kept: runs that the page can play back; `point` is the index of the sample.
+        count: number of these runs.
+        csv: contents of `table.csv`.
+        cells: a map over two of the values, under the scatter plot.
     """
     data = _data(design, deviations, results)
     return samples_page(
         name=design.name,
         kind="tolerance",
-        found=found,
-        told=(
-            section("How likely it is", _facts_table(results), name="likely"),
-            section("What decides it", _indices_table(results), name="sensitivity"),
+        printed=printed,
+        before=(
+            section("Probability of working", _facts_table(results), name="likely"),
+            section("Deviations that matter most", _indices_table(results), name="sensitivity"),
         ),
-        more=(section("How far it is to a failure", _reach_table(design, deviations, results), name="reach"),),
+        after=(section("Distance to the nearest failure", _reach_table(design, deviations, results), name="reach"),),
         data=data,
         views=_views(results, data, cells),
-        headings=("All that was built", "The tolerance"),
+        headings=("All samples", "Tolerances and settings"),
         about=_about(design, deviations, results),
         kept=kept,
         count=count,
@@ -117,7 +117,7 @@ def tolerance_page(
 
 
 def _views(results: Dataset, data: dict[str, Any], cells: VerdictCells | None) -> dict[str, Any]:
-    """What the script draws of the points: the cloud, and lines over the values that decide most."""
+    """Return the plots of the points that the script draws: a scatter plot, and parallel coordinates."""
     names = [each["key"] for each in data["factors"]]
     ranked = [key for key in ranked_keys(results) if key in names]
     ranked += [key for key in names if key not in ranked]
@@ -132,31 +132,31 @@ def _views(results: Dataset, data: dict[str, Any], cells: VerdictCells | None) -
 
 
 def _plane(results: Dataset, ranked: Sequence[str], cells: VerdictCells | None) -> dict[str, Any]:
-    """The two values over which the cloud lies: those of the map, or those that decide most."""
+    """Return the two axes of the scatter plot: those of the map, or the deviations that matter most."""
     if cells is None:
-        return {"title": "What is built", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"}
+        return {"title": "Samples", "x": ranked[0], "y": ranked[1] if len(ranked) > 1 else "margin"}
     across, upwards = (
         [float(value) * scale_of(results[key.replace(".", "_")]) for value in values]
         for key, values in ((cells.first, cells.across), (cells.second, cells.upwards))
     )
     drawn = {"across": across, "upwards": upwards, "works": [[bool(each) for each in row] for row in cells.works]}
-    return {"title": "What is built, over the map of verdicts", "x": cells.first, "y": cells.second, "cells": drawn}
+    return {"title": "Samples over the map of verdicts", "x": cells.first, "y": cells.second, "cells": drawn}
 
 
 def ranked_keys(results: Dataset) -> list[str]:
-    """Keys with indices of their own, those first that decide most of the margin."""
+    """Return the keys with sensitivity indices of their own, from the largest index down."""
     keys = [str(key) for key in results["factor"].values]
     groups = [str(group) for group in results["group"].values]
-    return [groups[place] for place in _order(results) if groups[place] in keys]
+    return [groups[index] for index in _order(results) if groups[index] in keys]
 
 
 def _order(results: Dataset) -> list[int]:
-    """Places of the groups, those first that decide most of the margin; what is left of the factors is last."""
+    """Return the indices of the groups by falling sensitivity of the margin; the group of remaining factors is last."""
     first, total = (results[f"{name}_index"].values[0].astype(float) for name in ("first", "total"))
     weight = np.nan_to_num(np.where(np.isnan(total), first, total))
     keys = {str(key) for key in results["factor"].values}
     groups = [str(group) for group in results["group"].values]
-    return sorted(range(len(groups)), key=lambda place: (groups[place] not in keys, -weight[place]))
+    return sorted(range(len(groups)), key=lambda index: (groups[index] not in keys, -weight[index]))
 
 
 def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> dict[str, Any]:
@@ -200,29 +200,29 @@ def _data(design: Design, deviations: Sequence[Deviation], results: Dataset) -> 
 
 
 def _facts_table(results: Dataset) -> str:
-    """That it works, and each thing that it must do for that, with the interval of its probability."""
+    """Return a table of probabilities with intervals: that the design works, and that it meets each requirement."""
     rows = []
     for number, name in enumerate(results["fact"].values):
         share, low, high = (float(results[f"probability{end}"].values[number]) for end in ("", "_low", "_high"))
-        told = int(results["works"].values[number]) + int(results["fails"].values[number])
+        decided = int(results["works"].values[number]) + int(results["fails"].values[number])
         text = "—" if math.isnan(share) else f"{percent_text(share)} %"
         cells = (
             f"{text} ({percent_text(low)} to {percent_text(high)})",
-            f"{int(results['works'].values[number])} of {told}",
+            f"{int(results['works'].values[number])} of {decided}",
         )
         rows.append(BarRow(name=str(name), lanes=((bar(share, "first", interval=(low, high)),),), cells=cells))
-    caption = "Probability of what must hold, with its 95 % interval"
+    caption = "Probability of each requirement, with its 95 % interval"
     return bar_table(caption, ("", "probability", "", "samples"), rows, (0.0, 1.0)) if rows else ""
 
 
 def _indices_table(results: Dataset) -> str:
-    """Shares of the variance of the margin: what each decides alone and, where that is known, with others."""
+    """Return a table of sensitivity indices: shares of the margin's variance, alone and, if known, in interactions."""
     groups, order = [str(group) for group in results["group"].values], _order(results)
     known = ["first"] if np.isnan(results["total_index"].values[0]).all() else ["first", "total"]
     rows = []
-    for place in order[:_MOST_BARS]:
+    for index in order[:_MOST_BARS]:
         shares = [
-            tuple(float(results[f"{name}_index{end}"].values[0, place]) for end in ("", "_low", "_high"))
+            tuple(float(results[f"{name}_index{end}"].values[0, index]) for end in ("", "_low", "_high"))
             for name in known
         ]
         lanes = tuple(
@@ -230,16 +230,16 @@ def _indices_table(results: Dataset) -> str:
             for (share, low, high), kind in zip(shares, ("first", "second"), strict=False)
         )
         cells = tuple(_share_text(*each) for each in shares)
-        rows.append(BarRow(name=plain_key(groups[place]), lanes=lanes, cells=cells))
+        rows.append(BarRow(name=plain_key(groups[index]), lanes=lanes, cells=cells))
     if not rows:
         return ""
-    what = "what each deviation decides alone"
+    what = "of each deviation alone"
     if len(known) > 1:
-        what += ", above, and together with others, below"
+        what += " (upper bar) and including interactions (lower bar)"
     left = len(order) - len(rows)
-    rest = f"; {left} more decide less" if left else ""
-    caption = f"Shares of the scatter of the margin: {what}; with 95 % intervals{rest}"
-    return bar_table(caption, ("", "share", "alone", "with others")[: 2 + len(known)], rows, (0.0, 1.0))
+    rest = f"; {left} more have smaller shares" if left else ""
+    caption = f"Shares of the variance of the margin {what}, with 95 % intervals{rest}"
+    return bar_table(caption, ("", "share", "alone", "with interactions")[: 2 + len(known)], rows, (0.0, 1.0))
 
 
 def _share_text(value: float, low: float, high: float) -> str:
@@ -249,9 +249,9 @@ def _share_text(value: float, low: float, high: float) -> str:
 
 
 def _reach_table(design: Design, deviations: Sequence[Deviation], results: Dataset) -> str:
-    """How far each deviation alone may go, down and up, in widths of its tolerance."""
-    fails = {way: results[f"fails_{way}"].values.astype(float) for way in ("down", "up")}
-    works = {way: results[f"works_{way}"].values.astype(float) for way in ("down", "up")}
+    """Return a table of the deviations, down and up, at which a design fails, in widths of its tolerance."""
+    fails = {direction: results[f"fails_{direction}"].values.astype(float) for direction in ("down", "up")}
+    works = {direction: results[f"works_{direction}"].values.astype(float) for direction in ("down", "up")}
     if not np.isfinite([*works["down"], *works["up"]]).any():
         return ""
     scale = 1.02 * float(np.nanmax([*fails["down"], *fails["up"], *works["down"], *works["up"], 1.0]))
@@ -260,14 +260,14 @@ def _reach_table(design: Design, deviations: Sequence[Deviation], results: Datas
     nearest = np.fmin(fails["down"], fails["up"])
     rows = []
     for number in np.argsort(np.where(np.isnan(nearest), np.inf, nearest), kind="stable").tolist():
-        ends = [(fails[way][number], works[way][number]) for way in ("down", "up")]
+        ends = [(fails[direction][number], works[direction][number]) for direction in ("down", "up")]
         lane = tuple(_reach_bar(*each, sign) for each, sign in zip(ends, (-1, 1), strict=True))
         note = deviation_text(design, by_key[keys[number]])
         cells = tuple(_reach_text(*each) for each in ends)
         rows.append(BarRow(name=plain_key(keys[number]), lanes=(lane,), cells=cells, note=note))
     caption = (
-        "The nearest failure with one value alone off, in widths of its tolerance: red within it, blue beyond; pale:"
-        " none was found that far"
+        "Smallest deviation of one value alone at which the design fails, in widths of its tolerance. Red: within the"
+        " tolerance. Blue: beyond it. Pale: no failure up to this deviation"
     )
     return bar_table(caption, ("", "down | up", "down", "up"), rows, (-scale, scale))
 

@@ -1,4 +1,4 @@
-"""Angles and distances over time, and where a goal was missed the torque that acts."""
+"""Angles and distances over time; for a missed goal, also the driving torque."""
 
 from __future__ import annotations
 
@@ -56,10 +56,10 @@ from forficula.statics.slow_margin import MORE
 from forficula.structure import Drive, Measure, Structure, drive_of, drive_unit, measure_stops
 
 _COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
-_LEAST_SEEN = 0.05  # deg, to either side: less is rounding
-# of an axis of angles, deg: to one side where hinges go beyond a right angle, at least, and by where they stop
+_LEAST_SEEN = 0.05  # deg, least half range of an axis: smaller changes are rounding errors
+# range of an axis of angles to one side, deg, if hinges exceed a right angle; its least; its ratio to the stops
 _HALF_TURN, _LEAST_ROOM, _ROOM = 200.0, 25.0, 1.2
-_SHORTEST = 7  # letters of a label, of which four fit beside one another in a column
+_SHORTEST = 7  # letters of a label, four of which fit into a row of a column
 _STEPS, _MOST_STEPS = (5, 10, 15, 30, 45, 90), 6
 
 
@@ -68,20 +68,20 @@ def draw_angles(
 ) -> Figure:
     """Draw angles and distances over time with the states marked.
 
-    Of a run that missed a goal also the angles that motors act on, close up, and the torque that acts beside the least
-    one that would have done.
+    For a run that missed a goal, also the angles on which motors act, enlarged, and the driving torque beside the least
+    sufficient one.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        width: of the figure, inch.
-        needed: finds that least torque, N m: nan where none does, None where it is not known.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        width: width of the figure, inch.
+        needed: returns that least torque, N m: nan if no torque suffices, None if it is not known.
     """
     stalled, structure = stalled_stage(record), record.structure
     rows_of = _readings(structure)
     if stalled is not None:
-        had = [measure for measures in rows_of for measure in measures]
-        rows_of = [(measure,) for measure in driven_angles(structure, had) if measure not in had] + rows_of
+        present = [measure for measures in rows_of for measure in measures]
+        rows_of = [(measure,) for measure in driven_angles(structure, present) if measure not in present] + rows_of
     with figure_style():
         labels = [_row_label(record, measures) for measures in rows_of]
         drives = [] if stalled is None else [drive_of(structure, name) for name in stage_drives(stalled.stage)]
@@ -115,11 +115,11 @@ def draw_angles(
             row_legend(rows[-1], width, columns=2)
         if rows_of:
             _mark_states(rows[0][0], record, outcome, rows_of[0], unit_of_run(record)[1])
-        return describe(figure, _tell_angles(record, outcome))
+        return describe(figure, _angles_text(record, outcome))
 
 
 def _readings(structure: Structure) -> list[tuple[Measure, ...]]:
-    """What is drawn in each row: a measure of several hinges by itself, those of one hinge together, and distances."""
+    """Return the measures of each row: those of several hinges alone, those of single hinges together, distances."""
     angles, distances = shown_angles(structure), shown_distances(structure)
     rows = [(measure,) for measure in angles if len(measure.parts) > 1]
     single = tuple(measure for measure in angles if len(measure.parts) == 1)
@@ -138,7 +138,7 @@ def _length_unit(record: Record, measures: tuple[Measure, ...]) -> tuple[str, fl
 
 
 def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
-    """The lines of a row in its unit, (time,), by name."""
+    """Return the lines of a row in its unit, (time,), by name."""
     factor = _length_unit(record, measures)[1]
     lines: dict[str, Array] = {}
     for measure in measures:
@@ -151,14 +151,14 @@ def _lines(record: Record, measures: tuple[Measure, ...]) -> dict[str, Array]:
 
 
 def _draw_many(axes: Axes, time: Array, record: Record, measure: Measure) -> None:
-    """Many angles by role: each thin, and the one in the middle of them."""
+    """Draw many angles by role: every angle thin, and their median."""
     values, groups = np.degrees(record.measured(measure.name)), role_groups(record.structure, measure)
-    for number, (role, places) in enumerate(groups.items()):
-        look, own = _look(number, len(groups)), values[:, places]
-        # one line with gaps: as many lines of their own would take long
-        each = np.vstack([own, np.full(len(places), np.nan)]).T.ravel()
-        axes.plot(np.tile([*time, np.nan], len(places)), each, color=look["color"], lw=0.5, alpha=0.35)
-        axes.plot(time, median(own), **look, lw=1.6, label=f"{role} ({len(places)}), median")
+    for number, (role, indices) in enumerate(groups.items()):
+        look, role_values = _look(number, len(groups)), values[:, indices]
+        # one line with gaps draws faster than many lines
+        each = np.vstack([role_values, np.full(len(indices), np.nan)]).T.ravel()
+        axes.plot(np.tile([*time, np.nan], len(indices)), each, color=look["color"], lw=0.5, alpha=0.35)
+        axes.plot(time, median(role_values), **look, lw=1.6, label=f"{role} ({len(indices)}), median")
 
 
 def _draw_torques(
@@ -169,7 +169,7 @@ def _draw_torques(
     least: float | None,
     scales: tuple[float, float, float],
 ) -> None:
-    """The torques that act while a stage is driven, and the least one that would have brought it to its goal."""
+    """Draw the torques of a driven stage, and the least torque that would have reached its goal."""
     start, scale, factor = scales
     first = np.nextafter(stalled.start, stalled.end)
     time = np.sort([*record.time, stalled.start, first, stalled.end])
@@ -178,21 +178,21 @@ def _draw_torques(
     for drive in drives:
         risen = np.clip((time - stalled.start) / drive.rise, 0, 1) if drive.rise > 0 else 1.0
         torque = np.where(acts, factor * abs(drive.strength) * risen, 0.0)
-        axes.plot((time - start) * scale, torque, color=BLACK, label=f"acts {drive.where}".rstrip())
+        axes.plot((time - start) * scale, torque, color=BLACK, label=f"acting {drive.where}".rstrip())
     if least is not None and np.isfinite(least):
-        axes.axhline(factor * least, color=VERMILION, ls="--", label="needed at least, slowly")
+        axes.axhline(factor * least, color=VERMILION, ls="--", label="least slow torque")
         highest = max(highest, least)
     elif least is not None:
         tried = show_value(MORE * abs(drives[0].strength), "N m", 3)
-        axes.plot([], [], ls="none", label=f"slowly, none up to {tried} does")
+        axes.plot([], [], ls="none", label=f"no slow torque up to {tried} suffices")
     axes.set_ylim(0, 1.2 * factor * highest or 1.0)
     shade_stages(axes, record, start, scale)
 
 
 def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...], stalled: StageEnd | None) -> None:
-    """From stop to stop with some room, and no further than a turn of half a circle needs.
+    """Set the range of angles from stop to stop, limited to what half a turn needs.
 
-    Where a stage missed its goal, only what it moved.
+    If a stage missed its goal, only the range of its motion.
     """
     low, high = (_room(record, measures, side) for side in (-1, 1))
     if stalled is not None:
@@ -208,7 +208,7 @@ def _scale_degrees(axes: Axes, record: Record, measures: tuple[Measure, ...], st
 
 
 def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
-    """How far an axis of angles goes to one side, deg, beyond all stops there, or where there are none all angles."""
+    """Return the range of an axis of angles to one side, deg: beyond all stops, or beyond all angles without stops."""
     reach = 0.0
     for measure in measures:
         angles = side * record.measured(measure.name)
@@ -219,23 +219,23 @@ def _room(record: Record, measures: tuple[Measure, ...], side: int) -> float:
     return _HALF_TURN if reach > _HALF_TURN / 2 else max(_LEAST_ROOM, _ROOM * reach)
 
 
-def _tell_angles(record: Record, outcome: Outcome) -> str:
-    """What the angles do, in words."""
-    structure, told = record.structure, []
+def _angles_text(record: Record, outcome: Outcome) -> str:
+    """Describe the angles."""
+    structure, means = record.structure, []
     first = next(iter(shown_angles(structure)), None)
     for name, state in outcome.states.items():
         if state is not None and first is not None:
             mean = np.degrees(state_angles(state, first).mean())
-            told.append(f"{outcome.state_names[name]} {mean:.1f} deg at {show_value(state.time, 's')}")
+            means.append(f"{outcome.state_names[name]} {mean:.1f} deg at {show_value(state.time, 's')}")
     hinges = [] if first is None else measure_labels(structure, first)
-    means = f" Means over the {counted(hinges, 'hinge').partition(' ')[2]}: {', '.join(told)}." if told else ""
+    over_hinges = f" Means over the {counted(hinges, 'hinge').partition(' ')[2]}: {', '.join(means)}." if means else ""
     what = "Angles" if first is None else f"{title_of(first)[:1].upper()}{title_of(first)[1:]}s"
-    run = f"the time of a run of {record.design.name}: {outcome.status}."
-    return f"{what} of {counted(hinges, 'hinge')} over {run}{means}"
+    run = f"time in a run of {record.design.name}: {outcome.status}."
+    return f"{what} of {counted(hinges, 'hinge')} over {run}{over_hinges}"
 
 
 def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[Measure, ...], scale: float) -> None:
-    """Letters where the states are, at the mean of what the first measure reads; none for a state that was missed."""
+    """Mark the states with letters, at the mean reading of the first measure; missed states have no mark."""
     measure = measures[0]
     for name, letter in state_letters(record.structure).items():
         state = outcome.states[name]
@@ -252,7 +252,7 @@ def _mark_states(axes: Axes, record: Record, outcome: Outcome, measures: tuple[M
 
 
 def _look(line: int, count: int) -> dict[str, Any]:
-    """Colour and style of one of so many lines."""
+    """Return the colour and style of a line."""
     if count > MOST_ENTRIES:
         return {"color": QUANTITY_COLOURS(0.9 * line / (count - 1)), "lw": 0.8}
     return {"color": _COLOURS[line % len(_COLOURS)], "ls": LINE_STYLES[line % len(LINE_STYLES)]}

@@ -1,4 +1,4 @@
-"""Energy, fold time and margin of a structure over cycles."""
+"""Energy, fold time and torque margin of a structure over load cycles."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ _FAILED: dict[str, Any] = {"ls": "none", "marker": "x", "color": VERMILION, "ms"
 
 
 def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the tendons' energy, the fold time and the margin over the count of cycles.
+    """Draw the tendons' energy, the fold time and the margin over the number of cycles.
 
-    Cycles that the tests of the material did not see are shaded, and where it stops working there is a line.
+    Cycles beyond the tests of the material are shaded, and a line marks the first failure.
 
     Args:
-        cycling: what to draw.
-        width: of the figure, inch.
+        cycling: the analysis.
+        width: width of the figure, inch.
     """
     with figure_style():
         narrow = is_narrow(width)
@@ -55,17 +55,17 @@ def draw_cycling(cycling: Cycling, width: float = PAGE_WIDTH) -> Figure:
         for axes in (energies, times, margins):
             _draw_counts(axes, cycling)
         fit_legend(figure, _handles(cycling), 6, loc="outside lower center")
-        return describe(figure, _tell(cycling))
+        return describe(figure, _text(cycling))
 
 
 def _states(cycling: Cycling) -> dict[str, tuple[str, str, str]]:
-    """The states, each with colour, line and marker."""
+    """Return the states, each with colour, line and marker."""
     names = [state.name for state in structure_of(cycling.design).states]
     return dict(zip(names, itertools.cycle(_STYLES)))
 
 
 def _reached(run: CycleRun, state: str) -> bool:
-    """Whether a run came to a state, not only to the end of the stage; to what no transition leads it always does."""
+    """Return whether a run reached a state, not only the end of its stage; True for states without transition."""
     return bool(run.row.get(state, True))
 
 
@@ -87,7 +87,7 @@ def _draw_energies(axes: Axes, cycling: Cycling) -> None:
     largest = max((each for values in by_state.values() for each in values if math.isfinite(each)), default=0.0)
     unit, factor = reading_unit("J", largest or 1.0)
     for state, (colour, style, marker) in _states(cycling).items():
-        # the first state and the last lie on each other where it opens again: one is seen through the other
+        # the first and the last state coincide if the structure opens again: the marker of the first is hollow
         first = (colour, style, marker) == _STYLES[0]
         face = "white" if first else colour
         scaled = [factor * each for each in by_state[state]]
@@ -108,7 +108,7 @@ def _draw_times(axes: Axes, cycling: Cycling) -> None:
 
 
 def _draw_margins(axes: Axes, cycling: Cycling) -> None:
-    """The margins of all transitions on one axis, each from where the one before leads."""
+    """Draw the margins of all transitions on one axis, each from the state before."""
     finite = [1.0]
     for transition, marker in zip(cycling.transitions, itertools.cycle(_MARKERS)):
         values = _values(cycling.runs, _margin(transition.name))
@@ -120,7 +120,7 @@ def _draw_margins(axes: Axes, cycling: Cycling) -> None:
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.set_ylabel(f"margin: torque over{chr(10) if in_column(axes) else ' '}the least slow one")
+    axes.set_ylabel(f"margin: torque{chr(10) if in_column(axes) else ' '}/ least slow torque")
     axes.text(0.03, 1.04, "least slow torque", transform=axes.get_yaxis_transform(), va="bottom", fontsize=6.5)
     if len(finite) > 1:
         axes.legend(loc="best")
@@ -132,7 +132,7 @@ def _plot(axes: Axes, cycling: Cycling, values: Sequence[float], marker: str = "
 
 
 def _draw_counts(axes: Axes, cycling: Cycling) -> None:
-    """The axis of counts, what the tests did not see, and where it stops working."""
+    """Draw the axis of cycles, shade cycles that the tests did not cover, and mark failures."""
     last = cycling.runs[-1].cycle
     low, high = 0.85, max(last, 2) * 1.18
     axes.set_xscale("log")
@@ -159,7 +159,7 @@ def _handles(cycling: Cycling) -> list[Line2D | Patch]:
             line = Line2D([], [], color=colour, ls=style, marker=marker, mfc=face, ms=size, lw=1.0, label=state)
             handles.append(line)
     if cycling.seen is not None and not all(run.measured for run in cycling.runs):
-        handles.append(Patch(color=_EXTRAPOLATED, lw=0, label="not seen in the tests"))
+        handles.append(Patch(color=_EXTRAPOLATED, lw=0, label="not covered by tests"))
     words = " and ".join(each.wording.verb for each in cycling.transitions)
     if cycling.first_failure is not None:
         label = f"first failure, cycle {cycling.first_failure}"
@@ -169,8 +169,8 @@ def _handles(cycling: Cycling) -> list[Line2D | Patch]:
     return handles
 
 
-def _tell(cycling: Cycling) -> str:
-    """What becomes of it, in words."""
+def _text(cycling: Cycling) -> str:
+    """Describe the analysis."""
     last = cycling.runs[-1].cycle
     time, name = cycling.transitions[0].wording.time, cycling.design.name
     what = f"Energy, {time} and torque margins of {name} over the cycles from 1 to {last}"

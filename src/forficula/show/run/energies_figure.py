@@ -1,4 +1,4 @@
-"""Energies over time: what is stored, the work done and where it went."""
+"""Energies over time: stored energies, and the work done and dissipated."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ from forficula.show.style import (
 )
 from forficula.structure import hinge_groups, springs_name
 
-_SHORT = 12  # letters of a label, of which three fit beside one another in a column
+_SHORT = 12  # letters of a label, three of which fit into a row of a column
 
 
 def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
-    """Draw energies over time, and under them the work done and where it went; the width is in inch.
+    """Draw stored energies over time, and below them the work done and dissipated; the width is in inches.
 
-    Of a run that missed a goal their changes since the stage that was to reach it.
+    For a run that missed a goal, the changes since the stage that should have reached the goal.
     """
     stored, name = stored_energies(record), "energy"
     if (stalled := stalled_stage(record)) is not None:
-        # what changes little would lie on what is large and stays
+        # small changes would be invisible beside large constant energies
         first, name = int(np.argmax(record.time >= stalled.start)), "change of energy"
         stored = {part: (values - values[first], colour) for part, (values, colour) in stored.items()}
     tables = {name: stored, "work since the start": _accounts(record)}
@@ -55,11 +55,11 @@ def draw_energies(record: Record, width: float = PAGE_WIDTH) -> Figure:
                 mark_waits(axes, record, start, scale)
             short = len(series) == 3 and max(map(len, series)) <= _SHORT
             row_legend(axes_row, width, columns=3 if short else 2)
-        return describe(figure, _tell_energies(record))
+        return describe(figure, _energies_text(record))
 
 
 def _with_peak(record: Record, kinetic: Array) -> tuple[Array, Array]:
-    """Times, s, and kinetic energies, or their changes, J, with the largest one, which may be between two samples."""
+    """Return times, s, and kinetic energies, or changes, J, including a peak between two samples."""
     if record.kinetic_peak is None:
         return record.time, kinetic
     at, most = record.kinetic_peak
@@ -69,7 +69,7 @@ def _with_peak(record: Record, kinetic: Array) -> tuple[Array, Array]:
 
 
 def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
-    """Energies by what stores them, of what the structure has, J, (time,), and their colours."""
+    """Return the stored energies of the structure's parts by name, J, (time,), with their colours."""
     series, structure = record.series, record.structure
     stored: dict[str, tuple[Array, str]] = {}
     if structure.tendons:
@@ -92,41 +92,41 @@ def stored_energies(record: Record) -> dict[str, tuple[Array, str]]:
 
 
 def largest_energies(record: Record) -> dict[str, float]:
-    """The largest of each of the energies over the rows, J; the kinetic one over every step, for it peaks between."""
+    """Return the maximum of each energy, J; that of the kinetic energy includes steps between rows."""
     most = {name: float(values.max()) for name, (values, _) in stored_energies(record).items()}
     return most if record.kinetic_peak is None else most | {"kinetic": record.kinetic_peak[1]}
 
 
 def _accounts(record: Record) -> dict[str, tuple[Array, str]]:
-    """The work done and where it went, J, (time,), and their colours."""
+    """Return the work done and dissipated, J, (time,), with colours."""
     series, structure = record.series, record.structure
     accounts: dict[str, tuple[Array, str]] = {}
     if structure.motors:
         accounts[f"done by {acting(structure)}"] = (record.work, BLACK)
     hinged = hinge_groups(structure).keys() <= {"hinges"}
-    accounts[f"taken by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
-    accounts["taken by stops"] = (-series["stop_work"], VERMILION)
+    accounts[f"dissipated by {'hinge' if hinged else 'fold'} damping"] = (-series["hinge_damping_work"], GREEN)
+    accounts["dissipated by stops"] = (-series["stop_work"], VERMILION)
     damped = [name for name in ("tendons", "membranes", "springs") if getattr(structure, name)]
     if damped:
-        alone = {"tendons": "taken by tendons", "springs": f"taken by {springs_name(structure)}"}
+        alone = {"tendons": "dissipated by tendons", "springs": f"dissipated by {springs_name(structure)}"}
         name = alone.get(damped[0]) if len(damped) == 1 else None
-        accounts[name or "taken by other damping"] = (-series["elastic_damping_work"], SKY)
+        accounts[name or "dissipated by other damping"] = (-series["elastic_damping_work"], SKY)
     for name, words, colour in (
-        ("friction_work", "taken by dry friction", ORANGE),
-        ("contact_work", "taken by contacts", BLUE),
-        ("branch_damping_work", "taken by branches", ORANGE),
+        ("friction_work", "dissipated by dry friction", ORANGE),
+        ("contact_work", "dissipated by contacts", BLUE),
+        ("branch_damping_work", "dissipated by branches", ORANGE),
         ("letting_go_work", "branches that gave way", PURPLE),
-        ("yield_work", "taken by yielding", PURPLE),
-        ("drag_work", "taken by drag", BLUE),
+        ("yield_work", "dissipated by yielding", PURPLE),
+        ("drag_work", "dissipated by drag", BLUE),
     ):
         if name in series:
             accounts[words] = (-series[name], colour)
     return accounts
 
 
-def _tell_energies(record: Record) -> str:
-    """What the energies come to, in words."""
+def _energies_text(record: Record) -> str:
+    """Describe the energies."""
     largest = ", ".join(f"{name} {show_value(value, 'J')}" for name, value in largest_energies(record).items())
     name, structure = record.design.name, record.structure
     work = f"; work of the {acting(structure)}: {show_value(float(record.work[-1]), 'J')}" if structure.motors else ""
-    return f"Stored energies and work over the time of a run of {name}. Largest: {largest}{work}."
+    return f"Stored energies and work over time in a run of {name}. Largest: {largest}{work}."

@@ -1,4 +1,4 @@
-"""A structure in space at a few moments of a run."""
+"""Pictures of a structure at several moments of a run."""
 
 from __future__ import annotations
 
@@ -33,25 +33,25 @@ from forficula.show.style import (
     is_narrow,
 )
 
-_LEGEND_ROW, _TITLE = 0.2, 0.42  # inch
-_BAR_HEIGHT = 0.3  # inch, of a scale bar with its number
-_TORN = 10.0  # spans
-_MOST_LINES = 200  # of creases and edges: more would hide what they lie on
+_LEGEND_ROW, _TITLE = 0.2, 0.42  # inch, heights
+_BAR_HEIGHT = 0.3  # inch, height of a scale bar with its number
+_TORN = 10.0  # spans, size from which a structure counts as torn
+_MOST_LINES = 200  # largest number of creases and edges: more would hide the surface
 _MOST_PICTURES = 40
-_ENLARGED = 1.4  # times at least, or else a state is large enough as it is
-_MARGIN = 1.06  # of an enlarged picture
-_STILL = np.radians(1.0)  # hinges that turn less in a stage have no part in its progress
+_ENLARGED = 1.4  # least magnification for which a state is also drawn enlarged
+_MARGIN = 1.06  # size of an enlarged picture, as a multiple of its contents
+_STILL = np.radians(1.0)  # hinges that turn less in a stage do not count for its progress
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Moment:
-    """What one picture shows.
+    """Contents of one picture.
 
     Attributes:
-        name: of the state or the stage.
-        time: of the run, s.
-        stage: the last one that began before it.
-        state: whether it is a state.
+        name: name of the state or the stage.
+        time: time in the run, s.
+        stage: last stage that began before this time.
+        state: whether the moment is a state.
     """
 
     name: str
@@ -61,18 +61,18 @@ class _Moment:
 
 
 def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *, strain: bool = False) -> Figure:
-    """Draw a structure in its states and, by angle, on its ways between them, all at one scale and from one side.
+    """Draw a structure in its states and at equal progress between them, at one scale and from one viewpoint.
 
-    A state that is much smaller than the whole is drawn once more, enlarged.
+    A state that is much smaller than the whole is also drawn enlarged.
 
     Args:
-        record: what happened.
-        outcome: what it means.
-        width: of the figure, inch.
-        strain: whether a membrane has the colours of its largest strains instead of those of its regions.
+        record: the simulated motion.
+        outcome: the outcome of the run.
+        width: width of the figure, inch.
+        strain: whether a membrane is coloured by its largest strains instead of its regions.
     """
     all_moments, structure = _moments(record, outcome), record.structure
-    # of hundreds of stages some: a picture takes a third of a second in every format
+    # of hundreds of stages only some are drawn: a picture takes a third of a second in every format
     chosen = np.linspace(0, len(all_moments) - 1, min(_MOST_PICTURES, len(all_moments)))
     moments = [all_moments[place] for place in chosen.round().astype(int).tolist()]
     shape, view = shape_of(structure), structure_view(structure)
@@ -89,7 +89,7 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         corners = np.concatenate([painted.corners for painted in drawn])
         window = np.array([corners.min(axis=0), corners.max(axis=0)])
         scale = width / columns / np.ptp(window, axis=0)[0]
-        # the scale bar stands where there is room beneath a picture, or room is made for it
+        # the scale bar is below a picture that leaves room for it, or room is added
         room = _BAR_HEIGHT / scale
         barred = next((place for place, each in enumerate(drawn) if each.corners[0, 1] > window[0, 1] + room), None)
         if barred is None:
@@ -118,18 +118,18 @@ def draw_folding(record: Record, outcome: Outcome, width: float = PAGE_WIDTH, *,
         if strain:
             scaled = ScalarMappable(Normalize(0, 100 * float(norm.vmax or 0)), STRAIN_COLOURS)
             bar = figure.colorbar(scaled, ax=list(panels), fraction=0.04, pad=0.02, aspect=30)
-            bar.set_label("strain, Green's (%)")
+            bar.set_label("Green strain (%)")
             bar.outline.set_visible(False)
         fit_legend(figure, handles, across, loc="outside lower center")
-        seen = f" Largest strain of the membrane then: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
-        told = "; ".join(texts[each].replace("\n", ", ") for each in moments)
+        seen = f" Largest strain of the membrane: {100 * float(norm.vmax or 0):.3g} %." if strain else ""
+        titles = "; ".join(texts[each].replace("\n", ", ") for each in moments)
         count = f"{len(moments)}" if len(moments) == len(all_moments) else f"{len(moments)} of {len(all_moments)}"
-        what = f"The {structure.appearance.whole} {record.design.name} in space at {count} moments of a run"
-        return describe(figure, f"{what}, each with the time since its stage began. {told}.{seen}")
+        what = f"The {structure.appearance.whole} {record.design.name} in 3-D at {count} moments of a run"
+        return describe(figure, f"{what}, each with the time since its stage began. {titles}.{seen}")
 
 
 def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:
-    """What stands over the pictures: a state's name, and the stage and how long ago it began."""
+    """Return the titles of the pictures: a state's name, and the stage with the time since its start."""
     texts = {}
     for each in moments:
         beside = [other.time - other.stage.start for other in moments if other.stage is each.stage]
@@ -139,7 +139,7 @@ def _titles(moments: Sequence[_Moment]) -> dict[_Moment, str]:
 
 
 def time_texts(times: list[float]) -> dict[float, str]:
-    """Times (s) in one unit, with three significant digits or as many as tell them apart."""
+    """Return times (s) in one unit, with three significant digits or as many as distinguish them."""
     unit, factor = reading_unit("s", max(times))
     for digits in range(3, 18):
         texts = {time: f"{factor * time:.{digits}g} {unit}" for time in times}
@@ -149,7 +149,7 @@ def time_texts(times: list[float]) -> dict[float, str]:
 
 
 def _enlarged(moments: Sequence[_Moment], drawn: Sequence[PaintedShape], window: Array) -> tuple[int, float] | None:
-    """The smallest state, and how many times larger it fills a window; None where that is hardly more."""
+    """Return the smallest state and the magnification that fills a window; None if the magnification is small."""
     times = {
         place: float((np.ptp(window, axis=0) / np.ptp(painted.corners, axis=0)).min()) / _MARGIN
         for place, (each, painted) in enumerate(zip(moments, drawn, strict=True))
@@ -160,16 +160,16 @@ def _enlarged(moments: Sequence[_Moment], drawn: Sequence[PaintedShape], window:
 
 
 def _scale_bar(axes: Axes, window: Array) -> None:
-    """A scale bar of about a third of the picture, at its foot."""
+    """Draw a scale bar of about a third of the picture at its lower edge."""
     size = np.ptp(window, axis=0)
     bar = round_below(size[0] / 2)
     draw_bar(axes, window[0] + (0.04, 0.02) * size, bar, show_value(bar, "m"))
 
 
 def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
-    """The states, and between them moments at equal progress of every driven stage.
+    """Return the states, and moments at equal progress of every driven stage between them.
 
-    Where none is driven, of every stage, from the start.
+    If no stage is driven, the start and moments of every stage.
     """
     moments = [(name, state.time, True) for name, state in lettered_states(record.structure, outcome)]
     driven = [end for end in record.stages if stage_drives(end.stage)]
@@ -178,7 +178,7 @@ def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
     for end in driven or record.stages:
         moments += [(end.stage.name, time, False) for time in _halfway(record, end)]
     moments.sort(key=lambda moment: moment[1])
-    # of two names for one moment the first
+    # of several names for one moment the first is kept
     apart = [each for place, each in enumerate(moments) if place == 0 or each[1] > moments[place - 1][1]]
     seen = [each for each in apart if not _is_torn(record, each[1])] or [("start", 0.0, True)]
     half = float(record.design.protocol.timestep) / 2  # times are multiples of it up to rounding
@@ -194,7 +194,7 @@ def _moments(record: Record, outcome: Outcome) -> list[_Moment]:
 
 
 def _is_torn(record: Record, time: float) -> bool:
-    """Whether a structure lies so far about that nothing of it can be seen, as after it blew up."""
+    """Return whether a structure is so scattered that a picture shows nothing, as after it diverged."""
     places = record.series.get("point_position")
     if places is None or not places.size:
         return False
@@ -204,14 +204,14 @@ def _is_torn(record: Record, time: float) -> bool:
 
 
 def _halfway(record: Record, end: StageEnd) -> list[float]:
-    """Times in a stage at which its angles have gone a third and two thirds of their way."""
+    """Return the times at which the angles of a stage have completed one and two thirds of their change."""
     rows = (record.time >= end.start) & (record.time <= end.end)
     time, done = record.time[rows], np.maximum.accumulate(_progress(record, rows))
     return [float(time[int(np.searchsorted(done, share * done[-1]))]) for share in (1 / 3, 2 / 3)]
 
 
 def _progress(record: Record, rows: Flags) -> Array:
-    """How far the measured hinges and those of every motor have turned, by their furthest, summed, (row,)."""
+    """Return the rotation of the measured and driven hinges, each divided by its maximum, summed, (row,)."""
     structure = record.structure
     measured = [measure.hinges for measure in shown_angles(structure)]
     turned = np.abs(record.series["hinge_angle"][rows] - record.series["hinge_angle"][rows][0])

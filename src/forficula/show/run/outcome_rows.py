@@ -1,4 +1,4 @@
-"""An outcome as rows of text with units, for every table that shows it."""
+"""An outcome as rows of text with units, for every table that shows the outcome."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ from forficula.show.structure.labels import (
 )
 from forficula.structure import Measure, Structure, Transition, drive_of, hinge_groups, read_angles, springs_name
 
-_ROUNDING = 1e-12  # of energies, by the largest
-_LARGE = 0.05  # of the work or of what is stored: energies that hang in the books only are told from there on
+_ROUNDING = 1e-12  # share of the largest energy up to which an energy is rounding error
+_LARGE = 0.05  # share of the work or of the stored energy from which energies without work are explained
 
 
 @dataclass(frozen=True, kw_only=True)
 class StateColumn:
-    """What a table of states shows of every state.
+    """Column of a table of states.
 
     Attributes:
-        title: such as "distal angle".
-        unit: of the numbers.
+        title: title, such as "distal angle".
+        unit: unit of the numbers.
     """
 
     title: str
@@ -48,7 +48,7 @@ class StateColumn:
 
 @dataclass(frozen=True, kw_only=True)
 class _Store:
-    """What stores energy and has a row: its kind, the name of the row, and its energy in a state, J."""
+    """Part that stores energy: its kind, the name of its row, and its energy in a state, J."""
 
     kind: str
     label: str
@@ -57,12 +57,12 @@ class _Store:
 
 @dataclass(frozen=True, kw_only=True)
 class _Column:
-    """A column of a table of states.
+    """Contents of a column of a table of states.
 
     Attributes:
-        shown: its title and unit.
-        labels: of its cells.
-        cells: their texts in a state.
+        shown: title and unit.
+        labels: names of its cells.
+        cells: returns the texts of the cells in a state.
     """
 
     shown: StateColumn
@@ -72,14 +72,14 @@ class _Column:
 
 @dataclass(frozen=True, kw_only=True)
 class StateRows:
-    """What states are: what is measured, tendons' lengths, energies of tendons and springs, by hinge and tendon.
+    """Table of states: measures, lengths of tendons, energies of tendons and springs, by hinge and tendon.
 
     Attributes:
-        heading: of the first column, such as "vein".
-        columns: of each state.
-        parts: the cells of all states by part, what it is called before them; empty where a part has no such number.
-        summed: what the sums are of, such as "tendons"; empty where nothing stores energy.
-        sums: the cells of all states for all of these together.
+        heading: heading of the first column, such as "vein".
+        columns: columns for each state.
+        parts: one row for each part: its name, then the cells of all states; empty if the part lacks the number.
+        summed: noun for the summed parts, such as "tendons"; empty if no part stores energy.
+        sums: cells of all states with the sums over these parts.
     """
 
     heading: str
@@ -92,10 +92,10 @@ class StateRows:
 def state_rows(
     structure: Structure, states: Mapping[str, State], confirmation: Confirmation | None = None
 ) -> StateRows:
-    """Lay out some states, of which there is one at least, in the same units.
+    """Lay out at least one state, with the same units for all states.
 
-    Every number has its numerical uncertainty behind ±. What is measured has half the range in which it still swings
-    there, if that is larger.
+    Every number has its numerical uncertainty after ±. A measure has half the range in which it still moves,
+    if that is larger.
     """
     columns = [
         _measured(structure, measure, states, confirmation)
@@ -133,25 +133,25 @@ def state_rows(
 def _measured(
     structure: Structure, measure: Measure, states: Mapping[str, State], confirmation: Confirmation | None
 ) -> _Column:
-    """Return the column of a measure: the mean, and how far it swings or is uncertain."""
+    """Return the column of a measure: the mean, and the larger of its half range and its uncertainty."""
     unit, factor = "deg", float(np.degrees(1.0))
     if measure.kind == "distance":
         unit, factor = reading_unit("m", max(float(state.readings[measure.name].mean[0]) for state in states.values()))
     digits = 1 if measure.kind == "angle" else 2
 
-    def told(values: StateValues) -> Array:
-        # an angle of a role that no measure watches has no reading
-        own = values[measure.name] if measure.name in values else read_angles(measure, values["goal.coordinates"])
-        return condensed(structure, measure, own)
+    def readings_of(values: StateValues) -> Array:
+        # the angle of a role without a measure has no reading
+        readings = values[measure.name] if measure.name in values else read_angles(measure, values["goal.coordinates"])
+        return condensed(structure, measure, readings)
 
     def cells(state: State) -> list[str]:
-        own, halves = told(state.values), _halves(confirmation, state, told)
+        means, halves = readings_of(state.values), _halves(confirmation, state, readings_of)
         if (reading := state.readings.get(measure.name)) is not None:
             high, low = (condensed(structure, measure, values) for values in (reading.high, reading.low))
             halves = np.fmax(halves, (high - low) / 2)
         return [
             _with_half(factor * float(mean), factor * float(half), digits)
-            for mean, half in zip(own, halves, strict=True)
+            for mean, half in zip(means, halves, strict=True)
         ]
 
     return _Column(
@@ -160,7 +160,7 @@ def _measured(
 
 
 def _tendons(structure: Structure, states: Mapping[str, State], confirmation: Confirmation | None) -> _Column:
-    """Return the column of the lengths of tendons."""
+    """Return the column of tendon lengths."""
     unit, factor = reading_unit("m", max(float(state.tendon_length.max()) for state in states.values()))
 
     def cells(state: State) -> list[str]:
@@ -177,25 +177,25 @@ def _tendons(structure: Structure, states: Mapping[str, State], confirmation: Co
 def _stored(
     stores: Sequence[_Store], states: Mapping[str, State], confirmation: Confirmation | None
 ) -> tuple[_Column, list[str]]:
-    """Return the column of what parts store, and the sum of every state."""
+    """Return the column of stored energies, and the sum of every state."""
 
-    def told(values: StateValues) -> list[float]:
+    def energies(values: StateValues) -> list[float]:
         return [part.energy(values) for part in stores]
 
     def total(values: StateValues) -> float:
-        return sum(told(values))
+        return sum(energies(values))
 
-    largest = max(max(told(state.values)) for state in states.values())
+    largest = max(max(energies(state.values)) for state in states.values())
     unit, factor = reading_unit("J", largest)
 
     def text(energy: float, half: float) -> str:
         return uncertain_number(factor * energy, factor * _sizeable(half, largest))
 
     def sizeable(state: State) -> list[float]:
-        return [_sizeable(energy, largest) for energy in told(state.values)]
+        return [_sizeable(energy, largest) for energy in energies(state.values)]
 
     def cells(state: State) -> list[str]:
-        halves = _halves(confirmation, state, told).tolist()
+        halves = _halves(confirmation, state, energies).tolist()
         return [text(energy, half) for energy, half in zip(sizeable(state), halves, strict=True)]
 
     sums = [text(sum(sizeable(state)), float(_halves(confirmation, state, total))) for state in states.values()]
@@ -204,18 +204,18 @@ def _stored(
 
 
 def _halves(confirmation: Confirmation | None, state: State, numbers: Callable[[StateValues], ArrayLike]) -> Array:
-    """Return the numerical uncertainties of numbers of a state; zeros where no second run has them."""
+    """Return the numerical uncertainties of numbers of a state; zeros without a second run."""
     halves = None if confirmation is None else confirmation.of_state(state.name, numbers)
     return np.zeros(np.shape(numbers(state.values))) if halves is None else halves
 
 
 def _with_half(mean: float, half: float, digits: int) -> str:
-    """Write a mean to some decimal places, with its uncertainty where these decimal places show it."""
+    """Return a mean with some decimal places, with its uncertainty if these decimals show it."""
     return f"{_number(mean, digits)} ± {half:.{digits}f}" if half > 0.5 * 10.0**-digits else _number(mean, digits)
 
 
 def _stores(structure: Structure) -> list[_Store]:
-    """What stores energy: tendons, springs of hinges, of many all creases and all bends, couplings, and bars."""
+    """Return the parts that store energy: tendons, springs of hinges (grouped if there are many), couplings, bars."""
     stores = [
         _Store(kind="tendons", label=label_of(tendon), energy=partial(_of_tendon, number))
         for number, tendon in enumerate(structure.tendons)
@@ -241,7 +241,7 @@ def _stores(structure: Structure) -> list[_Store]:
 
 
 def _sizeable(energy: float, largest: float) -> float:
-    """An energy, J; 0 where it is the rounding of the largest one."""
+    """Return an energy, J; 0 if it is rounding error of the largest one."""
     return energy if abs(energy) > _ROUNDING * largest else 0.0
 
 
@@ -258,13 +258,13 @@ def _of_all(kind: str, values: StateValues) -> float:
 
 
 def transition_headings(structure: Structure) -> tuple[str, ...]:
-    """Of the columns of `transition_rows`."""
+    """Return the headings of `transition_rows`."""
     kind = acting(structure)
     return ("", kind.removesuffix("s"), "succeeded", "time", f"work of the {kind}")
 
 
 def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
-    """The transitions of a structure, under `transition_headings`."""
+    """Return the transitions of a structure as rows, with the columns of `transition_headings`."""
     return [
         [transition.wording.noun, *_transition_cells(structure, transition, outcome)]
         for transition in structure.transitions
@@ -272,30 +272,31 @@ def transition_rows(structure: Structure, outcome: Outcome) -> list[list[str]]:
 
 
 def balance_remark(balance: EnergyBalance) -> str:
-    """What two large numbers of a balance mean that no work was done for; empty where there are none."""
+    """Explain two large numbers of a balance for which no work was done; empty if there are none."""
     taken, unpaid = balance.branch_damping, balance.letting_go
     if taken is None or unpaid is None or abs(unpaid) <= _LARGE * max(abs(balance.work), abs(balance.stored)):
         return ""
     return (
-        "A Maxwell branch that would push lets go and acts on nothing, but is reckoned on as if it were held: of the"
-        f" {show_value(taken, 'J', 3)} that branches take, {show_value(-unpaid, 'J', 3)} are such, which nobody paid"
-        f" and the row of what gave way takes off again. Together they are {show_value(taken + unpaid, 'J', 3)}."
+        "A Maxwell branch that would push goes slack and exerts no force, but the energy balance treats it as held. Of"
+        f" the {show_value(taken, 'J', 3)} dissipated by branches, {show_value(-unpaid, 'J', 3)} belong to slack"
+        " branches; no work was done for them, so the row of branches that gave way subtracts them. The sum is"
+        f" {show_value(taken + unpaid, 'J', 3)}."
     )
 
 
 def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str, str]]:
-    """An energy balance, term by term, in one unit, and what is missing as a share."""
+    """Return an energy balance, term by term in one unit, and the residual as a share."""
     stored = (balance.tendon, balance.hinges or 0.0, balance.springs or 0.0, balance.couplings or 0.0)
     largest = max(abs(balance.work), *map(abs, stored), 1e-12)
     unit, factor = reading_unit("J", largest)
     tendons, sheets = bool(structure.tendons), bool(structure.membranes)
     spring = springs_name(structure).removesuffix("s")
     stretched = (("tendon", tendons), ("membrane", sheets), (spring, bool(structure.springs)))
-    damped = listed(name for name, there in stretched if there)
+    damped = listed(name for name, exists in stretched if exists)
     folds = listed(name.removesuffix("s") for name in hinge_groups(structure)) or "hinge"
     ties = any(coupling.rigid for coupling in structure.couplings)
     stops, contacts = ["stops", *["guard tendons"] * bool(structure.limits)], ["contacts"]
-    # the engine tells only stops and limits apart from the rest
+    # the engine separates only stops and limits from other constraints
     (stops if structure.contact is None else contacts).extend(["rigid couplings"] * ties)
     terms = (
         (f"work of the {acting(structure)}", balance.work, True),
@@ -306,28 +307,28 @@ def balance_rows(structure: Structure, balance: EnergyBalance) -> list[tuple[str
         ("+ change of coupling energy", balance.couplings, True),
         ("+ change of kinetic energy", balance.kinetic, True),
         ("+ change of gravitational energy", balance.gravitational, True),
-        (f"+ taken by {folds} damping", balance.hinge_damping, True),
-        (f"+ taken by dry friction of {folds}s", balance.friction, True),
-        (f"+ taken by {damped} damping", balance.elastic_damping, bool(damped)),
-        (f"+ taken by {listed(stops)}", balance.stops, True),
-        (f"+ taken by {listed(contacts)}", balance.contacts, True),
-        ("+ taken by drag of the medium", balance.drag, True),
+        (f"+ dissipated by {folds} damping", balance.hinge_damping, True),
+        (f"+ dissipated by dry friction of {folds}s", balance.friction, True),
+        (f"+ dissipated by {damped} damping", balance.elastic_damping, bool(damped)),
+        (f"+ dissipated by {listed(stops)}", balance.stops, True),
+        (f"+ dissipated by {listed(contacts)}", balance.contacts, True),
+        ("+ dissipated by drag of the medium", balance.drag, True),
         ("+ change of energy of the Maxwell branches", balance.branches, True),
-        ("+ taken by the Maxwell branches", balance.branch_damping, True),
-        ("+ taken by yielding", balance.yielding, True),
-        ("+ stored by branches that gave way, unpaid", balance.letting_go, True),
+        ("+ dissipated by the Maxwell branches", balance.branch_damping, True),
+        ("+ dissipated by yielding", balance.yielding, True),
+        ("+ stored by branches that gave way, without work", balance.letting_go, True),
         ("+ missing", balance.missing, True),
     )
-    told = [(label, value) for label, value, there in terms if there and value is not None]
-    # what the work is the sum of begins with "=", whatever comes first
-    told[1] = (f"={told[1][0][1:]}", told[1][1])
+    present = [(label, value) for label, value, exists in terms if exists and value is not None]
+    # the first term of the sum begins with "="
+    present[1] = (f"={present[1][0][1:]}", present[1][1])
     # adding 0 turns -0 into 0
-    rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in told]
-    return [*rows, ("residual", f"{100 * balance.residual:.3f} % of what was exchanged")]
+    rows = [(label, f"{round(factor * value, 4) + 0.0:.4f} {unit}") for label, value in present]
+    return [*rows, ("residual", f"{100 * balance.residual:.3f} % of the energy exchanged")]
 
 
 def state_angles(state: State, measure: Measure) -> Array:
-    """Mean readings of a measure of angles in a state, rad, (reading,)."""
+    """Return the mean readings of a measure of angles in a state, rad, (reading,)."""
     return read_angles(measure, state.coordinates)
 
 
@@ -336,22 +337,22 @@ def _number(value: float, digits: int) -> str:
 
 
 def _transition_cells(structure: Structure, transition: Transition, outcome: Outcome) -> list[str]:
-    """A transition in words and units, its numbers with their uncertainties where second runs tell these."""
-    found, name = outcome.transitions[transition.name], transition.name
-    if found is None:
+    """Return the cells of a transition, with numerical uncertainties if there are second runs."""
+    result, name = outcome.transitions[transition.name], transition.name
+    if result is None:
         return ["not tried", "", "", ""]
-    time = "" if found.time is None else _sure(outcome.confirmation, f"{name}.time", found.time, "s")
-    strength = drive_text(structure, drive_of(structure, transition.drive), found.strength)
-    if found.largest_force is not None:
-        strength += f", takes {show_value(found.largest_force, 'N')}"
+    time = "" if result.time is None else _sure(outcome.confirmation, f"{name}.time", result.time, "s")
+    strength = drive_text(structure, drive_of(structure, transition.drive), result.strength)
+    if result.largest_force is not None:
+        strength += f", requires {show_value(result.largest_force, 'N')}"
     undecided = outcome.verdict is Verdict.UNDECIDED and outcome.holds[transition.state] is None
-    succeeded = "undecided" if undecided else "yes" if found.succeeded else "no"
-    return [strength, succeeded, time, _sure(outcome.confirmation, f"{name}.work", found.work, "J")]
+    succeeded = "undecided" if undecided else "yes" if result.succeeded else "no"
+    return [strength, succeeded, time, _sure(outcome.confirmation, f"{name}.work", result.work, "J")]
 
 
 def _sure(confirmation: Confirmation | None, name: str, value: float, unit: str) -> str:
-    """A value of an outcome with its uncertainty, marked where that is large."""
+    """Return a value of an outcome with its uncertainty, marked if that is large."""
     if confirmation is None:
         return show_value(value, unit)
-    mark = " (not settled)" * (name in confirmation.unsettled)
+    mark = " (not converged)" * (name in confirmation.unsettled)
     return f"{show_uncertain(value, confirmation.of(name), unit)}{mark}"

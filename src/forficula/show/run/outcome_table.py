@@ -1,4 +1,4 @@
-"""The outcome of a run as text that a person understands."""
+"""The outcome of a run as text."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ from forficula.show.run.state_names import states_reached
 from forficula.show.run.strength_rows import STRENGTH_HEADINGS, strength_rows
 from forficula.structure import Structure
 
-_WIDTH = 100  # letters, of the table of states
+_WIDTH = 100  # letters, largest width of the table of states
 
 
 def outcome_table(name: str, outcome: Outcome) -> RenderableType:
-    """Lay out states by hinge and tendon, transitions, and the energy balance."""
+    """Return tables of states by hinge and tendon, transitions, and the energy balance."""
     structure = outcome.structure
     verdict = Text(f"{name}: {outcome.status}", style="bold")
     parts: list[RenderableType] = [verdict]
@@ -51,18 +51,18 @@ def outcome_table(name: str, outcome: Outcome) -> RenderableType:
 
 
 def print_outcome(name: str, outcome: Outcome) -> None:
-    """Print the outcome, as wide as it is."""
+    """Print the outcome of a run."""
     Console(width=110, highlight=False).print(outcome_table(name, outcome))
 
 
 def print_storage(record: Record, outcome: Outcome) -> None:
-    """Print what waits did to a structure."""
+    """Print how waits changed a structure."""
     for text in storage_texts(record, outcome):
         Console(width=110, highlight=False).print(Text(), Text(text), sep="\n")
 
 
 def print_strength(record: Record) -> None:
-    """Print which way a sheet left its flat state, the room of its smallest state, largest strains, stresses, folds."""
+    """Print the branch that a sheet took, its smallest package, and its largest strains, stresses and folds."""
     if (branch := branch_taken(record)) is not None:
         Console(width=110, highlight=False).print(Text(), Text(_sentence(branch_text(branch))), sep="\n")
     if (smallest := smallest_package(record)) is not None:
@@ -83,36 +83,36 @@ def _sentence(text: str) -> str:
 
 
 def _states(outcome: Outcome, structure: Structure) -> Sequence[RenderableType]:
-    """A table of the states, or several, one beneath the other, each of as many as fit beside one another."""
-    there = states_reached(structure, outcome)
-    if not there:
+    """Return a table of the states, or several tables one below the other if one would be too wide."""
+    reached = states_reached(structure, outcome)
+    if not reached:
         return [Text("States: none was reached.")]
-    rows = state_rows(structure, there, outcome.confirmation)
+    rows = state_rows(structure, reached, outcome.confirmation)
     if not rows.columns:
-        times = ", ".join(f"{name} at {show_value(state.time, 's')}" for name, state in there.items())
+        times = ", ".join(f"{name} at {show_value(state.time, 's')}" for name, state in reached.items())
         return [Text(f"States: {times}.")]
-    for count in range(len(there), 0, -1):
-        tables = [_state_table(rows, there, first, first + count) for first in range(0, len(there), count)]
+    for count in range(len(reached), 0, -1):
+        tables = [_state_table(rows, reached, first, first + count) for first in range(0, len(reached), count)]
         if all(Console(width=1000).measure(table).maximum <= _WIDTH for table in tables):
             break
     return [part for table in tables for part in (table, Text())][:-1]
 
 
-def _state_table(rows: StateRows, there: Mapping[str, State], first: int, last: int) -> Table:
-    """The states from a first up to a last one."""
-    time_unit, time = reading_unit("s", max(state.time for state in there.values()))
+def _state_table(rows: StateRows, reached: Mapping[str, State], first: int, last: int) -> Table:
+    """Return a table of the states from a first to a last index."""
+    time_unit, time = reading_unit("s", max(state.time for state in reached.values()))
     table = Table(box=None, padding=(0, 2, 0, 0), title=None if first else "States", title_justify="left")
     table.add_column(rows.heading)
     angles = [column for column in rows.columns if column.unit == "deg"]
-    for name in list(there)[first:last]:
+    for name in list(reached)[first:last]:
         for place, column in enumerate(rows.columns):
-            # the only angle needs no name
+            # a single angle needs no name
             title = "angle" if [column] == angles else column.title
             gap = " " if title == "angle" else "\n"
             heading = f"{name}:\n{title}{gap}({column.unit})" if place == 0 else f"{title}\n({column.unit})"
             table.add_column(heading, justify="right")
     empty = [""] * (len(rows.columns) - 1)
-    times = [cell for state in there.values() for cell in (f"{time * state.time:#.4g} {time_unit}", *empty)]
+    times = [cell for state in reached.values() for cell in (f"{time * state.time:#.4g} {time_unit}", *empty)]
     for name, *cells in [*rows.parts, *[["sum", *rows.sums]] * bool(rows.sums), ["time", *times]]:
         table.add_row(name, *cells[first * len(rows.columns) : last * len(rows.columns)])
     return table
@@ -130,7 +130,7 @@ def _transitions(outcome: Outcome, structure: Structure) -> Table:
 def _balance(outcome: Outcome, structure: Structure) -> RenderableType:
     balance = outcome.energy_balance
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
-        return Text("Energy balance: it does not close; the numbers mean nothing.")
+        return Text("Energy balance: it does not close, so the numbers of this run are meaningless.")
     table = Table(box=None, padding=(0, 2, 0, 0), title="Energy balance", title_justify="left", show_header=False)
     table.add_column("")
     table.add_column("", justify="right")

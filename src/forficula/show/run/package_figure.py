@@ -1,4 +1,4 @@
-"""The room that a structure takes: open and at its smallest at one scale, and its stack from the side, enlarged."""
+"""The package of a structure: from above as it starts and at its smallest, and from the side, enlarged."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from forficula.show.structure.shape import shape_of
 from forficula.show.structure.surface import surface_at
 from forficula.show.style import ORANGE, PAGE_WIDTH, describe, figure_style, is_narrow
 
-_ROOM = 1.15  # of a picture, by its larger side
-_BESIDE = 0.06  # of a picture's width: how far off a dimension stands
+_ROOM = 1.15  # size of a picture, as a multiple of its larger side
+_BESIDE = 0.06  # distance of a dimension from its picture, as a share of the picture's width
 
 
 def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
-    """Draw a structure as it begins and as it takes least room, from above, and its stack from the side.
+    """Draw a structure from above at its start and at its smallest area, and its stack from the side.
 
     Args:
-        record: with a state that its protocol names.
-        width: of the figure, inch.
+        record: run with a state that its protocol names.
+        width: width of the figure, inch.
     """
-    found, opened = smallest_package(record), open_package(record)
-    assert found is not None
-    name, time, package = found
+    smallest, opened = smallest_package(record), open_package(record)
+    assert smallest is not None
+    name, time, package = smallest
     whole = record.structure.appearance.whole
     pictures = [
-        (f"as it begins, {_area(opened)}", 0.0, _from_above(opened)),
+        (f"at the start, {_area(opened)}", 0.0, _from_above(opened)),
         (f"{name}, {_area(package)}", time, _from_above(package)),
         (f"{name}, from the side, enlarged", time, _from_the_side(package)),
     ]
@@ -57,10 +57,10 @@ def draw_package(record: Record, width: float = PAGE_WIDTH) -> Figure:
 
 
 def package_text(name: str, time: float, package: Package) -> str:
-    """The room that a state takes, at a time, s, as a sentence."""
+    """Return a sentence about the package of a state at a time, s."""
     return (
-        f"Room: {name} ({show_value(time, 's')}) it is {_size(package.height)} high and {_size(package.width)} by"
-        f" {_size(package.length)}, {100 * package.area_ratio:.3g} % of the area as it begins."
+        f"Package when {name} (at {show_value(time, 's')}): {_size(package.height)} high, {_size(package.width)} by"
+        f" {_size(package.length)}, {100 * package.area_ratio:.3g} % of the area at the start."
     )
 
 
@@ -83,7 +83,7 @@ def _from_the_side(package: Package) -> View:
 
 
 def _dimension(axes: Axes, corners: Array, across: float, upwards: float) -> None:
-    """Write the size of a picture beneath it and beside it."""
+    """Write the size of a picture below and beside it."""
     low, high = corners
     beside = _BESIDE * max(high - low)
     arrow = {"arrowstyle": "<->", "lw": 0.7, "shrinkA": 0, "shrinkB": 0}

@@ -1,4 +1,4 @@
-"""What a run is asked that did not come to its goal: until when it moved, and what it would have taken."""
+"""Analysis of a run that missed its goal: the time until which it moved, and the torque required."""
 
 from __future__ import annotations
 
@@ -13,35 +13,35 @@ _NEARLY_ALL = 0.95
 
 
 def stalled_stage(record: Record) -> StageEnd | None:
-    """The driven stage that ended short of its goal; None where none did, or where the run blew up."""
+    """Return the driven stage that ended short of its goal; None if there is none, or if the run diverged."""
     short = (end for end in record.stages if stage_drives(end.stage) and end.goal_time is None)
-    found = next((end for end in short if end.stage.until != "time"), None)
-    return found if record.diverged_at is None else None
+    missed = next((end for end in short if end.stage.until != "time"), None)
+    return missed if record.diverged_at is None else None
 
 
 def still_time(record: Record, start: float, end: float) -> float:
-    """When the hinges that motors act on have on average gone nearly all their way, s: the rest creeps."""
+    """Return when the driven hinges have on average completed 95 % of their motion, s: the rest is creep."""
     rows = (record.time >= start) & (record.time <= end)
     driven = [hinge for motor in record.structure.motors for hinge in motor.hinges]
     angles = record.series["hinge_angle"][rows][:, driven or slice(None)]
-    way = np.abs(angles - angles[0]).mean(axis=1)
-    return float(record.time[rows][np.argmax(way >= _NEARLY_ALL * way.max())])
+    moved = np.abs(angles - angles[0]).mean(axis=1)
+    return float(record.time[rows][np.argmax(moved >= _NEARLY_ALL * moved.max())])
 
 
 def stalled_transition(record: Record) -> Transition | None:
-    """The transition that a stage was to make and did not."""
+    """Return the transition that a stage missed."""
     stalled = stalled_stage(record)
     stage = None if stalled is None else record.stages.index(stalled)
     return next((each for each in record.structure.transitions if stage is not None and each.stage == stage), None)
 
 
 def needed_torque(record: Record) -> float | None:
-    """The least slowly growing torque that would have made the transition that a run missed, N m.
+    """Return the least slowly growing torque for the transition that a run missed, N m.
 
-    By the statics, without inertia, up to ten times what the protocol sets.
+    Computed by statics, without inertia, up to ten times the protocol's torque.
 
     Returns:
-        nan where none does; None where nothing was missed, or it is not torques on a tree of hinges that were to do it.
+        nan if no torque suffices; None if no transition was missed, or it is not driven by torques on a tree of hinges.
     """
     missed = stalled_transition(record)
     return None if missed is None else least_torque(record.design, record.structure, missed)

@@ -1,4 +1,4 @@
-"""What tendons pull while a structure waits, over hours and days."""
+"""Pull of tendons while a structure waits, over hours and days."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from forficula.show.style import (
 )
 
 _COLOURS = (BLUE, VERMILION, GREEN, ORANGE)
-# s, of a scale from seconds to years, some of which are marked
+# s, marks of a scale from seconds to years
 _MARKS = (1.0, 60.0, 3600.0, 86400.0, 30 * 86400.0, 365 * 86400.0, 3650 * 86400.0)
-_SHORTEST = 0.1  # s, where a scale begins
+_SHORTEST = 0.1  # s, start of the scale
 _MOST_LINES = 8
 
 
 def draw_storage(record: Record, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the pull of the tendons over every wait on a scale from seconds to days, in a figure of a width in inch."""
+    """Draw the pull of the tendons over every wait on a scale from seconds to years; the width is in inches."""
     waits = [each for each in storages(record) if each.pulls is not None]
     with figure_style():
         narrow = is_narrow(width)
@@ -61,8 +61,10 @@ def draw_storage(record: Record, width: float = PAGE_WIDTH) -> Figure:
         grid[0].set_ylim(bottom=0)
         grid[-1].legend(loc="best")
         sums = [[f"{factor * float(row.sum()):.4g}" for row in pull[[0, -1]]] for pull in pulls]
-        told = "; ".join(
+        changes = "; ".join(
             f"{wait.name}, {show_duration(wait.time)}: {first} to {last} {unit}"
             for wait, (first, last) in zip(waits, sums, strict=True)
         )
-        return describe(figure, f"Pull of the tendons while {record.design.name} waits; of all together: {told}.")
+        return describe(
+            figure, f"Pull of the tendons while {record.design.name} waits; sums over all tendons: {changes}."
+        )

@@ -11,9 +11,9 @@ STRENGTH_HEADINGS = ("", "strain", "stress", "where", "at")
 
 
 def strength_rows(record: Record) -> list[list[str]]:
-    """What a run asked of bars, membranes and tendons, and how far creases folded, under `STRENGTH_HEADINGS`.
+    """Return the largest strains of bars, membranes and tendons and the largest fold, with `STRENGTH_HEADINGS`.
 
-    None of a structure without facets that bend.
+    Empty for a structure without facets that bend.
     """
     if not record.structure.facets:
         return []

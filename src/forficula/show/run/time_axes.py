@@ -1,4 +1,4 @@
-"""Axes over the time of a run: all of it, and its driven stages close up, with what they share."""
+"""Axes over the time of a run: the whole run, and its driven stages enlarged."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from forficula.quantities import reading_unit, show_duration
 from forficula.show.run.stalled import still_time
 from forficula.show.style import fit_legend, is_narrow
 
-# before and after a driven stage, as a share of it
+# time shown before and after a driven stage, as a share of it
 LEAD = 0.15
-# of a legend; more lines than that have the colours of a scale, in their order
+# entries of a legend; more lines take the colours of a scale, in their order
 MOST_ENTRIES = 8
-_AFTER = 1.6  # of the time until it reached its goal or came to rest, that is drawn
-_ROOMY = 0.25  # of an axis over time, over which words stand
-_LABELS = 0.6  # inch, of an axis upwards
+_AFTER = 1.6  # time shown, as a multiple of the time until a stage reached its goal or came to rest
+_ROOMY = 0.25  # share of a time axis above which words fit
+_LABELS = 0.6  # inch, width of a vertical axis
 
 
 def _driven(record: Record) -> list[StageEnd]:
@@ -28,17 +28,17 @@ def _driven(record: Record) -> list[StageEnd]:
 
 
 def time_spans(record: Record) -> list[tuple[float, float]]:
-    """Zero and scale of every column's time axis: the whole run, then each driven stage in ms."""
+    """Return zero and scale of every column's time axis: the whole run, then each driven stage in ms."""
     return [(0.0, unit_of_run(record)[1])] + [(end.start, 1e3) for end in _driven(record)]
 
 
 def unit_of_run(record: Record) -> tuple[str, float]:
-    """The unit of the whole run's time axis, and its factor from s."""
+    """Return the unit of the whole run's time axis, and its factor from s."""
     return reading_unit("s", float(record.time[-1]))
 
 
 def time_rows(record: Record, labels: list[str], width: float, height: float) -> tuple[Figure, list[list[Axes]]]:
-    """For every label the axes of the whole run and of each driven stage: beside it, or beneath where it is narrow."""
+    """Return for every label the axes of the whole run and of each stage; below each other if narrow."""
     driven, narrow = _driven(record), is_narrow(width)
     run_unit, run_scale = unit_of_run(record)
     figure = Figure(figsize=(width, 3.3 * len(labels) if narrow else height), layout="constrained")
@@ -52,7 +52,7 @@ def time_rows(record: Record, labels: list[str], width: float, height: float) ->
         row[0].set_ylabel(label)
         row[0].set_xlim(0, run_scale * max(float(record.time[-1]), float(record.design.protocol.timestep)))
         for axes, end in zip(row[1:], driven, strict=True):
-            # it holds its goal for a while, or rests short of it, in which little happens
+            # then the stage holds its goal, or rests short of it, which takes long without motion
             moved = end.goal_time or still_time(record, end.start, end.end)
             duration = 1e3 * min(end.end - end.start, _AFTER * (moved - end.start) or end.end - end.start)
             axes.set_xlim(-LEAD * duration, (1 + LEAD) * duration)
@@ -64,7 +64,7 @@ def time_rows(record: Record, labels: list[str], width: float, height: float) ->
 
 
 def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
-    """The whole run across the figure and its stages beneath, `count` times."""
+    """Return axes for the whole run across the figure with its stages below, `count` times."""
     rows: list[list[Axes]] = []
     deep = 2 if stages else 1
     grid = figure.add_gridspec(deep * count, max(stages, 1))
@@ -78,7 +78,7 @@ def stacked_axes(figure: Figure, count: int, stages: int) -> list[list[Axes]]:
 
 
 def row_legend(row: list[Axes], width: float, columns: int) -> None:
-    """What the lines are, of many some, beside the axes, or above them where these are narrow."""
+    """Draw the legend of some or all lines beside the axes, or above narrow axes."""
     handles = row[0].get_legend_handles_labels()[0]
     if len(handles) > MOST_ENTRIES:
         places = np.linspace(0, len(handles) - 1, MOST_ENTRIES - 1).round().astype(int)
@@ -92,12 +92,12 @@ def row_legend(row: list[Axes], width: float, columns: int) -> None:
 
 
 def time_in(record: Record, start: float, scale: float) -> Array:
-    """The moments of a record from a start on, s, by the scale of an axis, (time,)."""
+    """Return the times of a record since a start, s, in the scale of an axis, (time,)."""
     return np.asarray((record.time - start) * scale)
 
 
 def shade_stages(axes: Axes, record: Record, start: float, scale: float) -> None:
-    """Grey bands where torques act, with the stage's name above."""
+    """Draw grey bands where torques act, with the stage's name above."""
     for end in _driven(record):
         left, right = ((moment - start) * scale for moment in (end.start, end.end))
         axes.axvspan(left, right, color="0.92", zorder=-1, lw=0)
@@ -109,13 +109,13 @@ def shade_stages(axes: Axes, record: Record, start: float, scale: float) -> None
 
 
 def mark_waits(axes: Axes, record: Record, start: float, scale: float) -> None:
-    """Hatched bands where it waits, of which the axis shows only what was stepped, and how long."""
+    """Draw hatched bands over waits, of which the axis shows only the simulated part, with their duration."""
     for end in record.stages:
         left, right = ((moment - start) * scale for moment in (end.start, end.end))
         low, high = axes.get_xlim()
         if end.waited and max(left, low) < min(right, high):
             axes.axvspan(left, right, fc="none", ec="0.85", hatch="///", zorder=-1, lw=0)
-            # beside the names of stages there is room over what is long
+            # above long waits there is space beside the names of stages
             if min(right, high) - max(left, low) > _ROOMY * (high - low):
                 middle, text = (max(left, low) + min(right, high)) / 2, show_duration(end.waited)
                 axes.text(

@@ -1,4 +1,4 @@
-"""A sheet as it is cut: what stays, what the cutter goes along, and how large it is."""
+"""A sheet to cut: material, cut lines and size."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ _STYLES: dict[Layer, tuple[str, str]] = {
 }
 _PAPER = "#efe9dc"
 _FAULT = "////"
-_TALLEST = 1.2  # height of the sheet by the width of the figure
-_ROOM = 1.15  # inch over and under the sheet
+_TALLEST = 1.2  # largest height of the sheet, as a multiple of the figure's width
+_ROOM = 1.15  # inch above and below the sheet
 _BESIDE = 0.6  # inch left of it
-_THIN, _MANY = 0.5, 300  # width of lines in points, from so many slits on
+_THIN, _MANY = 0.5, 300  # width of lines in points if there are more slits than this
 _CUT, _LINE = 0.9, 1.1  # points
-_APART = 0.045  # of dimensions from the sheet, by its size
+_APART = 0.045  # distance of dimensions from the sheet, as a share of its size
 
 
 def draw_cut_sheet(sheet: CutSheet, width: float = PAGE_WIDTH) -> Figure:
-    """Draw a cut sheet with its layers, its size and a scale bar, at most `width` wide, inch."""
+    """Draw a cut sheet with its layers, its size and a scale bar; `width` is the largest width, inch."""
     size = _MILLIMETRES * sheet.size
     scale = min((width - _BESIDE) / size[0], _TALLEST * width / size[1])
     with figure_style():
@@ -49,11 +49,11 @@ def draw_cut_sheet(sheet: CutSheet, width: float = PAGE_WIDTH) -> Figure:
         _draw_faults(axes, sheet)
         figure.suptitle(f"{sheet.name}: sheet to cut", fontsize=8)
         fit_legend(figure, _handles(sheet), 5, loc="outside lower center")
-        return describe(figure, _tell(sheet))
+        return describe(figure, _text(sheet))
 
 
 def _fill(axes: Axes, sheet: CutSheet) -> None:
-    """What stays, in its nominal size."""
+    """Draw the material that remains, in its nominal size."""
     loops = [_MILLIMETRES * np.vstack([outline, outline[:1]]) for outline in sheet.outlines]
     codes = [[Path.MOVETO, *[Path.LINETO] * (len(loop) - 2), Path.CLOSEPOLY] for loop in loops]
     whole = Path(np.concatenate(loops), np.concatenate(codes))
@@ -63,7 +63,7 @@ def _fill(axes: Axes, sheet: CutSheet) -> None:
 
 
 def _draw_lines(axes: Axes, sheet: CutSheet) -> None:
-    """The ways of the cutter in the colours of their layers; slits are solid, for they are cut."""
+    """Draw the cutter's paths in the colours of their layers; slits are solid, because they are cut."""
     thin = sum(line.kind == "slit" for line in sheet.lines) > _MANY
     for line in sheet.lines:
         colour, style = _STYLES[line.layer]
@@ -80,7 +80,7 @@ def _draw_lines(axes: Axes, sheet: CutSheet) -> None:
 
 
 def _draw_faults(axes: Axes, sheet: CutSheet) -> None:
-    """What makes checks fail, hatched over all else."""
+    """Draw the causes of failed checks, hatched above everything else."""
     for outline in sheet.faults:
         axes.add_patch(Polygon(_MILLIMETRES * outline, fc="none", ec=VERMILION, hatch=_FAULT, lw=1.2, zorder=5))
 
@@ -105,15 +105,15 @@ def _draw_sizes(axes: Axes, sheet: CutSheet) -> None:
 
 
 def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
-    """What the lines mean."""
+    """Return the legend's entries."""
     names: dict[Layer, str] = {
         "cut": "cut through",
         "mountain": "mountain",
         "valley": "valley",
-        "mark": "1, 2, …: join what has one number",
+        "mark": "1, 2, …: join edges with the same number",
     }
-    does = {"score": "scored", "perforation": "cut as dashes", "lattice": "cut as slits"}[sheet.style]
-    handles: list[Line2D | Patch] = [Patch(fc=_PAPER, label="stays")]
+    method = {"score": "scored", "perforation": "cut as dashes", "lattice": "cut as slits"}[sheet.style]
+    handles: list[Line2D | Patch] = [Patch(fc=_PAPER, label="sheet")]
     for layer in layer_texts(sheet):
         colour, style = _STYLES[layer]
         if layer == "mark" and sheet.labels:
@@ -123,7 +123,7 @@ def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
         if layer == "mark":
             handles.append(Line2D([], [], color=colour, lw=_LINE, label="end of the membrane"))
             continue
-        label = "scored" if layer == "score" else names[layer] + (f", {does}" if folds else "")
+        label = "scored" if layer == "score" else names[layer] + (f", {method}" if folds else "")
         dashes = style if sheet.style == "score" or layer == "score" else "-"
         handles.append(Line2D([], [], color=colour, ls=dashes, lw=_LINE, label=label))
     if sheet.faults:
@@ -131,9 +131,9 @@ def _handles(sheet: CutSheet) -> list[Line2D | Patch]:
     return handles
 
 
-def _tell(sheet: CutSheet) -> str:
+def _text(sheet: CutSheet) -> str:
     wide, high = _MILLIMETRES * sheet.size
-    kerf = f"its lines make up for a kerf of {_MILLIMETRES * sheet.kerf:g} mm" if sheet.kerf else "without a kerf"
+    kerf = f"its lines compensate a kerf of {_MILLIMETRES * sheet.kerf:g} mm" if sheet.kerf else "without a kerf"
     failed = "".join(f" {check.text[:1].upper()}{check.text[1:]}." for check in sheet.checks if check.ok is False)
     return (
         f"Sheet to cut of {sheet.name}. {wide:.1f} mm wide and {high:.1f} mm high, {kerf}, creases as"

@@ -1,4 +1,4 @@
-"""What hinges, tendons and the lines of plots are called."""
+"""Names of hinges, tendons and the lines of plots."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from forficula.arrays import Array
 from forficula.quantities import show_value
 from forficula.structure import Hinge, Measure, Structure, Tendon, measure_of
 
-MOST_TOLD = 16  # hinges of a measure, each with a row of a table and a line of a plot of its own
+MOST_TOLD = 16  # largest number of hinges of a measure with separate rows and lines
 
 
 @dataclass(frozen=True, kw_only=True)
 class Parts:
-    """Names of parts, short where they have a word in common.
+    """Names of parts, shortened if they begin with the same word.
 
     Attributes:
-        heading: that word, such as "vein"; empty where there is none.
-        names: each without it.
+        heading: common word, such as "vein"; empty if there is none.
+        names: names without this word.
     """
 
     heading: str
@@ -29,21 +29,21 @@ class Parts:
 
 
 def label_of(part: Hinge | Tendon) -> str:
-    """What tables and figures call a hinge or a tendon."""
+    """Return the name of a hinge or tendon in tables and figures."""
     return part.label or part.name
 
 
 def measure_labels(structure: Structure, measure: Measure) -> list[str]:
-    """What the readings of a measure are called: its hinges, or itself where it is a distance."""
+    """Return the names of a measure's readings: its hinges, or the measure itself for a distance."""
     if measure.points is not None:
         return [measure.label or measure.name]
     labels = [label_of(structure.hinges[part[0]]) for part in measure.parts]
-    # what tells the hinges of one reading from each other stands behind a comma
+    # the part of a label after the comma distinguishes hinges of one reading
     return labels if measure.together == 1 else [label.partition(",")[0] for label in labels]
 
 
 def role_groups(structure: Structure, measure: Measure) -> dict[str, list[int]]:
-    """Places of a measure's readings by the role of their hinges, where they are too many to tell each; else none."""
+    """Return the indices of a measure's readings by role of their hinges; empty if every reading has its own row."""
     groups: dict[str, list[int]] = {}
     if len(measure.parts) > MOST_TOLD:
         for place, part in enumerate(measure.parts):
@@ -52,7 +52,7 @@ def role_groups(structure: Structure, measure: Measure) -> dict[str, list[int]]:
 
 
 def reading_labels(structure: Structure, measure: Measure) -> list[str]:
-    """What the readings of a measure are called that tables and pages tell: each, or of many what `condensed` makes."""
+    """Return the names of the readings in tables and pages: every reading, or for many those of `condensed`."""
     groups = role_groups(structure, measure)
     if not groups:
         return measure_labels(structure, measure)
@@ -61,10 +61,10 @@ def reading_labels(structure: Structure, measure: Measure) -> list[str]:
 
 
 def condensed(structure: Structure, measure: Measure, values: Array) -> Array:
-    """The readings of a measure, (..., place), as tables and pages tell them, (..., reading).
+    """Return the readings of a measure, (..., hinge), as in tables and pages, (..., reading).
 
-    Of many angles the smallest, the median of each role, and the largest. A median is one of them, the lower one of two
-    in the middle.
+    Of many angles the smallest, the median of each role, and the largest. A median is the lower one of two
+    middle values.
     """
     groups = role_groups(structure, measure)
     if not groups:
@@ -76,17 +76,17 @@ def condensed(structure: Structure, measure: Measure, values: Array) -> Array:
 
 
 def median(values: Array) -> Array:
-    """The value in the middle, along the last axis; of two the lower one."""
+    """Return the median along the last axis; of two middle values the lower one."""
     return np.asarray(np.sort(values, axis=-1)[..., (values.shape[-1] - 1) // 2])
 
 
 def title_of(measure: Measure) -> str:
-    """What a measure is called."""
+    """Return the title of a measure."""
     return measure.label or measure.name
 
 
 def parts_of(labels: Sequence[str]) -> Parts:
-    """Take out the word that all labels begin with, where each has one and a number behind it."""
+    """Separate the word with which all labels begin, if every label is a word and a number."""
     split = [label.rpartition(" ") for label in labels]
     words = {word for word, _, number in split if number.isdigit()}
     if len(words) == 1 and all(number.isdigit() for _, _, number in split):
@@ -95,16 +95,16 @@ def parts_of(labels: Sequence[str]) -> Parts:
 
 
 def counted(labels: Sequence[str], kind: str) -> str:
-    """How many there are, as "3 veins", by their common word, or by what they are."""
+    """Return the number of labels with their common word, such as "3 veins", or with a kind."""
     word = parts_of(labels).heading or kind
     return f"{len(labels)} {word}{'s' * (len(labels) != 1)}"
 
 
 def aligned(columns: Sequence[Sequence[str]]) -> tuple[list[str], list[list[int]]]:
-    """Rows for entries of several columns by what they are called, those of one name in one row.
+    """Merge the names of several columns into rows; equal names share a row.
 
     Returns:
-        What the rows are called, in the order in which they are first named, one as often as a column has it; and the
+        Names of the rows, in the order of their first use, each as often as a column repeats it; and the
         row of every entry, (column, entry).
     """
     most: Counter[str] = Counter()
@@ -123,19 +123,19 @@ def aligned(columns: Sequence[Sequence[str]]) -> tuple[list[str], list[list[int]
 
 
 def shown_angles(structure: Structure) -> tuple[Measure, ...]:
-    """The angles that figures show: those that are measured; where none is, those that are driven; else all."""
+    """Return the angles that figures show: those measured; without any, those driven; without any, all."""
     measured = tuple(measure for measure in structure.measures if measure.kind == "angle" and measure.hinges)
     return measured or driven_angles(structure, measured) or _by_role(structure, range(len(structure.hinges)))
 
 
 def driven_angles(structure: Structure, but: Sequence[Measure]) -> tuple[Measure, ...]:
-    """The angles of the hinges that motors act on, by role, but for those that some measures have."""
+    """Return the angles of driven hinges, by role, without hinges of some measures."""
     had = {hinge for measure in but for hinge in measure.hinges}
     return _by_role(structure, [hinge for motor in structure.motors for hinge in motor.hinges if hinge not in had])
 
 
 def shown_distances(structure: Structure) -> tuple[Measure, ...]:
-    """The distances that figures show: all."""
+    """Return the distances that figures show: all."""
     return tuple(measure for measure in structure.measures if measure.kind == "distance")
 
 
@@ -145,6 +145,6 @@ def _by_role(structure: Structure, hinges: Sequence[int]) -> tuple[Measure, ...]
 
 
 def stress_text(stress: float, withstood: float | None) -> str:
-    """A stress, Pa, and what share it is of what its material withstands, where that is told."""
-    told = show_value(stress, "Pa", 3)
-    return f"{told}, {100 * abs(stress) / withstood:.3g} % of its strength" if withstood else told
+    """Return a stress, Pa, with its share of the material's strength, if known."""
+    text = show_value(stress, "Pa", 3)
+    return f"{text}, {100 * abs(stress) / withstood:.3g} % of its strength" if withstood else text

@@ -20,34 +20,34 @@ from forficula.show.structure.surface import DrawnSurface
 from forficula.show.style import BLUE, PICTURE_RESOLUTION, VERMILION
 from forficula.structure import Structure, outer_ends
 
-# of the regions of sheets and plates, in their order
+# colours of the regions of sheets and plates, in their order
 TINTS = ("#E2CF9F", "#C5BCD9", "#B7CFA2", "#D6AEB9", "#9CC4DD", "#CFCFCF")
 BAR = "#3A3A3A"
-_BACK = "#AEBFCB"  # of a facet, the side from which valleys fold away
+_BACK = "#AEBFCB"  # back of a facet, the side away from which valleys fold
 _CREASE, _CASING = "#6E6E6E", "#FFFFFF"
 _LIGHT = np.array([0.35, -0.25, 0.9])
-# the eye's height, and how far from the middle of what lies flat it looks
+# elevation of the eye, and angle between the viewing direction and that of the structure's centre
 _ELEVATION, _ASIDE = np.radians(47.0), np.radians(80.0)
-# half widths in radii of the thickest bar
+# half widths, in radii of the thickest bar
 _TENDON, _CASED, _THIN, _FOLDED, _HELD = 0.62, 0.95, 0.14, 0.3, 1.0
-# by that radius: how much nearer to the eye than the face, or the bar's axis, what lies on it is painted
+# in that radius: distance by which lines are painted closer to the eye than their face, or their bar's axis
 _ON_FACE, _ON_BAR = 0.5, 1.5
-_CELLS = 12  # of a twisted face, to a side: it is not of one shade
-_TWIST = 1e-6  # the volume between the corners of a face, by the size of the whole, above which it is twisted
-_SIDES = 12  # of a tube
-_DULL, _LUSTRE = 0.55, 0.95  # how light a tube is that is seen from beside, and how much more from above
-_CENTRED = 1e-3  # by the size of the whole: what is no further from the origin lies no way from it
-_FLAT = "#B8B8B8"  # of what is not folded
+_CELLS = 12  # cells along a side of a twisted face, whose shade varies
+_TWIST = 1e-6  # volume between a face's corners, in cubes of the span, above which the face counts as twisted
+_SIDES = 12  # sides of a tube
+_DULL, _LUSTRE = 0.55, 0.95  # brightness of a tube seen from the side, and what is added seen from above
+_CENTRED = 1e-3  # distance from the origin, in spans, below which a structure counts as centred
+_FLAT = "#B8B8B8"  # colour of unfolded creases
 
 
 @dataclass(frozen=True, kw_only=True)
 class View:
-    """From where a structure is looked at, in parallel projection.
+    """Viewpoint of a structure, in parallel projection.
 
     Attributes:
-        right: across the picture, a unit vector, (axis,).
-        up: upwards on it, likewise.
-        towards: to the eye, likewise.
+        right: direction to the right of the picture, unit vector, (axis,).
+        up: upward direction of the picture, unit vector, (axis,).
+        towards: direction to the eye, unit vector, (axis,).
     """
 
     right: Array
@@ -55,17 +55,18 @@ class View:
     towards: Array
 
     def project(self, points: Array) -> Array:
-        """Place points on the picture, m, (..., 3) -> (..., 2)."""
+        """Project points onto the picture, m, (..., 3) -> (..., 2)."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
 @dataclass(frozen=True, kw_only=True)
 class PaintedShape:
-    """What to paint: triangles that may hide one another and pass through one another.
+    """Triangles to paint, which may hide or intersect one another.
 
     Attributes:
-        triangles: m on the picture, and towards the eye, (triangle, corner, 3); of those as near as another the later
-            one is seen.
+        triangles: m in the picture, and towards the eye, (triangle, corner, 3); of equally close ones the last is
+            visible.
+            one is visible.
         colours: red, green, blue, 0 to 1, (triangle, 3).
     """
 
@@ -74,18 +75,18 @@ class PaintedShape:
 
     @property
     def corners(self) -> Array:
-        """The lower left and the upper right corner of what is painted, m on the picture, (2, 2)."""
+        """Lower left and upper right corner of the painted area, m in the picture, (2, 2)."""
         places = self.triangles[..., :2].reshape(-1, 2)
         return np.array([places.min(axis=0), places.max(axis=0)])
 
     def picture(self, low: Array, pixel: float, size: tuple[int, int], samples: int = SAMPLES) -> Picture:
-        """Draw it.
+        """Rasterise the triangles.
 
         Args:
             low: lower left corner of the picture, m, (2,).
             pixel: side of a pixel, m.
             size: pixels across and upwards.
-            samples: of a pixel, across and upwards.
+            samples: samples per pixel, across and upwards.
 
         Returns:
             Red, green, blue and opacity, 0 to 255, the highest row first, (height, width, 4).
@@ -95,7 +96,7 @@ class PaintedShape:
 
 
 def structure_view(structure: Structure) -> View:
-    """Look at a structure from above and from beside the way that it lies from the origin, built."""
+    """Return a view from above and beside the direction in which the built structure lies from the origin."""
     ends = outer_ends(structure)
     x, y, _ = ends.mean(axis=0) if len(ends) else np.zeros(3)
     if math.hypot(x, y) < _CENTRED * structure.span:
@@ -116,11 +117,12 @@ def paint_shape(
     """Cover a surface with triangles and shade them.
 
     Args:
-        surface: in space.
-        view: from where it is seen.
-        tendon_colours: one, or one a tendon.
-        face_colours: red, green, blue of faces, 0 to 1, (face, 3), which are not shaded then; those of their regions if
-            not given.
+        surface: surface in 3-D.
+        view: viewpoint.
+        tendon_colours: one colour, or one for each tendon.
+        face_colours: red, green, blue of faces, 0 to 1, (face, 3), drawn without shading; the colours of their regions
+            by
+                default.
     """
     radius = surface.thickness / 2
     plain = np.isnan(surface.folds)
@@ -130,7 +132,7 @@ def paint_shape(
         ribbons(surface.lines[plain], view, _CREASE, _THIN * radius, _ON_FACE * radius),
         ribbons(surface.lines[~plain], view, folds, _FOLDED * radius, _ON_FACE * radius),
         _tubes(surface.bars, surface.radii, view),
-        # the casing shows on both sides of what lies on it
+        # the casing is wider than the tendon on top of it
         ribbons(surface.tendons, view, _CASING, _CASED * radius, _ON_BAR * radius),
         ribbons(surface.tendons, view, tendon_colours, _TENDON * radius, (_ON_BAR + _ON_FACE) * radius),
         _squares(surface.held, view, _HELD * radius, _ON_BAR * radius),
@@ -143,13 +145,13 @@ def paint_shape(
 
 
 def hang(axes: Axes, painted: PaintedShape, window: Array, width: float) -> None:
-    """Show what is painted in axes, which are left without lines, at one scale across and upwards.
+    """Show a painted shape in axes without lines, with one scale for both directions.
 
     Args:
-        axes: to draw into.
-        painted: what to show.
-        window: the lower left and the upper right corner of what the axes show, m, (2, 2).
-        width: of the window in the figure, inch.
+        axes: axes to draw into.
+        painted: shape to show.
+        window: lower left and upper right corner of the visible area, m, (2, 2).
+        width: width of the window in the figure, inch.
     """
     low, high = np.clip(painted.corners, *window)
     pixel = float(window[1, 0] - window[0, 0]) / (width * PICTURE_RESOLUTION)
@@ -162,19 +164,19 @@ def hang(axes: Axes, painted: PaintedShape, window: Array, width: float) -> None
 
 
 def fold_colours(angles: Array) -> Array:
-    """Colours of creases by how far they are folded, valleys positive, rad: the further, the less pale, (crease, 4)."""
+    """Return colours of creases by fold angle, valleys positive, rad: stronger with larger angles, (crease, 4)."""
     full = np.where(angles[:, np.newaxis] > 0, to_rgba(BLUE), to_rgba(VERMILION))
     share = np.sqrt(np.minimum(np.abs(angles) / np.pi, 1))[:, np.newaxis]
     return np.asarray(share * full + (1 - share) * to_rgba(_FLAT))
 
 
 def tint(region: int) -> str:
-    """The colour of a region."""
+    """Return the colour of a region."""
     return TINTS[region % len(TINTS)]
 
 
 def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, width: float) -> list[Patch | Line2D]:
-    """What the colours mean, for a legend whose lines are so many points wide."""
+    """Return the entries of a legend, with lines of a width in points."""
     handles: list[Patch | Line2D] = [
         Patch(facecolor=tint(region), label=name) for region, name in enumerate(shape.regions)
     ]
@@ -188,12 +190,12 @@ def shape_handles(shape: Shape, structure: Structure, tendon_colour: ArrayLike, 
     if shape.tendons:
         handles.append(Line2D([], [], color=tendon_colour, lw=width, label="tendon"))  # type: ignore[arg-type]
     if len(shape.held):
-        handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=1.5 * width, label="held vertex"))
+        handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=1.5 * width, label="support"))
     return handles
 
 
 def _faces(surface: DrawnSurface, view: View, own: Array | None) -> tuple[Array, Array]:
-    """Corners and colours of the cells of sheets and plates."""
+    """Return corners and colours of the cells of sheets and plates."""
     if not len(surface.faces):
         return np.zeros((0, 4, 3)), np.zeros((0, 3))
     if own is not None:
@@ -210,7 +212,7 @@ def _faces(surface: DrawnSurface, view: View, own: Array | None) -> tuple[Array,
 
 
 def _cells(quads: Array) -> Array:
-    """Cells of surfaces between four corners, straight from side to side, `_CELLS` to a side, (cell, 4, axis)."""
+    """Return cells of ruled surfaces between four corners, `_CELLS` along a side, (cell, 4, axis)."""
     shares = np.linspace(0, 1, _CELLS + 1)
     u, v = shares[:, np.newaxis, np.newaxis], shares[:, np.newaxis]
     first, second, third, fourth = quads[:, :, np.newaxis, np.newaxis].swapaxes(0, 1)
@@ -220,12 +222,12 @@ def _cells(quads: Array) -> Array:
 
 
 def _normals(quads: Array) -> Array:
-    """Twice the area of cells, along their normals, m^2, (quad, axis)."""
+    """Return vectors along the normals of cells, twice as long as their areas, m^2, (quad, axis)."""
     return np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
 
 
 def _facing(quads: Array) -> Array:
-    """Lambert shading of both sides alike, (quad,)."""
+    """Return the Lambert shading of cells, the same for both sides, (quad,)."""
     return np.asarray(0.55 + 0.45 * np.abs(_unit(_normals(quads)) @ _unit(_LIGHT)))
 
 
@@ -234,16 +236,16 @@ def _unit(vectors: Array) -> Array:
 
 
 def _squares(places: Array, view: View, half: float, above: float) -> tuple[Array, Array]:
-    """Corners and colours of squares that face the eye, by their middles, m, (square, axis)."""
+    """Return corners and colours of squares that face the eye, from their centres, m, (square, axis)."""
     corners = [right * view.right + up * view.up for right, up in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     quads = (places + above * view.towards)[:, np.newaxis] + half * np.array(corners)
     return quads, np.tile(to_rgb(BAR), (len(places), 1))
 
 
 def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
-    """Corners and colours of round bars with flat ends, m, (bar, end, axis), of radii, m, (bar,)."""
+    """Return corners and colours of round bars with flat ends, m, (bar, end, axis), of radii, m, (bar,)."""
     along = _unit(bars[:, 1] - bars[:, 0])
-    # any way across, but never along
+    # any direction that is not along the bar
     across = _unit(np.cross(along, np.eye(3)[np.argmin(np.abs(along), axis=1)]))
     turns = np.linspace(0, 2 * np.pi, _SIDES + 1)[:, np.newaxis, np.newaxis]
     spokes = np.cos(turns) * across + np.sin(turns) * np.cross(along, across)  # (side, bar, axis)
@@ -258,21 +260,21 @@ def _tubes(bars: Array, radii: Array, view: View) -> tuple[Array, Array]:
         [_unit(spokes[:-1] + spokes[1:]), *np.broadcast_to([-along, along], (_SIDES, 2, *along.shape)).swapaxes(0, 1)]
     )
     bright = outwards.reshape(-1, 3) @ view.towards
-    seen = bright > 0
-    return quads[seen], (_DULL + _LUSTRE * bright[seen, np.newaxis] ** 4) * to_rgb(BAR)
+    visible = bright > 0
+    return quads[visible], (_DULL + _LUSTRE * bright[visible, np.newaxis] ** 4) * to_rgb(BAR)
 
 
 def ribbons(
     lines: Array, view: View, colours: str | Sequence[str] | ArrayLike, half: float, above: float
 ) -> tuple[Array, Array]:
-    """Corners and colours of lines, as bands that face the eye.
+    """Return corners and colours of lines, as bands that face the eye.
 
     Args:
         lines: m, (line, end, axis).
-        view: from where they are seen.
-        colours: one, or one a line.
-        half: of a band's width, m.
-        above: how much nearer than the line it is painted, m.
+        view: viewpoint.
+        colours: one colour, or one for each line.
+        half: half the width of a band, m.
+        above: distance by which bands are painted closer to the eye than their lines, m.
     """
     across = half * _unit(np.cross(view.towards, lines[:, 1] - lines[:, 0]))
     start, end = (lines[:, place] + above * view.towards for place in (0, 1))

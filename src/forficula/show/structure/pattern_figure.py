@@ -1,4 +1,4 @@
-"""The crease pattern with its tendons; where there is no pattern, what is built, seen from above."""
+"""The crease pattern with its tendons; without a pattern, the built structure seen from above."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from forficula.show.structure.painted_shape import BAR, structure_view
 from forficula.show.style import BLACK, ORANGE, PAGE_WIDTH, describe, figure_style, fit_legend
 from forficula.structure import Hinge, Structure, built_hinges, built_points, held_corners
 
-_MOST_NUMBERED, _NUMBERED = 20, 9  # hinges on their lines, and so many of more
-_TALL = 0.5  # height by the lesser of length and width
-_ON_AXIS = 1e-6  # by the size of the whole
+_MOST_NUMBERED, _NUMBERED = 20, 9  # largest number of hinges with numbers on their lines; number of these if more
+_TALL = 0.5  # height above which a sheet is drawn from the side, as a share of the lesser of length and width
+_ON_AXIS = 1e-6  # distance in spans below which a point lies on an axis
 
 
 def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the crease pattern of a structure, the circles behind it and its tendons, at most `width` wide, inch."""
+    """Draw the crease pattern of a structure, its circles and its tendons; `width` is the largest width, inch."""
     pattern, turn = structure.appearance.pattern, _turn(structure)
     points = built_points(structure) @ turn
     places = points if pattern is None else pattern.vertices_coords @ turn
@@ -29,7 +29,7 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
     with figure_style():
         figure, axes = sheet_axes(factor * places, factor * structure.span, unit, width)
         if not np.array_equal(turn, np.eye(3)):
-            axes.set(xlabel=f"across ({unit}), seen from above and beside", ylabel=f"upwards ({unit})")
+            axes.set(xlabel=f"across ({unit}), seen obliquely from above", ylabel=f"upwards ({unit})")
         if pattern is None:
             handles = _draw_built(axes, structure, factor * points[:, :2])
         else:
@@ -43,16 +43,16 @@ def draw_pattern(structure: Structure, width: float = PAGE_WIDTH) -> Figure:
         _number(axes, structure, factor, turn)
         if held := list(held_corners(structure)):
             axes.plot(*(factor * points[held, :2]).T, "s", color=BAR, ms=3.5, zorder=3)
-            handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="held vertex"))
+            handles.append(Line2D([], [], color=BAR, marker="s", ls="none", ms=3.5, label="support"))
         if structure.tendons:
             handles.append(Line2D([], [], color=ORANGE, marker="o", ms=3.5, lw=3, alpha=0.6, label="tendon"))
         handles += [Line2D([], [], color="0.5", ls=":", label=name) for name in structure.appearance.circles]
         fit_legend(figure, handles, 5, loc="outside upper center")
-        return describe(figure, _tell(structure))
+        return describe(figure, _text(structure))
 
 
 def _turn(structure: Structure) -> Array:
-    """What takes places, m, (point, 3), to those that are drawn: seen from beside, too, where the sheet stands tall."""
+    """Return the rotation of points, m, (point, 3), for the drawing: oblique if the sheet is tall."""
     pattern = structure.appearance.pattern
     extent = np.ptp(built_points(structure) if pattern is None else pattern.vertices_coords, axis=0)
     if extent[2] <= _TALL * extent[:2].min():
@@ -62,7 +62,7 @@ def _turn(structure: Structure) -> Array:
 
 
 def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]:
-    """Plates and bars between points as they are drawn, (point, 2); returns what they mean."""
+    """Draw plates and bars between points, (point, 2); return the legend's entries."""
     handles = []
     for plate in structure.plates:
         axes.plot(*points[[*plate.points, plate.points[0]]].T, "-", color=BLACK, lw=1.1)
@@ -76,13 +76,13 @@ def _draw_built(axes: Axes, structure: Structure, points: Array) -> list[Line2D]
 
 
 def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> None:
-    """Say which of the angles that figures show is which: at the end of its last hinge's bar, or on its line."""
-    told = {
+    """Label the angles that figures show: at the end of the last hinge's bar, or on the hinge's line."""
+    labels = {
         part[-1]: label
         for measure in shown_angles(structure)
         for part, label in zip(measure.parts, measure_labels(structure, measure), strict=True)
     }
-    hinges, names = list(told), parts_of(list(told.values())).names
+    hinges, names = list(labels), parts_of(list(labels.values())).names
     points, (origins, directions) = (built_points(structure) @ turn, (each @ turn for each in built_hinges(structure)))
     shown = range(len(hinges))
     if len(hinges) > _MOST_NUMBERED and structure.facets:
@@ -96,7 +96,7 @@ def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> Non
             continue
         bar = next((bar for bar in structure.bars if bar.body == structure.hinges[hinge].body), None)
         if bar is not None and len(hinges) == 1:
-            # a single one needs no name to be told from others
+            # a single hinge needs no label
             continue
         if bar is not None:
             place = factor * points[bar.points[1], :2]
@@ -115,13 +115,13 @@ def _number(axes: Axes, structure: Structure, factor: float, turn: Array) -> Non
 
 
 def _label(axes: Axes, place: Array, name: str) -> None:
-    """A name on a line."""
+    """Write a name on a line."""
     box = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none"}
     axes.text(place[0], place[1], name, ha="center", va="center", bbox=box)
 
 
 def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, direction: Array) -> Array:
-    """The middle of the side by which a plate hangs on its hinge, m, (3,)."""
+    """Return the middle of the side by which a plate is attached to its hinge, m, (3,)."""
     for closure in structure.closures:
         if closure.bodies[1] == hinge.body:
             return np.asarray(points[[pair[1] for pair in closure.points]].mean(axis=0))
@@ -136,8 +136,8 @@ def _middle(structure: Structure, hinge: Hinge, points: Array, origin: Array, di
     return origin
 
 
-def _tell(structure: Structure) -> str:
-    """The pattern in words."""
+def _text(structure: Structure) -> str:
+    """Describe the pattern."""
     pattern = structure.appearance.pattern
     hinges = {hinge for measure in shown_angles(structure) for hinge in measure.hinges}
     count = counted([label_of(structure.hinges[hinge]) for hinge in sorted(hinges)], "hinge")

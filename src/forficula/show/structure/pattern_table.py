@@ -1,4 +1,4 @@
-"""What a crease pattern is as text that a person understands."""
+"""Facts about a crease pattern as text."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ _MOST_ROWS, _MOST_NAMED = 12, 5
 
 
 def print_pattern(facts: PatternFacts, remarks: Sequence[str] = ()) -> None:
-    """Print what a crease pattern is; args are those of `pattern_table`."""
+    """Print facts about a crease pattern; args are those of `pattern_table`."""
     Console(width=110, highlight=False).print(pattern_table(facts, remarks))
 
 
 def pattern_table(facts: PatternFacts, remarks: Sequence[str] = ()) -> RenderableType:
-    """Lay out what there is, in how many ways it moves, vertices that do not fold flat, and what follows of it.
+    """Return the parts of a pattern, its degrees of freedom, vertices that do not fold flat, and conclusions.
 
     Args:
-        facts: what to show.
-        remarks: on how the pattern was read.
+        facts: facts to show.
+        remarks: remarks of the reader of the pattern's file.
     """
     parts: list[RenderableType] = [Text(_heading(facts), style="bold"), Text(), _parts(facts)]
     if facts.freedoms is not None:
         parts += [Text(), _freedoms(facts.freedoms)]
     faults = [(each, words) for each in facts.inside if (words := fault_words(each))]
     if faults:
-        table = _columns("vertex that does not fold flat", "creases", "why")
+        table = _columns("vertex that does not fold flat", "creases", "reason")
         for each, words in faults[:_MOST_ROWS]:
             table.add_row(str(each.vertex), str(each.creases), "; ".join(words))
         parts += [Text(), table]
@@ -59,9 +59,9 @@ def _parts(facts: PatternFacts) -> Table:
     table.add_row("edges", f"{sum(facts.edges.values())}: {letters}")
     if facts.roles:
         table.add_row("roles", ", ".join(facts.roles))
-    table.add_row("lies", "flat" if facts.flat else "folded, or built as a solid shape")
+    table.add_row("shape", "flat" if facts.flat else "folded, or built as a solid shape")
     if facts.freedoms is not None:
-        table.add_row("hangs together as", f"{_counted(facts.parts, 'piece')}, {_counted(facts.holes, 'hole')}")
+        table.add_row("connected as", f"{_counted(facts.parts, 'piece')}, {_counted(facts.holes, 'hole')}")
         table.add_row("interior vertices", _inside(facts))
     table.add_row(
         "facets as a tree", f"no: {facts.loop.partition(':')[0]}" if facts.loop else "yes: no creases close a loop"
@@ -70,7 +70,7 @@ def _parts(facts: PatternFacts) -> Table:
 
 
 def _inside(facts: PatternFacts) -> str:
-    """How many vertices there are inside, by how many creases meet there, and those that are no flat sheet."""
+    """Return the number of interior vertices by number of creases, and the sum of angles around them."""
     if not facts.inside:
         return "none"
     degrees = Counter(each.creases for each in facts.inside)
@@ -92,36 +92,36 @@ def _freedoms(freedoms: Freedoms) -> Table:
 
 
 def _rigid_folding(facts: PatternFacts) -> Iterator[str]:
-    """What is to say of facets that are rigid, in sentences."""
+    """Yield sentences about folding with rigid facets."""
     freedoms = facts.freedoms
     if freedoms is None:
         yield f"Degrees of freedom are not counted: {facts.not_counted}."
         return
     if not (freedoms.rigid.clear and freedoms.bending.clear and (freedoms.folded is None or freedoms.folded.clear)):
-        yield "Degrees of freedom are in doubt: a motion is nearly free, and rounding may hide whether it is."
+        yield "Degrees of freedom are uncertain: one motion is nearly free, and rounding errors may hide whether it is."
     if not facts.flat:
         if freedoms.bending.mechanisms == 0:
-            yield "It does not move from here: it folds only where edges stretch."
+            yield "The pattern cannot move from this shape unless edges stretch."
         elif freedoms.rigid.mechanisms == 0:
-            yield "With rigid facets it does not move from here: it folds only where facets bend."
+            yield "With rigid facets the pattern cannot move from this shape: it folds only if facets bend."
         return
     folds = any(letter in facts.edges for letter in "MV")
     if not folds:
         return
     stuck = [each.vertex for each in facts.inside if each.folds is False]
     if not freedoms.begins:
-        yield "Rigid facets cannot fold with every crease in its sense: they cannot begin to, at first order already."
+        yield "Rigid facets cannot fold with every crease in its sense: even the first-order motion does not exist."
     elif freedoms.folded is not None:
         yield (
-            f"Rigid facets fold with every crease in its sense: found folded by {_fold_range(freedoms)}; whether facets"
-            " pass through one another is not checked."
+            f"Rigid facets fold with every crease in its sense: a state folded by {_fold_range(freedoms)} was found;"
+            " whether facets pass through one another is not checked."
         )
     elif not stuck:
-        yield "Rigid facets may fold in the assigned sense at first order; no such state was found, so they may not."
+        yield "Rigid facets may fold in the assigned sense to first order, but no folded state was found."
     if stuck:
-        yield f"At {_places(stuck)} rigid facets do not leave the flat state in the assigned sense: they have to bend."
+        yield f"At {_places(stuck)} rigid facets cannot leave the flat state in the assigned sense: they have to bend."
     if freedoms.folded is not None and freedoms.folded.mechanisms < freedoms.rigid.mechanisms:
-        yield "A flat sheet has more motions at first order than become folds; the folded state has those that last."
+        yield "The flat sheet has more first-order motions than finite ones; the folded state has only the finite ones."
 
 
 def _fold_range(freedoms: Freedoms) -> str:
@@ -130,14 +130,14 @@ def _fold_range(freedoms: Freedoms) -> str:
 
 
 def _places(vertices: Sequence[int]) -> str:
-    """Name the first few vertices."""
+    """Return the first few vertices as text."""
     shown = ", ".join(map(str, vertices[:_MOST_NAMED]))
     more = f" and {len(vertices) - _MOST_NAMED} more" if len(vertices) > _MOST_NAMED else ""
     return f"{'vertex' if len(vertices) == 1 else 'vertices'} {shown}{more}"
 
 
 def _columns(*headings: str) -> Table:
-    """A table without lines whose first column is text."""
+    """Return a table without lines whose first column is text."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in headings:
         table.add_column(heading)

@@ -1,4 +1,4 @@
-"""Triangles as a picture, by a depth buffer: of what lies behind one another at a place, the nearest is seen."""
+"""Rasterisation of triangles with a depth buffer: the nearest triangle is visible."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from forficula.arrays import Array, Indices
 
 Picture = NDArray[np.uint8]
 
-SAMPLES = 2  # of a pixel, across and upwards
-# a key: which triangle it is, and above that how near
+SAMPLES = 2  # samples per pixel, across and upwards
+# a key contains a triangle's depth in the high bits and its index in the low bits
 _BITS = 24
 _NAMES, _DEPTHS = (1 << _BITS) - 1, 2.0**38
-_NARROW = 1e-9  # samples: the nearest and the farthest of what is as narrow are at one place
-_AT_ONCE = 1 << 16  # samples, so that they lie in little memory
+_NARROW = 1e-9  # samples, width below which a triangle has one depth per row
+_AT_ONCE = 1 << 16  # samples per batch, which limits memory
 
 
 def rasterise(triangles: Array, colours: Array, size: tuple[int, int], samples: int = SAMPLES) -> Picture:
-    """Draw triangles that hide one another, pass through one another or lie on one another.
+    """Draw triangles that may hide, intersect or touch one another.
 
-    A triangle has the samples whose middles are in it, so that two that share a side leave no gap; of those that are as
-    near to the eye the last one is seen. What is outside the picture, or not finite, is left out.
+    A triangle covers the samples whose centres lie in it, so triangles with a common side leave no gap. Of equally
+    close triangles the last one is visible. Parts outside the picture and values that are not finite are left out.
 
     Args:
-        triangles: pixels to the right and downwards, and how near to the eye in any unit, (triangle, 3, 3).
+        triangles: pixels to the right and downwards, and closeness to the eye in any unit, (triangle, 3, 3).
         colours: red, green, blue, 0 to 1, (triangle, 3).
         size: pixels across and downwards.
-        samples: of a pixel, across and upwards.
+        samples: samples per pixel, across and upwards.
 
     Returns:
         Red, green, blue and opacity of every pixel, 0 to 255, the highest row first, (height, width, 4).
@@ -39,15 +39,15 @@ def rasterise(triangles: Array, colours: Array, size: tuple[int, int], samples: 
     sound = np.flatnonzero(np.isfinite(triangles).all(axis=(1, 2)))
     if len(sound):
         _fill(nearest, triangles[sound] * [samples, samples, 1.0], sound)
-    # four numbers in one, which do not run over when samples are added; the last is where there is nothing
+    # four numbers in one, without overflow when samples are added; the last entry is the background
     shades = np.zeros((len(colours) + 1, 4), dtype=np.uint16)
     shades[:-1] = np.column_stack([np.rint(255 * np.clip(colours, 0, 1)), np.full(len(colours), 255)])
     packed = shades.view(np.uint64).ravel()
     total = np.zeros((height, width), dtype=np.uint64)
     for row in range(samples):
         for column in range(samples):
-            seen = nearest[row::samples, column::samples]
-            total += packed[np.where(seen < 0, len(colours), seen & _NAMES)]
+            keys = nearest[row::samples, column::samples]
+            total += packed[np.where(keys < 0, len(colours), keys & _NAMES)]
     summed = total.view(np.uint16).reshape(height, width, 4)
     counted = summed[..., 3:] // 255
     summed[..., :3] //= np.maximum(counted, 1)
@@ -56,9 +56,9 @@ def rasterise(triangles: Array, colours: Array, size: tuple[int, int], samples: 
 
 
 def _fill(nearest: Indices, corners: Array, names: Indices) -> None:
-    """Put into every sample the key of the nearest triangle there: its depth, and below that its name."""
+    """Store in every sample the key of the nearest triangle: its depth, then its index."""
     height, width = nearest.shape
-    # from the highest corner of each to the lowest
+    # sort the corners of each triangle from top to bottom
     order = np.argsort(corners[:, :, 1], axis=1, kind="stable")
     top, middle, bottom = np.take_along_axis(corners, order[:, :, np.newaxis], axis=1).swapaxes(0, 1)
     which, row = _ranges(*_between(top[:, 1], bottom[:, 1], height))
@@ -88,19 +88,19 @@ def _fill(nearest: Indices, corners: Array, names: Indices) -> None:
 
 
 def _between(low: Array, high: Array, most: int) -> tuple[Indices, Indices]:
-    """The first sample whose middle is not before `low`, and the first not before `high`, within the picture."""
+    """Return the first sample whose centre is not before `low`, and the first not before `high`, in the picture."""
     first, last = (np.ceil(np.clip(each, 0, most) - 0.5).astype(np.int64) for each in (low, high))
     return first, last
 
 
 def _ranges(first: Indices, last: Indices) -> tuple[Indices, Indices]:
-    """All numbers from the first to before the last of each range: which range, and the number."""
+    """Return all numbers from the first to before the last of each range: the range's index, and the number."""
     counts = last - first
     which = np.repeat(np.arange(len(counts)), counts)
     return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts - first, counts)
 
 
 def _at(upper: Array, lower: Array, y: Array) -> Array:
-    """Where lines come to a height, (line, 3)."""
+    """Return points on lines at a height, (line, 3)."""
     share = (y - upper[:, 1]) / (lower[:, 1] - upper[:, 1])
     return np.asarray(upper + share[:, np.newaxis] * (lower - upper))

@@ -1,4 +1,4 @@
-"""What is drawn of a structure: sheets, plates, bars, tendons and creases, laid between few points that move."""
+"""Drawn parts of a structure: sheets, plates, bars, tendons and creases between few points that move."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ from forficula.structure import (
     hinge_groups,
 )
 
-# lengths by that of the whole: what lies on what, and the thickness of lines where there are no bars
+# lengths in spans: tolerance of positions, and thickness of lines without bars
 _TOLERANCE, _THICKNESS = 1e-7, 0.02
-_BY_SIDE = 0.12  # that thickness by the length of a facet's side, where that is less
-_DIGITS = 12  # of a share
+_BY_SIDE = 0.12  # largest thickness, as a share of the length of a facet's side
+_DIGITS = 12  # decimals of a share
 
 
 @dataclass(frozen=True, kw_only=True)
 class DrawnBar:
-    """A straight round bar.
+    """Straight round bar.
 
     Attributes:
-        ends: two vertices.
-        radius: m.
-        crease: letter of the crease that it lies on; "B" where it lies on none.
+        ends: its two vertices.
+        radius: radius, m.
+        crease: letter of the crease on which it lies; "B" for none.
     """
 
     ends: tuple[int, int]
@@ -48,13 +48,13 @@ class DrawnBar:
 
 @dataclass(frozen=True, kw_only=True)
 class ShapeLine:
-    """A line on a sheet or a plate.
+    """Line on a sheet or a plate.
 
     Attributes:
-        kind: "crease" where it folds, "rim" of a sheet, or "edge" of a plate.
-        crease: letter of a crease; "B" of the others.
-        path: vertices that it is straight between.
-        hinge: number of the hinge that it is, whose angle it shows; None of others.
+        kind: "crease", "rim" of a sheet, or "edge" of a plate.
+        crease: letter of a crease; "B" for other lines.
+        path: vertices, connected by straight pieces.
+        hinge: index of the hinge whose angle the line shows; None for other lines.
     """
 
     kind: Literal["crease", "rim", "edge"]
@@ -65,24 +65,24 @@ class ShapeLine:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Shape:
-    """What is drawn of a structure, by vertices that each lie between two points that move.
+    """Drawn parts of a structure, given by vertices that each lie between two moving points.
 
     Attributes:
-        anchors: numbers of the points that move: those of the structure, then, counted on, nodes of its membranes.
-        between: the two anchors of each vertex, places in `anchors`, (vertex, 2).
-        share: how far it is from the first to the second, 0 to 1, (vertex,).
+        anchors: indices of the moving points: points of the structure and then nodes of its membranes.
+        between: the two anchors of each vertex, indices into `anchors`, (vertex, 2).
+        share: position between the first (0) and the second anchor (1), (vertex,).
         built: vertices in the built shape, m, (vertex, 3).
         faces: of sheets and plates, three or four vertices each, counterclockwise seen from above the built shape.
-        face_region: number of each one's region, (face,).
-        regions: what these are called, such as "distal panel".
-        solid: whether a region is of plates rather than of a sheet, (region,).
-        bars: of the structure, in its order.
+        face_region: region of each face, (face,).
+        regions: names of the regions, such as "distal panel".
+        solid: whether the region consists of plates and not of a sheet, (region,).
+        bars: bars, in the structure's order.
         lines: rims, creases and edges of plates.
         tendons: two vertices each, in the structure's order.
         joints: vertices of the hinges at the ends of bars, (joint,).
-        held: vertices of facets that cannot go every way, (vertex,).
-        thickness: of what lines are drawn by: that of the thickest bar, m.
-        span: of the structure, m.
+        held: supported vertices of facets, (vertex,).
+        thickness: reference for the width of lines: the diameter of the thickest bar, m.
+        span: span of the structure, m.
     """
 
     anchors: Indices
@@ -104,7 +104,7 @@ class Shape:
 
 @dataclass
 class _Vertices:
-    """Vertices collected so far, each once, by two anchors and the share between them."""
+    """Distinct vertices, each identified by two anchors and the share between them."""
 
     numbers: dict[tuple[int, int, float], int] = field(default_factory=dict)
 
@@ -114,12 +114,12 @@ class _Vertices:
 
 
 def shape_of(structure: Structure) -> Shape:
-    """Lay out what is drawn of a structure."""
+    """Return the drawn parts of a structure."""
     vertices = _Vertices()
     faces: list[tuple[int, ...]] = []
     names: list[str] = []
     first = len(structure.points)
-    # where there are facets, they are what a membrane lies on
+    # facets include the membranes that lie on them
     for membrane in () if structure.facets else structure.membranes:
         _add_sheet(vertices, structure, membrane, first, faces, names)
         first += len(membrane.bodies)
@@ -187,13 +187,13 @@ def shape_of(structure: Structure) -> Shape:
 
 
 def vertex_places(shape: Shape, anchors: Array) -> Array:
-    """Where the vertices are, m, (..., vertex, 3), with the anchors at (..., anchor, 3)."""
+    """Return the positions of vertices, m, (..., vertex, 3), from those of the anchors, (..., anchor, 3)."""
     first, second = anchors[..., shape.between[:, 0], :], anchors[..., shape.between[:, 1], :]
     return np.asarray(first + shape.share[:, np.newaxis] * (second - first))
 
 
 def facet_lines(structure: Structure, vertex: Callable[[int], int]) -> list[ShapeLine]:
-    """The creases between facets, and their sides that no other facet has, by what finds the vertex at a point."""
+    """Return the creases between facets and the rims, with a function that returns the vertex of a point."""
     hinges = [(number, structure.hinges[number]) for number in hinge_groups(structure).get("creases", ())]
     sides = _sides(facet.points for facet in structure.facets)
     rims = [ShapeLine(kind="rim", crease="B", path=tuple(map(vertex, ends))) for ends in sides if sides[ends] == 1]
@@ -207,7 +207,7 @@ def facet_lines(structure: Structure, vertex: Callable[[int], int]) -> list[Shap
 
 
 def _line_thickness(structure: Structure, built: Array, lines: Sequence[ShapeLine]) -> float:
-    """By what lines are drawn where there are no bars, m: less where facets are small."""
+    """Return the reference for the width of lines without bars, m: smaller for small facets."""
     sides = [float(np.linalg.norm(built[line.path[-1]] - built[line.path[0]])) for line in lines]
     most = _THICKNESS * structure.span
     return min(most, _BY_SIDE * float(np.mean(sides))) if structure.facets else most
@@ -221,7 +221,7 @@ def _add_sheet(
     faces: list[tuple[int, ...]],
     names: list[str],
 ) -> None:
-    """The faces of a membrane, and of the strips by which it is glued to bars: that is sheet, too."""
+    """Add the faces of a membrane, and of the strips between it and the bars to which it is glued."""
     roots, nodes = [], []
     for number, (body, place) in enumerate(zip(membrane.bodies.tolist(), membrane.places, strict=True)):
         root = place if membrane.roots is None else membrane.roots[number]
@@ -233,7 +233,7 @@ def _add_sheet(
     depths = {body: len(ancestry(structure, body)) for body in set(membrane.bodies.tolist())}
 
     def add(corners: Sequence[int], face: Sequence[int]) -> None:
-        # what lies beyond a hinge counts with what is beyond
+        # a face across a hinge belongs to the outer region
         outermost = max((int(membrane.bodies[corner]) for corner in corners), key=lambda body: depths[body])
         faces.append(tuple(face))
         names.append(f"{structure.bodies[outermost].role} panel")
@@ -249,7 +249,7 @@ def _add_sheet(
 
 
 def _quads(triangles: Indices, built: Array) -> list[tuple[int, ...]]:
-    """Two triangles one after another that are halves of a quadrilateral as that, the others as they are."""
+    """Merge consecutive triangles that are halves of a convex quadrilateral; keep the others."""
     pieces: list[tuple[int, ...]] = []
     for corners in map(tuple, triangles.tolist()):
         last = pieces[-1] if pieces else ()
@@ -261,12 +261,12 @@ def _quads(triangles: Indices, built: Array) -> list[tuple[int, ...]]:
 
 
 def _sides(faces: Iterable[Sequence[int]]) -> Counter[frozenset[int]]:
-    """How many faces have a side, by its two ends."""
+    """Count the faces at each side, by its two ends."""
     return Counter(frozenset(ends) for face in faces for ends in pairwise([*face, face[0]]))
 
 
 def _on_bar(structure: Structure, body: int, place: Array) -> tuple[int, int, float] | None:
-    """The ends of a body's bar, and how far a place in the body's axes is from the first to the second; None beside."""
+    """Return the ends of the bar on which a point of a body lies, and the share along the bar; None if on no bar."""
     for bar in structure.bars:
         if bar.body == body:
             share = float(place @ bar.end) / float(bar.end @ bar.end)
@@ -277,13 +277,13 @@ def _on_bar(structure: Structure, body: int, place: Array) -> tuple[int, int, fl
 
 
 def _place(structure: Structure, point: int) -> tuple[int, int, float]:
-    """A point by the ends of the bar that it lies on, or by itself."""
+    """Return a point as a share along its bar, or as itself."""
     chosen = structure.points[point]
     return _on_bar(structure, chosen.body, chosen.place) or (point, point, 0.0)
 
 
 def _along_bar(structure: Structure, ends: Iterable[tuple[int, int, float]]) -> bool:
-    """Whether both ends of a side lie on one bar."""
+    """Return whether both ends of a side lie on one bar."""
     places = {place for end in ends for place in end[:2]}
     return any(places <= set(bar.points) for bar in structure.bars)
 
@@ -291,7 +291,7 @@ def _along_bar(structure: Structure, ends: Iterable[tuple[int, int, float]]) -> 
 def _creases(
     structure: Structure, anchors: Array, built: Array, faces: Sequence[Sequence[int]], names: Sequence[str]
 ) -> tuple[list[str], list[ShapeLine]]:
-    """The letter of every bar, and the creases on which no bar lies."""
+    """Return the letter of every bar, and the creases without bars."""
     pattern = structure.appearance.pattern
     if pattern is None:
         return ["B"] * len(structure.bars), _between_regions(faces, names)
@@ -302,9 +302,9 @@ def _creases(
     }
     ends = [point for bar in structure.bars for point in bar.points]
     away, nearest = scipy.spatial.KDTree(pattern.vertices_coords).query(anchors[ends].reshape(-1, 3))
-    # what is beside the pattern is on none of its edges
-    found = np.where(away <= within, nearest, -1).reshape(-1, 2)
-    bars = [frozenset(pair) for pair in found.tolist()]
+    # points beside the pattern are on none of its edges
+    matched = np.where(away <= within, nearest, -1).reshape(-1, 2)
+    bars = [frozenset(pair) for pair in matched.tolist()]
     lines = []
     for edge in pattern.edges_vertices.tolist():
         letter = letters[frozenset(edge)]
@@ -317,14 +317,14 @@ def _creases(
 
 
 def _on_segment(built: Array, segment: Array, within: float) -> tuple[int, ...]:
-    """Vertices from one place to another, those between them in order; none where these are not at vertices."""
+    """Return the vertices along a segment, in order; empty if its ends are not vertices."""
     start, end = segment
     length = float(np.linalg.norm(end - start))
     along = (built - start) @ (end - start) / length
     beside = np.linalg.norm(built - start - along[:, np.newaxis] * (end - start) / length, axis=1)
-    there = np.flatnonzero((beside <= within) & (along >= -within) & (along <= length + within))
+    on_segment = np.flatnonzero((beside <= within) & (along >= -within) & (along <= length + within))
     path: list[int] = []
-    for vertex in there[np.argsort(along[there], kind="stable")].tolist():
+    for vertex in on_segment[np.argsort(along[on_segment], kind="stable")].tolist():
         if not path or along[vertex] > along[path[-1]] + within:
             path.append(vertex)
     whole = bool(path) and along[path[0]] <= within and along[path[-1]] >= length - within
@@ -332,33 +332,34 @@ def _on_segment(built: Array, segment: Array, within: float) -> tuple[int, ...]:
 
 
 def _between_regions(faces: Sequence[Sequence[int]], names: Sequence[str]) -> list[ShapeLine]:
-    """Where regions of a sheet meet: creases of which nothing else is known."""
+    """Return the lines between regions of a sheet: creases without an assignment."""
     regions: dict[frozenset[int], set[str]] = {}
     for face, name in zip(faces, names, strict=True):
         for ends in pairwise([*face, face[0]]):
             regions.setdefault(frozenset(ends), set()).add(name)
     return [
         ShapeLine(kind="crease", crease="B", path=(min(ends), max(ends)))
-        for ends, found in regions.items()
-        if len(found) > 1
+        for ends, names_at in regions.items()
+        if len(names_at) > 1
     ]
 
 
 def is_convex(corners: Array) -> bool:
-    """Return whether no corner of a polygon, m, (corner, axis), points inwards."""
+    """Return whether a polygon, m, (corner, axis), is convex."""
     sides = np.roll(corners, -1, axis=0) - corners
     return bool((np.cross(sides, np.roll(sides, -1, axis=0)) @ polygon_normal(corners) >= 0).all())
 
 
 def drawn_pieces(corners: Array) -> list[tuple[int, ...]]:
-    """Cut a flat polygon without crossings into pieces of three or four corners.
+    """Divide a flat polygon without crossings into pieces of three or four corners.
 
     Args:
         corners: m, (corner, axis).
 
     Returns:
-        Numbers of the corners of each piece, counterclockwise seen from above, or in the order given where the polygon
-        stands upright. A convex polygon of four corners is one piece.
+        Indices of the corners of each piece, counterclockwise seen from above, or in the given order for a vertical
+        polygon.
+        A convex polygon of four corners is one piece.
     """
     around = range(len(corners)) if polygon_normal(corners)[2] >= 0 else range(len(corners))[::-1]
     return [tuple(around)] if len(around) == 4 and is_convex(corners) else [*ears(corners, around)]

@@ -1,4 +1,4 @@
-"""A crease pattern by itself: its creases, and the vertices that do not fold flat with what they lack."""
+"""A crease pattern: its creases, and the vertices that do not fold flat with their deviations."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ from forficula.show.structure.crease_lines import draw_creases, sheet_axes
 from forficula.show.style import PAGE_WIDTH, PURPLE, describe, figure_style, fit_legend
 
 _MOST_LABELS = 8
-_LETTER, _LINE = 4.2, 9.5  # pt, a little more than what a letter is wide and a line is high
-_AWAY = 7.0  # pt, from a vertex to its label
-_ASIDE = 0.4  # of the sine of a direction; what points more upwards or downwards has its label there
-_RING, _MANY = 7.0, 50  # pt, across; from so many on, half as large
-_BESIDE = 0.8  # inch, of the figure that is no axes
+_LETTER, _LINE = 4.2, 9.5  # pt, slightly more than the width of a letter and the height of a line
+_AWAY = 7.0  # pt, distance of a label from its vertex
+_ASIDE = 0.4  # sine of a direction above which labels are above, or below, the vertex
+_RING, _MANY = 7.0, 50  # diameter of a ring, pt; number of vertices from which it is halved
+_BESIDE = 0.8  # inch of the figure's width outside the axes
 
 
 def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_WIDTH) -> Figure:
     """Draw a crease pattern, seen from above.
 
-    Vertices that do not fold flat have rings, the worst of them words: the angle that every second sector together
-    lacks, or that the creases are odd in number, or the difference of mountains and valleys.
+    Rings mark vertices that do not fold flat. Labels at the worst ones give the deviation of the sum of alternate
+    sectors, an odd number of creases, or the difference of mountains and valleys.
 
     Args:
-        pattern: the sheet.
-        facts: those of the sheet.
-        width: of the figure at most, inch.
+        pattern: the pattern.
+        facts: facts about the pattern.
+        width: largest width of the figure, inch.
     """
     faults = sorted((each for each in facts.inside if fault_words(each)), key=_weight, reverse=True)
     unit, factor = reading_unit("m", max(facts.size))
@@ -52,17 +52,17 @@ def draw_sheet(pattern: CreasePattern, facts: PatternFacts, width: float = PAGE_
         if faults:
             handles.append(_mark(axes, pattern, faults, factor, figure.get_figwidth()))
         fit_legend(figure, handles, 3, loc="outside upper center")
-        return describe(figure, _tell(facts, faults))
+        return describe(figure, _text(facts, faults))
 
 
 def _weight(vertex: VertexFacts) -> tuple[float, int]:
-    """Vertices are marked in falling order of this: odd ones, then those that lack most, then the others."""
+    """Return the sort key of a vertex: an odd number of creases first, then by falling deviation."""
     lacks = vertex.missing if vertex.check is not None and vertex.missing > vertex.check.allowed else 0.0
     return lacks, -vertex.vertex
 
 
 def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor: float, width: float) -> Line2D:
-    """Ring vertices, and label as many as there is room for in a width, inch; returns what the rings mean."""
+    """Mark vertices with rings, and label as many as fit into a width, inch; return the legend's entry."""
     points = factor * pattern.vertices_coords[:, :2]
     rings, many = points[[each.vertex for each in faults]], len(faults) > _MANY
     wide = _RING / 2 if many else _RING
@@ -96,12 +96,12 @@ def _mark(axes: Axes, pattern: CreasePattern, faults: list[VertexFacts], factor:
         if len(taken) == _MOST_LABELS:
             break
     fill = PURPLE if len(taken) == len(faults) else "none"
-    told = f"does not fold flat ({len(faults)})"
-    return Line2D([], [], marker="o", ls="none", ms=wide, mec=PURPLE, mfc=fill, label=told)
+    label = f"does not fold flat ({len(faults)})"
+    return Line2D([], [], marker="o", ls="none", ms=wide, mec=PURPLE, mfc=fill, label=label)
 
 
 def _towards(pattern: CreasePattern, around: VertexCreases, inwards: float) -> tuple[float, float]:
-    """The direction in which a label finds most room between creases, of alike sectors the one that points inwards."""
+    """Return the direction with most space for a label; of equal sectors the one towards the centre."""
     if len(around.edges) == 0:
         return 1.0, 0.0
     first = pattern.vertices_coords[pattern.edges_vertices[around.edges[0]].sum() - around.vertex]
@@ -113,19 +113,19 @@ def _towards(pattern: CreasePattern, around: VertexCreases, inwards: float) -> t
 
 
 def _meet(one: tuple[float, float, float, float], other: tuple[float, float, float, float]) -> bool:
-    """Whether two boxes, from left to right and from bottom to top, lie on one another."""
+    """Return whether two boxes (left, right, bottom, top) overlap."""
     return one[0] < other[1] and other[0] < one[1] and one[2] < other[3] and other[2] < one[3]
 
 
-def _tell(facts: PatternFacts, faults: list[VertexFacts]) -> str:
-    """The sheet in words."""
+def _text(facts: PatternFacts, faults: list[VertexFacts]) -> str:
+    """Describe the sheet."""
     edges = ", ".join(f"{count} {ASSIGNMENTS[letter]}" for letter, count in facts.edges.items())
     size = " by ".join(show_value(length, "m") for length in facts.size[: 2 if facts.flat else 3])
-    seen = "" if facts.flat else " It is folded, and seen from above."
-    verdict = "No inner vertex keeps it from folding flat." if facts.flat else ""
+    seen = "" if facts.flat else " The sheet is folded, and seen from above."
+    verdict = "Every interior vertex folds flat." if facts.flat else ""
     if faults:
         worst = max((each.missing for each in faults if math.isfinite(each.missing)), default=0.0)
         lacks = f", by up to {math.degrees(worst):.2g} deg" if worst > 1e-6 else ""
-        verdict = f"{len(faults)} of {len(facts.inside)} inner vertices do not fold flat{lacks}."
+        verdict = f"{len(faults)} of {len(facts.inside)} interior vertices do not fold flat{lacks}."
     title = facts.title[:1].upper() + facts.title[1:]
     return f"{title}, {size}.{seen} Edges: {edges}. {verdict}".rstrip()

@@ -1,4 +1,4 @@
-"""The drawn surface of a structure at a moment of a run."""
+"""The drawn surface of a structure at a time of a run."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from forficula.arrays import Array, Indices
 from forficula.dynamics import Record
 from forficula.show.structure.shape import Shape, vertex_places
 
-_FLAT = 1e-9  # of a triangle's squared size: what has no area has no strain
+_FLAT = 1e-9  # squared area below which a triangle has no strain, as a share of its squared size
 
 
 @dataclass(frozen=True, kw_only=True)
 class DrawnSurface:
-    """A structure in space.
+    """Structure in 3-D.
 
     Attributes:
-        faces: of sheets and plates, m, (face, corner, axis); of three corners the last one stands twice.
-        regions: number of each one's region, (face,).
-        two_sided: whether their two sides are told apart.
-        bars: ends of each, m, (bar, end, axis).
-        radii: of these, m, (bar,).
-        lines: ends of what folds and of what ends, m, (line, end, axis).
-        folds: how far these are folded, valleys positive, rad, (line,); nan of those of which that is not shown.
-        held: vertices that are held, m, (vertex, axis).
-        tendons: ends of each, m, (tendon, end, axis).
-        thickness: that lines are drawn by, m.
-        span: a length of the size of the whole, m.
+        faces: faces of sheets and plates, m, (face, corner, axis); triangles repeat their last corner.
+        regions: region of each face, (face,).
+        two_sided: whether the two sides have different colours.
+        bars: ends of bars, m, (bar, end, axis).
+        radii: radii of bars, m, (bar,).
+        lines: ends of creases and edges, m, (line, end, axis).
+        folds: fold angles of lines, valleys positive, rad, (line,); nan for lines without a shown angle.
+        held: supported vertices, m, (vertex, axis).
+        tendons: ends of tendons, m, (tendon, end, axis).
+        thickness: reference for the width of lines, m.
+        span: span of the structure, m.
     """
 
     faces: Array
@@ -45,12 +45,12 @@ class DrawnSurface:
 
 
 def surface_at(record: Record, shape: Shape, time: float) -> DrawnSurface:
-    """Find the surface at a time.
+    """Return the surface at a time.
 
     Args:
-        record: what happened.
-        shape: of its structure.
-        time: s; between two samples positions are interpolated, outside of them it is as at the nearest.
+        record: the simulated motion.
+        shape: drawn parts of its structure.
+        time: s; positions are interpolated between samples, and constant outside of them.
     """
     moved = (at_time(record, name, time) for name in ("point_position", "membrane_position"))
     senses = np.array([hinge.sense for hinge in record.structure.hinges])
@@ -59,13 +59,13 @@ def surface_at(record: Record, shape: Shape, time: float) -> DrawnSurface:
 
 
 def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) -> DrawnSurface:
-    """Lay the surface through points.
+    """Return the surface for given positions of points.
 
     Args:
-        shape: of a structure.
-        places: of its points, then of the nodes of its membranes, m, (point, axis).
-        folds: how far its hinges are folded, valleys positive, rad, (hinge,).
-        two_sided: whether the faces have backs.
+        shape: drawn parts of a structure.
+        places: positions of its points, then of the nodes of its membranes, m, (point, axis).
+        folds: fold angles of its hinges, valleys positive, rad, (hinge,).
+        two_sided: whether the faces have backs of another colour.
     """
     vertices = vertex_places(shape, places[shape.anchors])
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
@@ -88,10 +88,10 @@ def surface_of(shape: Shape, places: Array, folds: Array, *, two_sided: bool) ->
 
 
 def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
-    """The largest principal strain of each face, Green's, 0 where it is as built, (face,).
+    """Return the largest principal Green strain of each face, 0 in the built shape, (face,).
 
-    Of a face of four corners it is that of its two triangles which is stretched further: (l - 1) / 2 with l the larger
-    eigenvalue of the metric of its sides by that of these as built.
+    For a face of four corners, that of the more stretched of its two triangles: (l - 1) / 2, where l is the larger
+    eigenvalue of the metric of its sides relative to the built metric.
     """
     corners = np.array([(*face, face[-1])[:4] for face in shape.faces], dtype=np.int64).reshape(-1, 4)
     both = [_largest_strains(shape.built[corners[:, half]], surface.faces[:, half]) for half in ([0, 1, 2], [0, 2, 3])]
@@ -99,7 +99,7 @@ def face_strains(shape: Shape, surface: DrawnSurface) -> Array:
 
 
 def _largest_strains(built: Array, now: Array) -> Array:
-    """Largest principal strains of triangles, (triangle, corner, axis); nan of those without an area."""
+    """Return the largest principal strains of triangles, (triangle, corner, axis); nan for triangles without area."""
     before, after = (each[:, 1:] - each[:, :1] for each in (built, now))
     metric, stretched = (each @ each.swapaxes(1, 2) for each in (before, after))
     flat = np.linalg.det(metric) <= _FLAT * np.trace(metric, axis1=1, axis2=2) ** 2
@@ -111,7 +111,7 @@ def _largest_strains(built: Array, now: Array) -> Array:
 
 
 def at_time(record: Record, name: str, time: float) -> Array:
-    """A series at a time (s), interpolated between two samples, in SI, (...)."""
+    """Return a series at a time (s), interpolated between samples, in SI, (...)."""
     values, times = record.series[name], record.time
     after = int(np.clip(np.searchsorted(times, time), 1, len(times) - 1)) if len(times) > 1 else 0
     before = max(after - 1, 0)

@@ -1,4 +1,4 @@
-"""What changed assumptions do to the times and the works of a design: a dot for each, beside its uncertainty."""
+"""Changes of times and works under changed assumptions: a dot for each, beside the numerical uncertainty."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from forficula.show.style import (
 )
 from forficula.study.assumptions.assumptions import AssumptionRun, Assumptions, Effect
 
-# inch, of a row and of what is above and below the rows
+# inch, height of a row, and of everything above and below the rows
 _ROW, _AROUND = 0.19, 1.0
 _INK, _BAND = "0.45", "0.85"
-# %; changes below are drawn evenly, those beyond by their logarithm
+# %; smaller changes are on a linear scale, larger ones on a logarithmic scale
 _EVEN = 10.0
-_NAME_LETTERS = 22  # of a name in a figure as wide as a column
+_NAME_LETTERS = 22  # letters per line of a name in a column-wide figure
 _LOOKS: dict[Effect, tuple[str, dict[str, Any]]] = {
     Effect.VERDICT: ("changes the verdict", {"marker": "D", "color": VERMILION, "ms": 5}),
     Effect.NUMBERS: ("changes numbers", {"marker": "o", "color": BLUE, "ms": 4.5}),
@@ -38,37 +38,37 @@ _LOOKS: dict[Effect, tuple[str, dict[str, Any]]] = {
 _MISSED: dict[str, Any] = {"marker": ">", "ms": 5}
 
 
-def draw_assumptions(found: Assumptions, width: float = PAGE_WIDTH) -> Figure:
-    """Draw by how much every changed assumption changes the time and the work of each transition, in percent.
+def draw_assumptions(results: Assumptions, width: float = PAGE_WIDTH) -> Figure:
+    """Draw the change of the time and the work of each transition under every changed assumption, in percent.
 
-    Rows are the changed assumptions, panels the times and works. The band is the numerical uncertainty of the design's
-    own run. A transition that fails with the change has a triangle at the right edge instead of a dot, and one of a run
-    without a reliable result a cross.
+    Rows are the changed assumptions, panels the times and works. The band is the numerical uncertainty of the
+    unchanged design's run. A transition that fails with the change has a triangle at the right edge instead of a dot; a
+    run without a reliable result has a cross.
 
     Args:
-        found: what to draw.
-        width: of the figure, inch.
+        results: results to draw.
+        width: width of the figure, inch.
     """
     panels = [
         (each.time if kind == "time" else f"work of {each.noun}", each.name, kind)
         for kind in ("time", "work")
-        for each in found.transitions
-        if _value(found.own, each.name, kind)
+        for each in results.transitions
+        if _value(results.own, each.name, kind)
     ]
     narrow = is_narrow(width)
     with figure_style():
         across = max(1, min(len(panels), 2 if narrow else 4))
         down = max(1, math.ceil(len(panels) / across))
-        height = down * (_ROW * len(found.runs) + 0.5) + _AROUND
+        height = down * (_ROW * len(results.runs) + 0.5) + _AROUND
         figure = Figure(figsize=(width, height), layout="constrained")
         every = figure.subplots(down, across, squeeze=False).ravel().tolist()
         for axes in every[max(len(panels), 1) :]:
             axes.set_visible(False)
         for axes, (label, name, kind) in zip(every, panels, strict=False):
-            _draw_panel(axes, found, name, kind)
+            _draw_panel(axes, results, name, kind)
             axes.set_xlabel(f"{label},\nchange (%)", fontsize=7 if narrow else 8)
         for number, axes in enumerate(every[: max(len(panels), 1)]):
-            _name_rows(axes, found if number % across == 0 else None, len(found.runs), narrow=narrow)
+            _name_rows(axes, results if number % across == 0 else None, len(results.runs), narrow=narrow)
         handles = [Line2D([], [], ls="", label=label, **look) for label, look in _LOOKS.values()]
         handles.append(Line2D([], [], ls="", color=VERMILION, label="fails with the change", **_MISSED))
         fit_legend(
@@ -77,26 +77,26 @@ def draw_assumptions(found: Assumptions, width: float = PAGE_WIDTH) -> Figure:
             3,
             loc="outside upper center",
         )
-        return describe(figure, f"What modelling assumptions of {found.design.name} change. {_sentence(found)}")
+        return describe(figure, f"Effects of modelling assumptions on {results.design.name}. {_sentence(results)}")
 
 
 def _value(run: AssumptionRun, name: str, kind: str) -> float | None:
     return (run.times if kind == "time" else run.works)[name]
 
 
-def _draw_panel(axes: Axes, found: Assumptions, name: str, kind: str) -> None:
-    """Draw a dot for every run that has the value, and a triangle where the transition fails."""
-    own = _value(found.own, name, kind)
+def _draw_panel(axes: Axes, results: Assumptions, name: str, kind: str) -> None:
+    """Draw a dot for every run that has the value, and a triangle if the transition fails."""
+    own = _value(results.own, name, kind)
     assert own
     axes.set_xscale("symlog", linthresh=_EVEN)
-    half = 100 * found.uncertainty.get(f"{name}.{kind}", 0.0) / abs(own)
+    half = 100 * results.uncertainty.get(f"{name}.{kind}", 0.0) / abs(own)
     axes.axvspan(-half, half, color=_BAND, lw=0)
     axes.axvline(0, color=BLACK, lw=0.6)
     changes: list[float] = []
-    for row, run in enumerate(found.runs):
+    for row, run in enumerate(results.runs):
         axes.axhline(row, color="0.92", lw=0.5, zorder=0)
         value, (_, look) = _value(run, name, kind), _LOOKS[run.effect]
-        # the work of a stage that missed its goal is that of another motion
+        # the work of a stage that missed its goal belongs to another motion
         if value is None or run.times[name] is None:
             at_edge = {"color": VERMILION, **_MISSED} if run.verdict.tells else _LOOKS[Effect.UNKNOWN][1]
             axes.plot([0.98], [row], transform=axes.get_yaxis_transform(), ls="", clip_on=False, **at_edge)
@@ -112,7 +112,7 @@ def _draw_panel(axes: Axes, found: Assumptions, name: str, kind: str) -> None:
 
 
 def _ticks(low: float, high: float) -> list[float]:
-    """Powers of ten of both signs between two bounds, %, and 0; every second one where there are many."""
+    """Return powers of ten of both signs between two bounds, %, and 0; only some of them if there are many."""
     powers = [10.0**power for power in range(1, 9)]
     within = [tick for tick in powers if tick <= max(-low, high)]
     kept = within[:: 1 + len(within) // 3]
@@ -125,12 +125,12 @@ def _none() -> Any:
     return NullLocator()
 
 
-def _name_rows(axes: Axes, found: Assumptions | None, count: int, *, narrow: bool) -> None:
-    """Name the rows, those that change the verdict in its colour; without assumptions leave them without a name."""
+def _name_rows(axes: Axes, results: Assumptions | None, count: int, *, narrow: bool) -> None:
+    """Label the rows, those that change the verdict in its colour; without assumptions, hide the labels."""
     axes.set_ylim(count - 0.5, -0.5)
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
-    for row, run in enumerate(() if found is None else found.runs):
+    for row, run in enumerate(() if results is None else results.runs):
         axes.annotate(
             textwrap.fill(run.label, _NAME_LETTERS) if narrow else run.label,
             (0, row),
@@ -144,5 +144,5 @@ def _name_rows(axes: Axes, found: Assumptions | None, count: int, *, narrow: boo
         )
 
 
-def _sentence(found: Assumptions) -> str:
-    return f"{found.verdict[:1].upper()}{found.verdict[1:]}."
+def _sentence(results: Assumptions) -> str:
+    return f"{results.verdict[:1].upper()}{results.verdict[1:]}."

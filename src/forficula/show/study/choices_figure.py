@@ -1,4 +1,4 @@
-"""A study that varies its factors one at a time: what comes of every choice, side by side."""
+"""A study that varies its factors one at a time: the results of all choices."""
 
 from __future__ import annotations
 
@@ -27,28 +27,28 @@ from forficula.study.tables.outcome_kinds import asked_verbs, table_transitions,
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# inch, of a row
+# inch, height of a row
 _ROW = 0.155
-# of a row
+# in rows: height of a bar, gap between factors
 _BAR, _GAP = 0.72, 0.35
 _INK = "0.35"
-# keeps the paper's line out of words
+# keeps the line of the paper away from text
 _BEHIND_TEXT: dict[str, Any] = {"fc": "white", "ec": "none", "pad": 0.6}
 _NAME: dict[str, Any] = {"va": "center", "fontweight": "bold", "fontsize": 7, "bbox": _BEHIND_TEXT}
 _DID_ALL: dict[str, Any] = {"ls": "", "marker": "D", "ms": 3, "color": "white", "mec": BLACK, "mew": 0.8}
-# of single structures
+# for single structures
 _MOST_PANELS = 3
 _SMALL = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Row:
-    """A line of the figure: the name of a factor, or one of its choices.
+    """Line of the figure: the name of a factor, or one of its choices.
 
     Attributes:
-        height: of its middle, in rows, downwards from 0.
-        text: the name, or the value.
-        place: number of the choice; None for a name.
+        height: height of its centre, in rows, downwards from 0.
+        text: name or value.
+        place: index of the choice; None for a name.
     """
 
     height: float
@@ -57,11 +57,11 @@ class _Row:
 
 
 def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw, factor by factor, how many points of the grid do the first transition; of single ones, their numbers.
+    """Draw the number of grid points that complete the first transition, for every choice; or a structure's results.
 
     Args:
-        table: of a study that varies its factors one at a time.
-        width: of the figure, inch.
+        table: table of a study that varies its factors one at a time.
+        width: width of the figure, inch.
     """
     rows = list(_rows(table))
     with map_style():
@@ -78,16 +78,16 @@ def draw_choices(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
             grid = [figure.subplots()]
             _draw_counts(grid[0], table, rows)
         _name_rows(grid, rows)
-        return describe(figure, _tell(table, rows))
+        return describe(figure, _text(table, rows))
 
 
 def _numbers(table: Dataset) -> dict[str, str]:
-    """What of a single structure may be drawn, with its label: least values, the first time, works."""
+    """Return the drawable results of a single structure, with labels: least values, the first time, works."""
     transitions, start = table_transitions(table), table.attrs.get("start_state")
     if not transitions:
         if start:
             return {f"{start}_energy": f"{energy_noun(table)} when {start}"}
-        return {"residual": "largest share of the energy that is missing"}
+        return {"residual": "largest residual of the energy balance (share)"}
     return {
         **{each.least: each.least.replace("_", " ") for each in transitions if each.least},
         **{f"{each.name}_time": each.wording.time for each in transitions[:1]},
@@ -108,7 +108,7 @@ def _rows(table: Dataset) -> Iterator[_Row]:
 
 
 def _value_texts(values: Sequence[object]) -> list[str]:
-    """Values without their unit, all as powers of ten where one is small."""
+    """Return values without their unit, all as powers of ten if one is small."""
     texts = ["none" if value != value else number_text(value) for value in values]
     if not any(isinstance(value, float) and 0 < abs(value) < _SMALL for value in values):
         return texts
@@ -120,7 +120,7 @@ def _value_texts(values: Sequence[object]) -> list[str]:
 
 
 def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
-    """A bar a choice, as long as points do the first transition, and behind it those of which that is not known."""
+    """Draw a bar for each choice: points that complete the first transition, then undecided points."""
     first, every, unknown = count_first(table), count_all(table), count_unknown(table)
     count = table["status"].size // table.sizes[CHOICE]
     for row in rows:
@@ -149,9 +149,9 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
         handles.append(Line2D([], [], label=f"{asked_verbs(table)[-1]} again", **_DID_ALL))
     paper = named_reproduction(table.attrs.get("reproduces"))
     if paper is not None and (folds := paper.fold_count) is not None:
-        line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"the paper: {folds}")
+        line = axes.axvline(folds, color=VERMILION, ls="--", lw=1, zorder=2, label=f"paper: {folds}")
         handles.append(line)
-    # room for the numbers behind full bars
+    # space for the numbers beside full bars
     axes.set(
         xlim=(0, (1.12 if unknown else 1.06) * count),
         xlabel=f"{whole_of(table)}s that {asked_verbs(table)[0]}, of {count}",
@@ -163,7 +163,7 @@ def _draw_counts(axes: Axes, table: Dataset, rows: Sequence[_Row]) -> None:
 
 
 def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -> None:
-    """A dot a choice, or why there is none."""
+    """Draw a dot for each choice, or the reason why there is none."""
     values = table[name].values.astype(float)
     unit, factor = reading_unit(table[name].attrs["units"], float(np.nanmax(np.abs(values), initial=0.0)))
     reasons = missing_reasons(table, name).values
@@ -176,14 +176,14 @@ def _draw_numbers(axes: Axes, table: Dataset, name: str, rows: Sequence[_Row]) -
             axes.plot(factor * values[row.place], row.height, "o", ms=4, color=_colour(row.place), mec=BLUE, mew=0.6)
         else:
             axes.text(0.02, row.height, str(reasons[row.place]), transform=foot, va="center", fontsize=6, color=_INK)
-    # least values of a key may be below 0
+    # least values of a key may be negative
     low, high = (1.08 * factor * float(end(values, initial=0.0)) for end in (np.nanmin, np.nanmax))
     axes.set_xlim(low, high or (0 if low else 1))
     axes.set_xlabel(f"{_numbers(table)[name]} ({unit})" if unit else _numbers(table)[name])
 
 
 def _name_rows(grid: Sequence[Axes], rows: Sequence[_Row]) -> None:
-    """Values beside the rows, those of the base bold, and each factor's name above its own."""
+    """Label the rows with values, those of the base design bold, and factors with names above their values."""
     named = [row for row in rows if row.place is not None]
     first = grid[0]  # the others share its rows
     first.set_ylim(rows[-1].height + 0.7, -0.6)
@@ -202,30 +202,30 @@ def _colour(place: int) -> str:
     return SKY if place else BLUE
 
 
-def _tell(table: Dataset, rows: Sequence[_Row]) -> str:
-    """What the figure shows, in words."""
+def _text(table: Dataset, rows: Sequence[_Row]) -> str:
+    """Describe the figure."""
     singles = table["status"].dims == (CHOICE,)
     first, count = count_first(table), table["status"].size // table.sizes[CHOICE]
     whole = whole_of(table)
-    what = f"Numbers of a {whole}" if singles else f"How many of {count} {whole}s {asked_verbs(table)[0]}"
-    told, name = [], ""
+    what = f"Results of a {whole}" if singles else f"Number of {count} {whole}s that {asked_verbs(table)[0]},"
+    results, name = [], ""
     for row in rows:
         if row.place is None:
             name = row.text
         else:
-            came = table["status"].values[row.place] if singles else first[row.place]
-            told.append(f"{name} {row.text}: {came}")
-    return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(told)}."
+            result = table["status"].values[row.place] if singles else first[row.place]
+            results.append(f"{name} {row.text}: {result}")
+    return f"{what} with values of {table.attrs['design']} varied one at a time. {'; '.join(results)}."
 
 
 def choice_rows(table: Dataset) -> tuple[list[str], list[list[str]]]:
-    """Count the structures of the grid that do the first transition, and all of them, at each choice, factor by factor.
+    """Count the grid points that complete the first transition, and all transitions, for every choice.
 
     Args:
-        table: of a study.
+        table: table of a study.
 
     Returns:
-        Headings, and a row a choice; no rows where nothing is repeated at choices.
+        Headings, and one row for each choice; no rows if there is no grid.
     """
     if CHOICE not in table.dims or table["status"].ndim == 1:
         return [], []

@@ -1,4 +1,4 @@
-"""What a convergence study shows: an angle over time, and the times over what was varied."""
+"""Figures of a convergence study: an angle over time, and times over the varied value."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ _AXIS = {
     YOUNGS_MODULUS: ("Young's modulus (MPa)", 1e-6),
     MESH: ("rows of the mesh", 1),
 }
-# what is shown of a transition, by the longest time that any run took for it
+# time shown before and after the start of a transition, as a multiple of its longest time
 _BEFORE, _AFTER = 0.15, 1.6
 
 
 def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
-    """Draw an angle over time for every value: the whole run, and its transitions close up.
+    """Draw an angle over time for every value: the whole run, and its transitions enlarged.
 
-    As Binder et al. 2025 do in Figure 6C. A transition begins when the state before it rests, which is later in some
-    runs than in others: the close-ups count the time from their stage's start.
+    As in Binder et al. 2025, Figure 6C. A transition begins when the state before it is at rest, which takes longer in
+    some runs than in others, so enlarged parts count time from the start of their stage.
 
     Args:
-        convergence: what to draw.
-        width: of the figure, inch.
+        convergence: the study.
+        width: width of the figure, inch.
     """
     structure = structure_of(convergence.design)
     spans = [
@@ -82,11 +82,11 @@ def draw_convergence_angles(convergence: Convergence, width: float = PAGE_WIDTH)
         else:
             figure.legend(handles=lines, loc="outside right upper")
         runs = f"in {len(convergence.values)} runs of {convergence.design.name}"
-        return describe(figure, f"{which.capitalize()} over time {runs}. {_tell(convergence)}")
+        return describe(figure, f"{which.capitalize()} over time {runs}. {_text(convergence)}")
 
 
 def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the times of transitions over the values, with the law towards h -> 0 where there is one; width in inch."""
+    """Draw the times of transitions over the values, with the fit towards h -> 0 if there is one; width in inch."""
     with figure_style():
         narrow = is_narrow(width)
         figure = Figure(figsize=(width, 4.2 if narrow else 2.5), layout="constrained")
@@ -104,7 +104,7 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
             axes.plot(places, 1e3 * times, style, color=BLUE, ms=5, lw=0.8, label="simulated", zorder=3)
             own = (convergence.values == convergence.own) & np.isfinite(times)
             axes.plot(
-                places[own], 1e3 * times[own], "o", mfc="none", mec="black", ms=10, ls="none", label="the design's own"
+                places[own], 1e3 * times[own], "o", mfc="none", mec="black", ms=10, ls="none", label="design value"
             )
             if fit is not None:
                 _plot_law(axes, fit, convergence, factor)
@@ -121,11 +121,11 @@ def draw_convergence_times(convergence: Convergence, width: float = PAGE_WIDTH) 
             axes.legend(loc="best")
         names = " and ".join(text.removesuffix(" time") for text in labels.values())
         what = f"{names} times of {convergence.design.name} over the {label.partition(' (')[0]}"
-        return describe(figure, f"{what[:1].upper()}{what[1:]}. {_tell(convergence)}")
+        return describe(figure, f"{what[:1].upper()}{what[1:]}. {_text(convergence)}")
 
 
-def _tell(convergence: Convergence) -> str:
-    """The times and the verdict in words."""
+def _text(convergence: Convergence) -> str:
+    """Describe the times and the verdict."""
     rows = [
         f"{_name(convergence, index)}: "
         + ", ".join(
@@ -138,7 +138,7 @@ def _tell(convergence: Convergence) -> str:
 
 
 def _range(structure: Structure, measure: Measure, convergence: Convergence) -> tuple[float, float]:
-    """Between which angles the shown hinge can be, deg: its stops, or what it came to where it has none."""
+    """Return the range of the shown hinge, deg: its stops, or its largest and smallest angle without stops."""
     low, high = measure_stops(structure, measure)[convergence.hinge]
     if not np.isfinite([low, high]).all():
         low = min(np.nanmin(each) for each in convergence.angles)
@@ -151,19 +151,19 @@ def _time(time: float) -> str:
 
 
 def _name(convergence: Convergence, index: int) -> str:
-    """A run's value for people."""
+    """Return the value of a run as text."""
     if convergence.key == MESH:
         return f"{convergence.rows[index]} rows"
     return value_text(convergence.key, float(convergence.values[index]))
 
 
 def _positions(convergence: Convergence) -> Array:
-    """Where each run stands on the axis, in SI."""
+    """Return the position of each run on the axis, in SI."""
     return np.array(convergence.rows, dtype=float) if convergence.key == MESH else convergence.values
 
 
 def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: float) -> None:
-    """A line for every value, the first one wide and light, the last one thin and dark, so that none is hidden."""
+    """Draw a line for every value, the first wide and light, the last thin and dark, so that none is hidden."""
     count = len(convergence.values)
     shades = QUANTITY_COLOURS(np.linspace(0.9, 0, count))
     for index in range(count):
@@ -179,7 +179,7 @@ def _plot_angles(axes: Axes, convergence: Convergence, starts: Array, scale: flo
 
 
 def _plot_law(axes: Axes, fit: OrderFit, convergence: Convergence, factor: float) -> None:
-    """The law from its limit on, and the band that is allowed about the limit."""
+    """Draw the fitted law from its limit on, and the tolerance about the limit."""
     steps = np.linspace(0, 1.05 * float(convergence.values.max()), 100)
     axes.plot(factor * steps, 1e3 * fit.time(steps), "--", color=VERMILION, label=order_text(fit))
     limit, tolerance = 1e3 * fit.limit, convergence.tolerance

@@ -1,4 +1,4 @@
-"""A convergence study as rows and as text that a person understands."""
+"""A convergence study as rows and as text."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULU
 
 
 def convergence_rows(convergence: Convergence) -> list[dict[str, Any]]:
-    """A row for every value as plain data with units in its keys; None where there is no time."""
+    """Return a row for every value as plain data with units in its keys; None for missing times."""
     key = {TIMESTEP: "timestep_s", YOUNGS_MODULUS: "youngs_modulus_Pa", MESH: "mesh_refinement"}[convergence.key]
     return [
         {
@@ -37,7 +37,7 @@ def print_convergence(convergence: Convergence) -> None:
 
 
 def convergence_table(convergence: Convergence) -> RenderableType:
-    """Lay out every run, the limits where there are such, and the verdict."""
+    """Return every run, the limits if there are any, and the verdict."""
     table = Table(box=None, padding=(0, 2, 0, 0))
     for heading in (
         {TIMESTEP: "timestep", YOUNGS_MODULUS: "Young's modulus", MESH: "rows"}[convergence.key],
@@ -49,7 +49,7 @@ def convergence_table(convergence: Convergence) -> RenderableType:
         zip(convergence.values, convergence.rows, convergence.statuses, strict=True)
     ):
         name = str(rows) if convergence.key == MESH else value_text(convergence.key, float(value))
-        own = " (the design's own)" if value == convergence.own else ""
+        own = " (value of the design)" if value == convergence.own else ""
         times = (f"{1e3 * time:.5g} ms" if math.isfinite(time) else "" for time in _times_of(convergence, run))
         table.add_row(name, *times, status + own)
     limits = [
@@ -62,7 +62,7 @@ def convergence_table(convergence: Convergence) -> RenderableType:
 
 
 def time_labels(convergence: Convergence) -> dict[str, str]:
-    """What the time of each transition is called, by its name."""
+    """Return the name of each transition's time."""
     return {each.name: each.wording.time for each in structure_of(convergence.design).transitions}
 
 
@@ -71,7 +71,7 @@ def _times_of(convergence: Convergence, run: int) -> list[float]:
 
 
 def order_text(fit: OrderFit) -> str:
-    """The order of a law, and whether it was observed."""
+    """Return the order of a fit, and whether it was observed or assumed."""
     return f"order {fit.order:.2f}, fitted" if fit.observed else f"order {fit.order:g}, assumed"
 
 

@@ -1,4 +1,4 @@
-"""A study's factors and their values, as people read them."""
+"""A study's factors and their values as text."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ if TYPE_CHECKING:
 
 
 def plain_name(factor: DataArray) -> str:
-    """A factor's name for people: its key without the protocol's, whose names stand alone."""
+    """Return a factor's name: its key without "protocol.", since the protocol's keys are clear without it."""
     return key_text(str(factor.attrs.get("key", factor.name)))
 
 
 def key_text(key: str) -> str:
-    """A key of a design for people, such as "tendon rest length"."""
+    """Return a key of a design as words, such as "tendon rest length"."""
     return key.removeprefix("protocol.").replace(".", " ").replace("_", " ")
 
 
 def display_values(factor: DataArray) -> tuple[NDArray[Any], str]:
-    """A factor's values in the unit for people, and that unit; words stay words."""
+    """Return a factor's values in the display unit, and that unit; words are unchanged."""
     values, si, display = factor.values, factor.attrs.get("units", ""), factor.attrs.get("display", "")
     if values.dtype.kind not in "iuf" or not si or not display or si == display:
         return values, str(display or si)
@@ -32,22 +32,22 @@ def display_values(factor: DataArray) -> tuple[NDArray[Any], str]:
 
 
 def number_text(value: object) -> str:
-    """A value without its unit; words stay words."""
+    """Return a value without its unit; words are unchanged."""
     return f"{value:.4g}" if isinstance(value, float | int) and not isinstance(value, bool) else str(value)
 
 
 def value_with_unit(factor: DataArray, index: int) -> str:
-    """One of a factor's values, such as "10 N/cm"."""
+    """Return one of a factor's values, such as "10 N/cm"."""
     values, unit = display_values(factor)
     return f"{number_text(values[index].item())} {unit}".rstrip()
 
 
 def value_text(factor: DataArray, index: int) -> str:
-    """A factor and one of its values, such as "tendon stiffness 10 N/cm"."""
+    """Return a factor and one of its values, such as "tendon stiffness 10 N/cm"."""
     return f"{plain_name(factor)} {value_with_unit(factor, index)}"
 
 
 def factor_label(factor: DataArray) -> str:
-    """A factor and its unit, such as "tendon stiffness (N/cm)"."""
+    """Return a factor and its unit, such as "tendon stiffness (N/cm)"."""
     unit = display_values(factor)[1]
     return f"{plain_name(factor)} ({unit})" if unit else plain_name(factor)

@@ -1,4 +1,4 @@
-"""A page of maps: cells over two factors, samples over two, or points over one, and why a value is missing."""
+"""Figures of maps: cells over two factors, samples over two, or points over one, and reasons for missing values."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ from forficula.show.style import (
 )
 from forficula.study.tables.outcome_kinds import whole_of
 
-# beyond this many values a factor's cells are too small for numbers, and its ticks are thinned out
+# largest number of values for which cells contain numbers and every value has a tick
 _MOST_NUMBERS = 12
-_NUMBER, _CELL_FILLED = 6.0, 0.86  # pt of a number in a cell, and the share of a cell that it may be as wide as
-_POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, of axes with points; letters that fit upwards
+_NUMBER, _CELL_FILLED = 6.0, 0.86  # pt, size of a number in a cell; its largest width, as a share of the cell
+_POINTS_HEIGHT, _UPWARDS = 1.7, 27  # inch, height of axes with points; letters that fit along the height
 _SHAPE = {"handleheight": 1.4, "handlelength": 2.2, "fontsize": 7}
-_LEGEND_HEIGHT = 0.4  # inch, for which there is room beneath the maps
-_APART = 0.12  # of a map's width: between maps that have a bar each
+_LEGEND_HEIGHT = 0.4  # inch, height that is reserved for the legend below the maps
+_APART = 0.12  # distance of maps with colour bars, as a share of a map's width
 
-# for a variable's kind of quantity: units in which it reads well, and their factors from SI
+# units of a kind of quantity, and their factors from SI
 _READABLE = {
     "N m": (("N cm", 1e2), ("N mm", 1e3), ("µN m", 1e6), ("nN m", 1e9)),
     "J": (("J", 1.0), ("mJ", 1e3), ("µJ", 1e6), ("nJ", 1e9)),
@@ -50,7 +50,7 @@ _READABLE = {
 
 @dataclass(frozen=True, kw_only=True)
 class _Scale:
-    """How a quantity is written and coloured: the unit that reads well, its factor from SI, and the colours' ends."""
+    """Unit of a quantity, its factor from SI, and its colour scale."""
 
     unit: str
     factor: float
@@ -68,15 +68,15 @@ def draw_page(
     note: str = "",
     width: float = PAGE_WIDTH,
 ) -> Figure:
-    """All panels with their colour bars, a legend of what happened where there is no value, and the slice's name.
+    """Draw all panels with their colour bars, a legend of reasons for missing values, and the name of the slice.
 
     Args:
-        view: where they are drawn.
-        panels: to draw.
-        one_scale: whether their colours mean the same.
-        quantity: that they show.
-        note: written above them, after the view's.
-        width: of the figure at most, inch.
+        view: axes and table of the maps.
+        panels: panels to draw.
+        one_scale: whether all panels share a colour scale.
+        quantity: quantity of the panels.
+        note: text above the panels, after that of the view.
+        width: largest width of the figure, inch.
     """
     cells = not view.sampled and (view.y is not None or not panels[0].unit)
     columns = _columns(len(panels), width)
@@ -97,7 +97,7 @@ def draw_page(
             axes.tick_params(labelleft=False)
         if (cells or view.y) and not one_scale and not scale.empty:
             _colour_bar(figure, [axes], f"{quantity} ({scale.unit})", scale)
-            # so that the bar's label is read with its own map
+            # keeps the bar's label next to its map
             layout = figure.get_layout_engine()
             assert isinstance(layout, ConstrainedLayoutEngine)
             layout.set(wspace=_APART)
@@ -122,7 +122,7 @@ def draw_page(
 
 
 def _empty_page(view: MapView, count: int, columns: int, width: float, cells: bool) -> tuple[Figure, list[Axes]]:
-    """A figure with axes for so many panels, as high as their cells need."""
+    """Return a figure with axes for a number of panels, with the height of their cells."""
     rows = math.ceil(count / columns)
     upwards = _across_and_upwards(view)[1]
     height = (
@@ -138,12 +138,12 @@ def _empty_page(view: MapView, count: int, columns: int, width: float, cells: bo
 
 
 def _across_and_upwards(view: MapView) -> tuple[int, int]:
-    """Numbers of cells."""
+    """Return the number of cells across and upwards."""
     return view.table[view.x].size, view.table[view.y].size if view.y else 1
 
 
 def _wrapped(title: str, width: float) -> str:
-    """A title in lines that fit a width, inch."""
+    """Wrap a title to a width, inch."""
     return textwrap.fill(title, max(12, int(13 * width)))
 
 
@@ -154,7 +154,7 @@ def _columns(panels: int, width: float) -> int:
 
 
 def _scale(panels: Sequence[MapPanel]) -> _Scale:
-    """One scale for all values of some panels."""
+    """Return one scale for all values of some panels."""
     values = np.concatenate([panel.values.values.astype(float).ravel() for panel in panels])
     finite = values[np.isfinite(values)]
     empty, units = not len(finite), _READABLE.get(panels[0].unit, ((panels[0].unit, 1.0),))
@@ -174,7 +174,7 @@ def _scale(panels: Sequence[MapPanel]) -> _Scale:
 
 def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> None:
     mappable = ScalarMappable(scale.norm, scale.colours)
-    # beneath two narrow columns, which need all of the width
+    # below two narrow columns, which take the whole width
     beneath = is_narrow(figure.get_figwidth()) and len(axes) > 3
     bar = figure.colorbar(
         mappable, ax=axes, pad=0.015, aspect=25, fraction=0.06, location="bottom" if beneath else "right"
@@ -184,7 +184,7 @@ def _colour_bar(figure: Figure, axes: list[Axes], label: str, scale: _Scale) -> 
 
 
 def _missing(view: MapView, panel: MapPanel) -> dict[str, Flags]:
-    """Where there is no value, by reason, in the panel's own order of dimensions."""
+    """Return where values are missing, by reason, in the panel's order of dimensions."""
     absent = ~np.isfinite(panel.values.values.astype(float))
     words = panel.reasons.transpose(*panel.values.dims).values.astype(str)
     known = known_words(view.table)
@@ -193,7 +193,7 @@ def _missing(view: MapView, panel: MapPanel) -> dict[str, Flags]:
 
 
 def _legend(figure: Figure, view: MapView, panels: Sequence[MapPanel], *, cells: bool) -> None:
-    """Every reason that a panel shows, once."""
+    """Draw a legend of every reason that a panel shows."""
     words = list(dict.fromkeys(word for panel in panels for word in _missing(view, panel)))
     handles: list[Patch | Line2D] = []
     for word in words:
@@ -212,7 +212,7 @@ def _legend(figure: Figure, view: MapView, panels: Sequence[MapPanel], *, cells:
 
 
 def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
-    """A cell for each pair of values, evenly spaced whatever the values are."""
+    """Draw a cell for each pair of values, evenly spaced."""
     order = [name for name in (view.y, view.x) if name]
     panel = replace(panel, values=panel.values.transpose(*order), reasons=panel.reasons.transpose(*order))
     values = _cells(view, panel, scale)
@@ -240,19 +240,19 @@ def _draw_cells(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> No
 
 
 def _cells(view: MapView, panel: MapPanel, scale: _Scale) -> Array:
-    """Values in the scale's unit, (upwards, across)."""
+    """Return values in the scale's unit, (upwards, across)."""
     values = panel.values.transpose(*(name for name in (view.y, view.x) if name)).values
     return np.atleast_2d(values.astype(float) * scale.factor)
 
 
 def _write_numbers(figure: Figure, view: MapView, drawn: Sequence[tuple[Axes, MapPanel, _Scale]]) -> None:
-    """Every value in its cell, in the ink that shows on its colour, with as many digits as fit those of all maps."""
+    """Write every value into its cell, in a legible colour, with as many digits as fit into all maps."""
     cells = [(axes, scale, _cells(view, panel, scale)) for axes, panel, scale in drawn]
     if not any(np.isfinite(values).any() for _, _, values in cells):
         return
     layout = figure.get_layout_engine()
     assert layout is not None
-    layout.execute(figure)  # then it is known how wide they are
+    layout.execute(figure)  # determines the width of the cells
     fonts = FontProperties(size=_NUMBER)
     for digits in (3, 2, 1):
         texts = [_short_texts(values, digits) for _, _, values in cells]
@@ -272,7 +272,7 @@ def _write_numbers(figure: Figure, view: MapView, drawn: Sequence[tuple[Axes, Ma
 
 
 def _short_texts(values: Array, digits: int) -> dict[tuple[int, ...], str]:
-    """Numbers by their cell, with the digits that the largest one allows; whole numbers whole."""
+    """Return numbers by cell, with a number of digits for the largest one; large numbers as integers."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
     decimals = digits - math.floor(math.log10(largest)) if largest else 0
     texts = {}
@@ -284,16 +284,16 @@ def _short_texts(values: Array, digits: int) -> dict[tuple[int, ...], str]:
 
 
 def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> None:
-    """Samples over two factors, coloured by value; over one, the value upwards and the failures along the bottom."""
+    """Draw samples over two factors, coloured by value; or values over one factor, with failures at the bottom."""
     values = panel.values.values.astype(float) * scale.factor
     across = _positions(axes, view, "x")
     missing = _missing(view, panel)
     if view.y:
         upwards = _positions(axes, view, "y")
-        found = np.isfinite(values)
-        if found.any():
-            there = across[found], upwards[found]
-            axes.scatter(*there, c=values[found], cmap=scale.colours, norm=scale.norm, s=16, ec=INK, lw=0.3)
+        present = np.isfinite(values)
+        if present.any():
+            positions = across[present], upwards[present]
+            axes.scatter(*positions, c=values[present], cmap=scale.colours, norm=scale.norm, s=16, ec=INK, lw=0.3)
         foot = axes.transData
     else:
         upwards = np.full(len(values), 0.05 if panel.unit else 0.5)
@@ -303,7 +303,7 @@ def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> N
         if panel.unit:
             axes.plot(across, values, "o" if view.sampled else "o-", color=BLUE, ms=3.5)
             axes.set_ylabel(textwrap.fill(f"{panel.title} ({scale.unit})", _UPWARDS))
-            # room for the failures under the least value
+            # space for the failures below the least value
             low, high = (
                 (0.0, 1.0)
                 if not np.isfinite(values).any()
@@ -320,7 +320,7 @@ def _draw_points(axes: Axes, view: MapView, panel: MapPanel, scale: _Scale) -> N
 
 
 def _positions(axes: Axes, view: MapView, which: str) -> Array:
-    """Where a factor's values lie on an axis: at their size, or words one after another."""
+    """Return the positions of a factor's values on an axis; words are numbered."""
     values, _ = display_values(view.table[view.x if which == "x" else str(view.y)])
     if values.dtype.kind in "iuf":
         return values.astype(float)
@@ -338,22 +338,22 @@ def maps_text(
     *,
     whole: str,
 ) -> str:
-    """Tell what maps show.
+    """Describe maps.
 
     Args:
-        quantity: that they show; empty where they show verdicts.
-        factors: names of the factors that they are drawn over.
-        panels: that are drawn.
-        units: of each, in which its values are told, and their factors from SI.
-        whole: what sentences call what was run.
+        quantity: quantity that they show; empty for verdicts.
+        factors: names of the factors on the axes.
+        panels: panels that are drawn.
+        units: unit of each panel, with its factor from SI.
+        whole: noun for the structure.
     """
-    what = f"Maps of the {quantity}" if quantity else f"Map of what became of every {whole}"
-    told = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
-    return f"{what} over {' and '.join(factors)}. {told[:1].upper()}{told[1:]}."
+    what = f"Maps of the {quantity}" if quantity else f"Map of the outcome of every {whole}"
+    panel_texts = "; ".join(_panel_text(panel, *unit) for panel, unit in zip(panels, units, strict=True))
+    return f"{what} over {' and '.join(factors)}. {panel_texts[:1].upper()}{panel_texts[1:]}."
 
 
 def _panel_text(panel: MapPanel, unit: str, factor: float) -> str:
-    """How many values there are, from where to where, and how many are missing, by reason."""
+    """Return the number and range of values, and the number of missing values by reason."""
     values = panel.values.values.astype(float)
     absent = ~np.isfinite(values)
     words, counts = np.unique(
@@ -363,5 +363,5 @@ def _panel_text(panel: MapPanel, unit: str, factor: float) -> str:
     if not absent.all():
         present = factor * values[~absent]
         ends = dict.fromkeys(f"{end:.3g}" for end in (present.min(), present.max()))
-        parts.insert(0, f"{present.size} of {values.size} have one, {' to '.join(ends)} {unit}".rstrip())
+        parts.insert(0, f"{present.size} of {values.size} have a value, {' to '.join(ends)} {unit}".rstrip())
     return f"{panel.title}: {', '.join(parts)}"

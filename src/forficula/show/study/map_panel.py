@@ -1,4 +1,4 @@
-"""What maps show: a table in two of its factors, and what each pair of axes has of it."""
+"""Contents of maps: a table over two of its factors, and the values of each panel."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class MapPanel:
-    """What one pair of axes shows.
+    """Contents of one panel.
 
     Attributes:
-        title: what it is.
-        values: in SI, nan where there is none.
-        reasons: why there is none, of the same shape; read only there.
-        unit: SI; empty where there are verdicts only.
+        title: title of the panel.
+        values: values in SI, nan if missing.
+        reasons: reason for each missing value, same shape.
+        unit: SI unit; empty for verdicts.
     """
 
     title: str
@@ -28,14 +28,14 @@ class MapPanel:
 
 @dataclass(frozen=True, kw_only=True)
 class MapView:
-    """Where things are drawn: over which factors, and what of the table.
+    """Axes of maps, and their part of the table.
 
     Attributes:
-        table: the slice that is drawn.
-        x: factor across.
-        y: factor upwards, or None where a quantity is.
-        note: which slice it is, or nothing.
-        sampled: whether the rows are samples rather than a grid.
+        table: the slice to draw.
+        x: factor on the horizontal axis.
+        y: factor on the vertical axis; None if it shows the quantity.
+        note: text that names the slice, or empty.
+        sampled: whether the rows are samples and not a grid.
     """
 
     table: Dataset

@@ -33,14 +33,15 @@ _MOST_PANELS = 9
 
 
 def map_drawings(table: Dataset) -> dict[str, Drawing]:
-    """Find every map that a study's table has the numbers for.
+    """Return every map for which a study's table has numbers.
 
     Args:
-        table: of the search for the least torques or of plain runs, over a grid of factors, with or without choices,
+        table: table of a search for the least torques or of plain runs, over a grid of factors, with or without
+            choices,
             or over samples.
 
     Returns:
-        What draws them, by the stem of their file.
+        Drawings by the stems of their files.
     """
     transitions = table_transitions(table)
     drawings: dict[str, Drawing] = {"status": lambda width: draw_status_map(table, width=width)}
@@ -60,13 +61,13 @@ def map_drawings(table: Dataset) -> dict[str, Drawing]:
 def draw_torque_maps(
     table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the least values that bring a structure to its states, and why there is none where there is none.
+    """Draw the least values with which a structure reaches its states, and reasons for missing values.
 
     Args:
-        table: of a search for the least values.
-        x: factor across, such as "tendon.rest_length"; by default the second.
-        y: factor upwards; by default the first.
-        width: of the figure at most, inch.
+        table: table of a search for the least values.
+        x: factor on the horizontal axis, such as "tendon.rest_length"; by default the second.
+        y: factor on the vertical axis; by default the first.
+        width: largest width of the figure, inch.
 
     Raises:
         InputError: the table has no such factor.
@@ -81,11 +82,12 @@ def draw_torque_maps(
 
 
 def draw_moving_maps(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw how the map of the first least values moves with a third factor: a panel for each of its values.
+    """Draw maps of the first least values for values of a third factor, one panel for each.
 
     Args:
-        table: of a search for the least values over a grid of three factors or more. Of many values some are drawn.
-        width: of the figure, inch.
+        table: table of a search for the least values over a grid of at least three factors. Of many values, some are
+            drawn.
+        width: width of the figure, inch.
     """
     first = next(each for each in table_transitions(table) if each.least and each.least in table)
     upwards, across, moving, *_ = _axes(table)
@@ -95,16 +97,17 @@ def draw_moving_maps(table: Dataset, *, width: float = PAGE_WIDTH) -> Figure:
         chosen, few = _few_values(table, moving)
         panels = []
         for index in chosen:
-            here = values.isel({moving: index})
-            title = f"{value_with_unit(table[moving], index)}: {int(here.count())} of {here.size} {first.wording.verb}"
+            panel_values = values.isel({moving: index})
+            counts = f"{int(panel_values.count())} of {panel_values.size} {first.wording.verb}"
+            title = f"{value_with_unit(table[moving], index)}: {counts}"
             why = reasons.isel({moving: index})
-            panels.append(MapPanel(title=title, values=here, reasons=why, unit=_unit(table, first.least)))
+            panels.append(MapPanel(title=title, values=panel_values, reasons=why, unit=_unit(table, first.least)))
         quantity, note = first.least.replace("_", " "), few or f"by {plain_name(table[moving])}"
         return draw_page(view, panels, one_scale=True, quantity=quantity, note=note, width=width)
 
 
 def draw_work_maps(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw the work that transitions take, at the least values where these were searched for.
+    """Draw the work of transitions, at the least values if these were searched for.
 
     Args and errors are those of `draw_torque_maps`.
     """
@@ -120,21 +123,21 @@ def draw_energy_maps(
     Args and errors are those of `draw_torque_maps`.
     """
     noun, states = energy_noun(table), _states(table)
-    # where springs store some, too, no one is to take it for the whole
+    # if springs store energy as well, the title must not suggest the total
     others = any(f"{state}_{of}_energy" in table for state in states for of in ("hinge", "spring"))
     names = {f"{state}_energy": f"{noun if others else 'energy'} when {state}" for state in states}
     return _draw(table, x, y, names, noun, one_scale=True, width=width)
 
 
 def energy_noun(table: Dataset) -> str:
-    """What the energies of states in a table are: the tendons', or all that is stored where there are none."""
+    """Return the noun for the energies of states in a table: tendons' energy, or all stored energy without tendons."""
     named = [table.get(f"{state}_energy") for state in _states(table)]
-    told = [str(each.attrs.get("long_name", "")) for each in named if each is not None]
-    return "stored energy" if any(each.startswith("stored") for each in told) else "tendons' energy"
+    long_names = [str(each.attrs.get("long_name", "")) for each in named if each is not None]
+    return "stored energy" if any(each.startswith("stored") for each in long_names) else "tendons' energy"
 
 
 def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH) -> Figure:
-    """Draw what became of every structure.
+    """Draw the outcome of every structure.
 
     Args and errors are those of `draw_torque_maps`.
     """
@@ -148,23 +151,23 @@ def draw_status_map(table: Dataset, x: str | None = None, y: str | None = None, 
 def draw_first_times(
     table: Dataset, panels: str | None = None, y: str | None = None, *, width: float = PAGE_WIDTH
 ) -> Figure:
-    """Draw the time that the first transition takes over the value that drives it and a factor, for values of another.
+    """Draw the time of the first transition over the value that drives it and a factor, for values of another factor.
 
     As in Binder et al. 2025, Figure 7.
 
     Args:
-        table: of a search for the least values over a grid.
-        panels: factor with one panel a value; by default the first of several. Of many values, some are drawn.
-        y: factor upwards; by default the second, or the only one.
-        width: of the figure, inch.
+        table: table of a search for the least values over a grid.
+        panels: factor with one panel for each value; by default the first of several. Of many values, some are drawn.
+        y: factor on the vertical axis; by default the second, or the only one.
+        width: largest width of the figure, inch.
 
     Raises:
-        InputError: the table has no such factor, or has samples.
+        InputError: the table has no such factor, or contains samples.
     """
     if _is_sampled(table):
         raise InputError("times over the value need a grid of factors, got samples")
-    found = times_by_value(table)
-    if found is None:
+    tried = times_by_value(table)
+    if tried is None:
         raise InputError("times over the value need a search for the least values")
     factors = _factors(table)
     panels, y = (_name(factors, name) if name else None for name in (panels, y))
@@ -175,11 +178,11 @@ def draw_first_times(
     if panels == y:
         raise InputError(f"panels and y: need two factors, got {y} twice")
     with map_style():
-        view = _slice(table, [name for name in (panels, y) if name], x=found.value, y=y)
-        times, reasons = view.table[found.times], view.table[found.outcomes]
+        view = _slice(table, [name for name in (panels, y) if name], x=tried.value, y=y)
+        times, reasons = view.table[tried.times], view.table[tried.outcomes]
         if panels is None:
-            only = MapPanel(title=found.label, values=times, reasons=reasons, unit="s")
-            return draw_page(view, [only], quantity=found.label, width=width)
+            only = MapPanel(title=tried.label, values=times, reasons=reasons, unit="s")
+            return draw_page(view, [only], quantity=tried.label, width=width)
         chosen, few = _few_values(table, panels)
         drawn = [
             MapPanel(
@@ -190,11 +193,11 @@ def draw_first_times(
             )
             for index in chosen
         ]
-        return draw_page(view, drawn, one_scale=True, quantity=found.label, note=few, width=width)
+        return draw_page(view, drawn, one_scale=True, quantity=tried.label, note=few, width=width)
 
 
 def _few_values(table: Dataset, factor: str) -> tuple[list[int], str]:
-    """Which of a factor's values have a panel, from end to end, and a note where that is not all."""
+    """Return the indices of a factor's values with panels, from end to end, and a note if not all have one."""
     count = table.sizes[factor]
     chosen = np.unique(np.linspace(0, count - 1, min(count, _MOST_PANELS)).round().astype(int)).tolist()
     note = f"{len(chosen)} of {count} values of {plain_name(table[factor])}" if len(chosen) < count else ""
@@ -211,7 +214,7 @@ def _draw(
     width: float,
     one_scale: bool = False,
 ) -> Figure:
-    """A page with a panel a variable."""
+    """Draw a panel for each variable."""
     with map_style():
         view = table_view(table, x, y)
         panels = [
@@ -219,12 +222,12 @@ def _draw(
                 title=title, values=view.table[name], reasons=missing_reasons(view.table, name), unit=_unit(table, name)
             )
             for name, title in names.items()
-            if name in table  # a search may leave the second transition out
+            if name in table  # a search may omit the second transition
         ]
         return draw_page(view, panels, one_scale=one_scale, quantity=quantity, width=width)
 
 
-# ---- the table: its factors, what is drawn of it, and why a value is missing
+# ---- the table: its factors, its slices, and reasons for missing values
 
 
 def _is_sampled(table: Dataset) -> bool:
@@ -232,20 +235,20 @@ def _is_sampled(table: Dataset) -> bool:
 
 
 def _factors(table: Dataset) -> list[str]:
-    """Names of the factors, in the study's order; choices of one at a time, which stand for the rest of them, last."""
+    """Return the names of the factors, in the study's order; the choices of one-at-a-time factors last."""
     if not _is_sampled(table):
-        # maps are of the grid that is repeated at every choice
+        # maps show the grid that is repeated at every choice
         return sorted((str(name) for name in table["outcome"].dims), key=lambda name: name == CHOICE)
     return [str(name) for name, values in table.coords.items() if values.dims == ("sample",) and name != "sample"]
 
 
 def _axes(table: Dataset) -> list[str]:
-    """Names of the factors of a grid that have several values, in the study's order; those of choices have none."""
+    """Return the names of a grid's factors with several values, in the study's order, without choices."""
     return [name for name in _factors(table) if name != CHOICE and table.sizes[name] > 1]
 
 
 def _name(factors: Sequence[str], wanted: str) -> str:
-    """A factor's name in the table, from that or from its key."""
+    """Return a factor's name in the table, given this name or the factor's key."""
     name = wanted.replace(".", "_")
     if name not in factors:
         raise InputError(f"{wanted}: need a factor of the study, one of {', '.join(factors)}")
@@ -253,7 +256,7 @@ def _name(factors: Sequence[str], wanted: str) -> str:
 
 
 def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> MapView:
-    """What to draw over two factors, or over the only one.
+    """Return the view over two factors, or over the only one.
 
     Raises:
         InputError: the table has no such factor.
@@ -262,7 +265,7 @@ def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> Ma
     if len(factors) == 1:
         return _slice(table, factors, x=_name(factors, x or factors[0]), y=None)
     across, upwards = (_name(factors, name) if name else None for name in (x, y))
-    # a factor with one value is no axis as long as another one varies
+    # a factor with one value is an axis only if no other factor varies
     free = sorted((name for name in factors if name not in (across, upwards)), key=lambda name: table[name].size == 1)
     upwards = upwards or free.pop(0)
     across = across or free.pop(0)
@@ -272,7 +275,7 @@ def table_view(table: Dataset, x: str | None = None, y: str | None = None) -> Ma
 
 
 def _slice(table: Dataset, kept: Sequence[str], *, x: str, y: str | None) -> MapView:
-    """The middle of every factor that is not kept, of choices the base, and a note that says so."""
+    """Return a slice at the middle of every factor that is not kept (base design for choices), with a note."""
     if _is_sampled(table):
         return MapView(table=table, x=x, y=y, note="", sampled=True)
     middle = {name: 0 if name == CHOICE else table.sizes[name] // 2 for name in _factors(table) if name not in kept}
@@ -290,13 +293,13 @@ def _unit(table: Dataset, name: str) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class TimesByValue:
-    """Names in a table of what became of the first transition asked for with every value that was tried.
+    """Names in a table of the outcomes of the first transition with every value that was tried.
 
     Attributes:
-        value: the dimension of the values, such as "fold_torque".
-        times: the times.
-        outcomes: what became of it.
-        label: what the time is called.
+        value: dimension of the values, such as "fold_torque".
+        times: variable of the times.
+        outcomes: variable of the outcomes.
+        label: title of the time.
     """
 
     value: str
@@ -306,7 +309,7 @@ class TimesByValue:
 
 
 def times_by_value(table: Dataset) -> TimesByValue | None:
-    """Find what a search tried for the first transition; None where the table is of none."""
+    """Return what a search tried for the first transition; None for a table without a search."""
     for first in asked_transitions(table)[:1]:
         for by in ("torque", "value"):
             times = f"{first.name}_time_by_{by}"
@@ -321,15 +324,15 @@ def times_by_value(table: Dataset) -> TimesByValue | None:
 
 
 def _states(table: Dataset) -> list[str]:
-    """Names of the states, the first one before any transition."""
+    """Return the names of the states, beginning with the one before any transition."""
     start = str(table.attrs.get("start_state", ""))
     return [*([start] if start else []), *(each.state for each in table_transitions(table))]
 
 
 def missing_reasons(table: Dataset, name: str) -> DataArray:
-    """Why a variable has no value, wherever it has none."""
+    """Return the reasons for missing values of a variable."""
     outcome, transitions, kinds = table["outcome"], table_transitions(table), outcome_kinds(table)
-    for kind in SPRUNG:  # all are of the state
+    for kind in SPRUNG:  # energies of other parts are missing for the reason of the state's energy
         name = name.replace(f"_{kind}_energy", "_energy")
     if not transitions or name in (f"{_states(table)[0]}_energy", "residual"):
         return outcome
@@ -349,12 +352,14 @@ def missing_reasons(table: Dataset, name: str) -> DataArray:
 
 
 def _why_not_later(kinds: Mapping[str, OutcomeKind], not_tried: str, where: str) -> Callable[[str, str, str], str]:
-    """What says why a later transition was missed, of its outcome, of the first, and of the first as it was before.
+    """Return a function that explains why a later transition has no value, from three outcomes.
+
+    The outcomes are those of the point, of the first transition, and of the first transition with the reference value.
 
     Args:
-        kinds: what words mean.
-        not_tried: the word for what was not tried.
-        where: with which value the first was done before, or nothing.
+        kinds: meanings of words.
+        not_tried: word for transitions that were not tried.
+        where: text on the reference value of the first transition, or empty.
     """
     stuck_later = next((word for word, kind in kinds.items() if kind is OutcomeKind.STUCK_LATER), OTHER)
     did_first = {word for word, kind in kinds.items() if kind.did_first}
@@ -363,7 +368,7 @@ def _why_not_later(kinds: Mapping[str, OutcomeKind], not_tried: str, where: str)
 
     def why(outcome: str, first: str, reference: str) -> str:
         if where and reference in did_first:
-            # what the reference value alone brings to the first state was asked for the later one, too
+            # what reaches the first state with the reference value was also run for the later transition
             word = outcome if first in did_first else stuck_later
         elif where and reference:
             word = reference if kinds.get(reference) in silent else f"{reference}{where}"

@@ -1,4 +1,4 @@
-"""How maps draw what came of a structure where there is no value: faces, hatches and markers."""
+"""Looks of outcomes without a value in maps: faces, hatches and markers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ OTHER = "no value"
 
 @dataclass(frozen=True, kw_only=True)
 class OutcomeLook:
-    """How what happened is drawn: the cell's face and hatch, and the marker where there are no cells."""
+    """Look of an outcome: face and hatch of a cell, and the marker on maps without cells."""
 
     face: str
     hatch: str
@@ -64,24 +64,24 @@ _OTHER_LOOKS = {
     OTHER: OutcomeLook(face="0.97", hatch="---", marker="+"),
 }
 
-# failed in the first transition before the next, with a value that its word names
+# failed in the first transition with the reference value, which the word names
 _BEFORE_NEXT = OutcomeLook(face="0.93", hatch="oo", marker="h")
 
 
 @contextmanager
 def map_style() -> Iterator[None]:
-    """Draw as all figures are drawn, with fine hatches."""
+    """Apply the style of all figures, with fine hatches."""
     with figure_style(), rc_context({"hatch.linewidth": 0.5}):
         yield
 
 
 def known_words(table: Dataset) -> list[str]:
-    """What structures of a table can come to, in the order of a legend."""
+    """Return the outcomes that structures of a table can have, in the order of a legend."""
     return [*outcome_kinds(table), *_OTHER_LOOKS]
 
 
 def look_of(table: Dataset, word: str) -> OutcomeLook:
-    """How a structure of a table is drawn that came to this."""
+    """Return the look of an outcome."""
     kind = outcome_kinds(table).get(word)
     if kind is not None:
         return _LOOKS[kind]
@@ -89,5 +89,5 @@ def look_of(table: Dataset, word: str) -> OutcomeLook:
 
 
 def ink_of(look: OutcomeLook) -> str:
-    """A marker's colour: the face where that shows on white."""
+    """Return a marker's colour: the face if it is visible on white."""
     return look.face if look.face in (BLUE, SKY) else INK

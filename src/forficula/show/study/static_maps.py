@@ -1,4 +1,4 @@
-"""Maps of what slowly growing torques do, and beside them those of the simulation."""
+"""Maps of least slow torques, with those of a simulation for comparison."""
 
 from __future__ import annotations
 
@@ -23,10 +23,11 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
     """Draw the least slowly growing torques of every transition, over the first two factors.
 
     Args:
-        statics: from `static_map`.
-        simulated: table of a search for the least torques with the same factors; its torques come beside, and the
-            cells in which the two differ.
-        width: of the figure at most, inch.
+        statics: table from `static_map`.
+        simulated: table of a search for the least torques with the same factors; its torques are drawn beside, with a
+            map
+                of the differences.
+        width: largest width of the figure, inch.
 
     Raises:
         InputError: the tables have different factors.
@@ -41,7 +42,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
         for name in torques:
             extra[f"simulated_{name}"] = simulated_values(statics, simulated, name)
             extra[f"verdict_{name}"] = compare_maps(statics, simulated, name)
-        # where nothing is known of a structure it was not run at all
+        # a structure without this energy was not run at all
         energies = simulated_values(statics, simulated, _of_every_run(statics, simulated))
         extra["simulated"] = energies.copy(data=np.isfinite(energies.values))
         view = table_view(statics.assign(extra))
@@ -58,7 +59,7 @@ def draw_static_maps(statics: Dataset, simulated: Dataset | None = None, width: 
 
 
 def _of_every_run(statics: Dataset, simulated: Dataset) -> str:
-    """Name of a number that a simulated table has of whatever ran."""
+    """Return the name of a number that a simulated table has for every run."""
     start = f"{statics.attrs['start_state']}_energy"
     return start if start in simulated else "residual"
 
@@ -69,7 +70,7 @@ def _panel(view: MapView, name: str, title: str, simulated: bool = False) -> Map
     before, *_ = table_transitions(table)
     first = name == before.least
     why = np.full(values.shape, word_of(table, OutcomeKind.STUCK if first else OutcomeKind.STUCK_LATER), dtype=object)
-    # from a state in which it does not rest nothing leads on, and its energy is not known
+    # a state in which the structure does not rest has no energy, and no transition starts there
     if not first and not simulated:
         lost = np.isnan(table[f"{before.state}_energy"].values)
         why[lost] = table["outcome"].values[lost]

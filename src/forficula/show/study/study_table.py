@@ -1,4 +1,4 @@
-"""A study's result in a few lines of text."""
+"""A study's result as a few lines of text."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def print_study(study: Study, table: Dataset) -> None:
-    """Print how many points came to what, how many do their transitions at each choice, and the least values found."""
+    """Print the number of points by outcome, the counts at each choice, and the least values."""
     print(f"{study.name}: {len(study.points)} points")
     lines = Table(box=None, padding=(0, 2, 0, 0))
     lines.add_column("outcome")
@@ -50,10 +50,10 @@ def print_study(study: Study, table: Dataset) -> None:
         if len(values):
             low, high = (show_quantity(float(end), step.unit) for end in (values.min(), values.max()))
             between = low if low == high else f"{low} to {high}"
-            less = "; less was not tried" if step.values[0] in values and step.values[0] != 0 else ""
+            less = "; smaller values were not tried" if step.values[0] in values and step.values[0] != 0 else ""
             first, more = study.search.first, undecided_text(table, each)
             after = f", {first.state} with {show_quantity(study.search.reference, first.unit)}" if place else ""
-            told = f"{what}, with {between}{after}{lost_text(table, each)}{less}"
-            print(f"{len(values)} of {len(study.points)}{more} {told}")
+            result = f"{what}, with {between}{after}{lost_text(table, each)}{less}"
+            print(f"{len(values)} of {len(study.points)}{more} {result}")
         else:
             print(f"none of {len(study.points)} {what}{undecided_text(table, each)}")

@@ -1,4 +1,4 @@
-"""Runs that were kept as data for a page, which plays them."""
+"""Kept runs as data for a page that plays them back."""
 
 from __future__ import annotations
 
@@ -16,43 +16,43 @@ from forficula.show.page.run_page import playback_data
 from forficula.structure import drive_of, drive_unit
 from forficula.study.running.kept_runs import KeptRun
 
-# bytes that all runs may take in the page, where the script takes 0.7 MB more
+# bytes of all runs on a page; the script takes 0.7 MB more
 _RUNS = 7_950_000
-# a clip with less than this does not show how it moves
+# a clip with fewer bytes does not show the motion
 _LEAST_BUDGET = 20_000
 
 
 def runs_data(kept: Iterable[KeptRun], count: int, beside: int = 0) -> list[dict[str, Any]]:
-    """Kept runs as data for JSON, by point and, within one, as the protocol takes its transitions.
+    """Return kept runs as data for JSON, ordered by point and, within a point, by the protocol's transitions.
 
     Args:
-        kept: the runs that can be played.
-        count: how many these are; they share the page's bytes, so that 60 points stay below 10 MB.
-        beside: bytes of these that something else takes.
+        kept: runs that the page can play back.
+        count: number of these runs; they share a budget of bytes, so that a page with 60 points stays below 10 MB.
+        beside: bytes of this budget that other parts of the page take.
     """
     return sorted((_run(run, (_RUNS - beside) // max(count, 1)) for run in kept), key=_order)
 
 
 def _order(run: dict[str, Any]) -> tuple[int, int, str]:
-    """By point and, within one, as the protocol takes its transitions."""
+    """Return the sort key: the point and, within it, the transition in the protocol's order."""
     return run["point"], -1 if run["transition"] is None else run["transition"], run["part"]
 
 
 def _run(run: KeptRun, size: int) -> dict[str, Any]:
-    """A run as data for JSON that take so many bytes, if that is enough to see it move."""
-    # three bytes are four letters in the page
+    """Return a run as data for JSON of about a number of bytes, but with enough frames to show the motion."""
+    # base64 takes four letters for three bytes
     spare = 3 * (size - len(json.dumps(_run_data(run, 0)))) // 4
     return _run_data(run, int(np.clip(spare, _LEAST_BUDGET, BUDGET)))
 
 
 def _run_data(run: KeptRun, budget: int) -> dict[str, Any]:
-    """What a run is, its numbers, and its playback within a budget."""
+    """Return the title, the numbers and the playback of a run, within a budget of bytes."""
     outcome, structure = run.outcome, run.record.structure
     units = {each.name: drive_unit(structure, drive_of(structure, each.drive)) for each in structure.transitions}
     driven = [
-        f"{each.wording.doing} with {readable(came.strength, units[each.name])}"
+        f"{each.wording.doing} with {readable(result.strength, units[each.name])}"
         for each in structure.transitions
-        if (came := outcome.transitions[each.name]) is not None
+        if (result := outcome.transitions[each.name]) is not None
     ]
     return {
         "point": run.point,

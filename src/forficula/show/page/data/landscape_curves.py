@@ -1,4 +1,4 @@
-"""Curves of energy over an angle as data, and where a run is on them: what the page's script draws."""
+"""Energy over an angle as data, with the positions of a run: plots that the page's script draws."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ from forficula.statics.tree.potential import ensemble, stored_energy
 
 Rows = NDArray[np.int64]
 
-_PLACES = 721  # of a line
+_PLACES = 721  # points of a line
 _SAME = 1e-9  # rad
-_MOVING = ("kinetic", "Maxwell branches")  # energies that are none at rest, so that statics has none of them
+_MOVING = ("kinetic", "Maxwell branches")  # energies that are zero at rest, so statics does not have them
 
 
 @dataclass(frozen=True, kw_only=True)
 class DrawnCourse:
-    """Energies over an angle: a line, or where a run is, by frame.
+    """Energies over an angle: a line, or the positions of a run by frame.
 
     Attributes:
-        name: in the key of the plot.
+        name: name in the legend.
         angle: rad, (place,).
         energy: J, (place,).
     """
@@ -47,17 +47,17 @@ class DrawnCourse:
 
 @dataclass(frozen=True, kw_only=True)
 class Curve:
-    """A plot of energy over an angle, in the sense in which the structure has it.
+    """Plot of energy over an angle, in the structure's own sense of the angle.
 
     Attributes:
-        title: what the energy is of.
-        axis: what the angle is.
-        lines: by statics.
-        marks: stable states with their names, each from where to where it rests.
-        balls: the run's own readings and energies over the frames of its clip; empty without a run.
-        top: from where to where a barrier is seen close up, rad; None where that needs no close-up.
-        text: what the plot shows, in sentences.
-        hinge: number of the one whose angle it is over; None of the mean of those that fold.
+        title: quantity of the vertical axis.
+        axis: quantity of the horizontal axis.
+        lines: energies computed by statics.
+        marks: stable states with their names, each at an angle or over the range of angles at which it rests.
+        balls: angles and energies of the run over the frames of its clip; empty without a run.
+        top: range of angles around a barrier to show enlarged, rad; None if no enlargement is needed.
+        text: sentences that describe the plot.
+        hinge: index of the hinge whose angle is the horizontal axis; None for the mean of the folding hinges.
     """
 
     title: str
@@ -73,23 +73,23 @@ class Curve:
 def landscape_curves(
     landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None, time: Array | None = None
 ) -> list[Curve]:
-    """The curves of energy that a landscape has: of tendons over their hinges, and of all along the fold.
+    """Return the energy curves of a landscape: of a tendon and its hinge, and of the structure along its fold.
 
     Args:
-        landscape: whose curves.
+        landscape: the landscape.
         record: a run of the same design.
-        tendon: number of the one that stands for all; an inner one if not given.
-        time: of the record's rows that are shown, s, (frame,); all if not given.
+        tendon: index of the tendon shown as an example; an inner one by default.
+        time: times of the record's rows that are shown, s, (frame,); all rows by default.
     """
     rows = np.arange(0 if record is None else len(record.time))
     if record is not None and time is not None:
         rows = np.searchsorted(record.time, time)
-    found = (_of_tendons(landscape, record, tendon, rows), _along_fold(landscape, record, rows))
-    return [curve for curve in found if curve is not None]
+    curves = (_of_tendons(landscape, record, tendon, rows), _along_fold(landscape, record, rows))
+    return [curve for curve in curves if curve is not None]
 
 
 def curve_data(curve: Curve) -> dict[str, Any]:
-    """A curve as data for JSON, in deg and in one unit of energy."""
+    """Return a curve as data for JSON, in degrees and in one unit of energy."""
     unit, factor = reading_unit("J", max(float(line.energy.max()) for line in curve.lines))
 
     def course(each: DrawnCourse) -> dict[str, Any]:
@@ -101,7 +101,7 @@ def curve_data(curve: Curve) -> dict[str, Any]:
         "title": curve.title,
         "unit": unit,
         "axis": curve.axis,
-        # as in the figures: from where it begins to where it is folded
+        # as in figures, the axis runs from the start to the folded state
         "backwards": bool(first.angle[-1] < first.angle[0]),
         "lines": [course(each) for each in curve.lines],
         "marks": [course(each) for each in curve.marks],
@@ -112,20 +112,20 @@ def curve_data(curve: Curve) -> dict[str, Any]:
 
 
 def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int | None, rows: Rows) -> Curve | None:
-    """One tendon over the angle of its hinge, with its hinge's spring; a ball for every tendon that has this curve."""
+    """Return the energy of one tendon and its hinge; with a ball for every tendon that has the same curve."""
     shown, structure = inner_hinge(landscape, tendon), landscape.structure
     if shown is None:
         return None
     own, title = shown.own, title_of(hinge_measure(structure, shown.hinge))
     *drawn, last = tendon_curves(landscape, shown)
     ideal = drawn[:1] if shown.ideal is not None and drawn else []
-    # what holds of the hinge itself comes first: with a spring the sum of both, which is the last
+    # the curve of the hinge comes first: with a spring it is the sum of both, which is last in the list
     drawn = [last, *drawn[len(ideal) :]] if own.spring is not None else [*drawn[len(ideal) :], last]
     drawn += ideal
     names = parts_of([label_of(structure.tendons[each.tendon]) for each in landscape.hinges]).names
     balls = []
     for name, crossed in zip(names, landscape.hinges, strict=True):
-        if record is None or not _alike(crossed.own, own):
+        if record is None or not _has_same_curve(crossed.own, own):
             continue
         energy = record.series["tendon_energy"][rows, crossed.tendon]
         if own.spring is not None:
@@ -149,23 +149,22 @@ def _of_tendons(landscape: EnergyLandscape, record: Record | None, tendon: int |
         ),
         balls=tuple(balls),
         top=top,
-        text=f"Energy over the {title} of one hinge, by statics.{barrier}"
-        + " Every tendon has a ball, at its energy and its hinge's angle in the run; dots are its frames."
-        * bool(balls),
+        text=f"Energy over the {title} of one hinge, from statics.{barrier}"
+        + " The balls show the energy of every tendon at its hinge's angle in the run; dots are frames." * bool(balls),
         hinge=shown.hinge,
     )
 
 
 def _smooth(name: str, hinge: HingeLandscape, energy: Array, moment: Array) -> DrawnCourse:
-    """A line with so many places that a barrier of a few degrees is round; the moment is its slope."""
+    """Interpolate a line at enough angles for a barrier a few degrees wide to look smooth; the moment is its slope."""
     rising = hinge.angle[::-1]
     angle = np.unique(np.concatenate([rising, np.linspace(rising[0], rising[-1], _PLACES)]))[::-1]
     spline = scipy.interpolate.CubicHermiteSpline(rising, energy[::-1], -moment[::-1])
     return DrawnCourse(name=name, angle=hinge.sense * angle, energy=spline(angle))
 
 
-def _alike(hinge: HingeLandscape, own: HingeLandscape) -> bool:
-    """Whether a hinge has a curve of its own in the plot of another: with springs only what both store alike is one."""
+def _has_same_curve(hinge: HingeLandscape, own: HingeLandscape) -> bool:
+    """Return whether two hinges have the same energy curve."""
     if hinge.spring is None or own.spring is None:
         return hinge.sense == own.sense and hinge.spring is own.spring
     both = own.stored_energy(own.angle), hinge.stored_energy(own.angle)
@@ -173,7 +172,7 @@ def _alike(hinge: HingeLandscape, own: HingeLandscape) -> bool:
 
 
 def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -> Curve | None:
-    """All that a structure stores along its rigid fold, over the mean angle of the hinges that fold."""
+    """Return the stored energy along the rigid fold over the mean angle of the folding hinges."""
     path, structure, fold = landscape.fold_path, landscape.structure, landscape.structure.rigid_fold
     if path is None or fold is None:
         return None
@@ -186,12 +185,12 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         stored = [values[rows] for name, (values, _) in stored_energies(record).items() if name not in _MOVING]
         balls = (DrawnCourse(name="", angle=angle, energy=np.sum(stored, axis=0) + _weight_zero(record)),)
     along = -path.ring_angle if folds else path.pleat_angle
-    line = DrawnCourse(name="rigid panels, slowly", angle=path.pleat_angle, energy=path.energy)
+    line = DrawnCourse(name="rigid panels, quasi-static", angle=path.pleat_angle, energy=path.energy)
     states = [
         _mark(each.name, (each.pleat_angle, each.far_pleat_angle), each.energy, line) for each in fold_states(landscape)
     ]
     line, *states = (replace(each, angle=np.interp(each.angle, path.pleat_angle, along)) for each in (line, *states))
-    told = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)
+    stable = ", ".join(f"{each.name} {readable(float(each.energy[0]), 'J')}" for each in states)
     whole = structure.appearance.whole
     return Curve(
         title=f"energy of the {whole} along its fold",
@@ -200,13 +199,13 @@ def _along_fold(landscape: EnergyLandscape, record: Record | None, rows: Rows) -
         marks=tuple(states),
         balls=balls,
         top=None,
-        text=f"What the {whole} stores along the one way in which rigid panels fold; stable: {told or 'none'}."
-        + " The ball is at what the same parts store in the run, fast and with panels that give way." * bool(balls),
+        text=f"Energy stored by the {whole} along the only fold of its rigid panels; stable: {stable or 'none'}."
+        + " The ball shows the energy of the same parts in the run, with inertia and flexible panels." * bool(balls),
     )
 
 
 def _weight_zero(record: Record) -> float:
-    """By how much statics counts the energy of the weight from lower than a run does, J."""
+    """Return the difference between the reference levels of gravitational energy in a run and in statics, J."""
     if not record.structure.gravity:
         return 0.0
     first = stored_energy(ensemble([record.structure]), record.series["hinge_angle"][:1]).get("weight", np.zeros(1))
@@ -214,7 +213,7 @@ def _weight_zero(record: Record) -> float:
 
 
 def _mark(name: str, ends: tuple[float, float], energy: float, line: DrawnCourse) -> DrawnCourse:
-    """A stable state: a place, or the part of a line along which it rests."""
+    """Return the mark of a stable state: a point, or the part of a line along which the structure rests."""
     low, high = sorted(ends)
     between = (line.angle >= low - _SAME) & (line.angle <= high + _SAME)
     if high - low <= _SAME:

@@ -1,4 +1,4 @@
-"""Where a structure is along the curves of a landscape: what a page shows while a reader goes along them."""
+"""Poses of a structure along the curves of a landscape, which a page shows while the reader moves along them."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from forficula.statics import CrossedHinge, EnergyLandscape
 from forficula.statics.tree.pose import carried_points, places_of, pose, tree_of
 from forficula.structure import Structure
 
-_TURNS = 91  # poses of a hinge that turns alone
+_TURNS = 91  # number of poses of a hinge that turns alone
 NO_POSE = (
-    "What it looks like there is not drawn: the angle of this one hinge does not tell where the others are, and its"
-    " panels have no one way to fold."
+    "There is no picture here: the angle of this hinge alone does not determine the other angles, and the panels have"
+    " more than one way to fold."
 )
 
 
 @dataclass(frozen=True, kw_only=True)
 class LandscapePoses:
-    """A structure at some angles of its hinges.
+    """Poses of a structure.
 
     Attributes:
-        structure: that is posed.
-        angles: of all hinges in their own senses, rad, (pose, hinge).
-        why: how they were found, in a sentence.
+        structure: the structure.
+        angles: angles of all hinges in their own senses, rad, (pose, hinge).
+        why: a sentence on how the poses were computed.
     """
 
     structure: Structure
@@ -36,21 +36,21 @@ class LandscapePoses:
 
 
 def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> LandscapePoses | None:
-    """Find what a structure looks like along its landscape's curves: as it folds rigidly, or as one hinge turns.
+    """Compute poses along a landscape's curves: of the rigid fold, or of one hinge that turns alone.
 
     Args:
-        landscape: whose structure.
-        shown: the hinge that its curve of one tendon is of, in which the structure turns if nothing ties it to others.
+        landscape: the landscape.
+        shown: the hinge of the curve of one tendon; it turns if nothing ties it to other hinges.
 
     Returns:
-        The poses; None where statics knows none, for one hinge alone does not tell where the others are.
+        The poses; None if the angle of one hinge does not determine the pose.
     """
     structure, path = landscape.structure, landscape.fold_path
     if path is not None:
         return LandscapePoses(
             structure=structure,
             angles=path.angles,
-            why="Panels are rigid and fold together in the one way they have.",
+            why="Panels are rigid and fold together in the only possible way.",
         )
     if shown is None or _is_tied(structure):
         return None
@@ -58,12 +58,12 @@ def poses_of(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Landscap
     turned = shown.own.sense * shown.own.angle
     angles[:, shown.hinge] = np.linspace(turned.min(), turned.max(), _TURNS)
     return LandscapePoses(
-        structure=structure, angles=angles, why="This hinge turns alone; the others are as at the start."
+        structure=structure, angles=angles, why="This hinge turns alone; all others keep their starting angles."
     )
 
 
 def pose_clip(poses: LandscapePoses, name: str) -> Clip:
-    """Poses as a clip, with the number of the pose in place of a time."""
+    """Return poses as a clip whose times are the indices of the poses."""
     structure = poses.structure
     mesh, tree = shape_mesh(structure), tree_of(structure)
     at = pose(tree, poses.angles)
@@ -95,7 +95,7 @@ def pose_clip(poses: LandscapePoses, name: str) -> Clip:
 
 
 def _is_tied(structure: Structure) -> bool:
-    """Whether one hinge that turns takes others along, or its angle alone does not tell where its bodies are."""
+    """Return whether turning one hinge moves others, or its angle does not determine the positions of its bodies."""
     ties = (structure.membranes, structure.facets, structure.closures, structure.couplings, structure.limits)
     crease = any(hinge.flaps is not None for hinge in structure.hinges)
     return any(ties) or crease or any(body.slides for body in structure.bodies)

@@ -1,4 +1,4 @@
-"""A run's structure as data for the engine in its page: its model, its protocol in steps, and what can be changed."""
+"""Data of a run's structure for the engine in its page: its model, its protocol in steps, and values to change."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from forficula.show.page.parts.words import LIVE_OUTCOME_TEXTS
 from forficula.show.structure.labels import driven_angles, role_groups, shown_angles, shown_distances
 from forficula.structure import Measure, StageGoal, Structure, Transition, goal_of, measure_of, sums_of
 
-_MOST_STRENGTH = 3.0  # of a drive, by that of the design
+_MOST_STRENGTH = 3.0  # largest strength of a drive on its slider, as a multiple of the design's
 
 
 def live_data(
@@ -40,25 +40,25 @@ def live_data(
     anchors: Sequence[int],
     ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> dict[str, Any]:
-    """What the engine in a page needs of a design that runs with this timestep.
+    """Return the data with which the engine in a page simulates a design.
 
     Args:
-        design: as it ran.
+        design: the design that ran, with its timestep.
         shown: measures in the order of the page's readings.
-        anchors: numbers of the points that are drawn, then of nodes of membranes, as of a `ShapeMesh`.
-        ranges: lowest and highest values, SI, by the keys that must be changed, of a study.
+        anchors: indices of the points that are drawn, then of nodes of membranes, as in a `ShapeMesh`.
+        ranges: lowest and highest values, SI, by the keys that a study varies.
 
     Returns:
-        Data for JSON; of a structure that the engine there would move otherwise only "refused", why.
+        Data for JSON; only "refused", with the reason, if the engine would simulate the structure differently.
     """
     model = compile_model(design)
     if why := why_not_portable(model):
         return {"refused": why}
     arrays, protocol = PackedArrays(), stepped_protocol(model)
-    found = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
-    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in found if each is not None]
+    candidates = [*_drive_knobs(model, protocol), *(_knob_data(model.design, knob) for knob in knobs_of(model))]
+    knobs = [_widened(each, *(ranges or {}).get(each["key"], ())) for each in candidates if each is not None]
     if missing := sorted(set(ranges or {}) - {each["key"] for each in knobs}):
-        return {"refused": f"a model does not take {listed(missing)} in place"}
+        return {"refused": f"{listed(missing)} cannot be changed in a compiled model"}
     data = {
         **_model_data(model, arrays),
         **_structure_data(model, anchors),
@@ -68,7 +68,7 @@ def live_data(
         "texts": {
             "endings": ENDING_TEXTS,
             "apart": APART_TEXT,
-            # without statics and an energy balance a page knows less to advise than a run
+            # without statics and an energy balance the page has less advice than a run
             "advice": {"diverged": SHORTER_STEP, "untrusted": SHORTER_STEP},
             "outcome": LIVE_OUTCOME_TEXTS,
             "reading_units": READING_UNITS,
@@ -80,7 +80,7 @@ def live_data(
 
 
 def shown_measures(structure: Structure) -> tuple[Measure, ...]:
-    """What a page reads of a structure: what is measured, then what is driven beside it."""
+    """Return the measures that a page shows: those of the structure, then driven angles that are not measured."""
     measured = shown_angles(structure)
     return (*measured, *shown_distances(structure), *driven_angles(structure, measured))
 
@@ -97,13 +97,13 @@ def _model_data(model: Model, arrays: PackedArrays) -> dict[str, Any]:
 
 
 def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
-    """Where things are in the engine: hinges, motors, tendons, distances, and the points that are drawn."""
+    """Return the indices in the engine of hinges, motors, tendons and distances, and the points that are drawn."""
     structure, built = model.structure, model.in_units
     count, mesh = len(structure.points), model.mesh
     bodies, places, names = [], [], []
     for number in anchors:
         if number < count:
-            names.append(_spoken(structure.points[number].name))
+            names.append(_read_aloud(structure.points[number].name))
             bodies.append(int(model.carriers[number]))
             places += np.asarray(built.points[number].place).tolist()
         else:
@@ -119,8 +119,8 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
         "brakes": model.brakes.tolist(),
         "brakeWays": [
             {"control": control, "motor": int(model.brakes[control])}
-            | {"way": [[dof, float(way[dof])] for dof in np.flatnonzero(way).tolist()]}
-            for control, way in enumerate(model.ways)
+            | {"way": [[dof, float(direction[dof])] for dof in np.flatnonzero(direction).tolist()]}
+            for control, direction in enumerate(model.ways)
             if model.brakes[control] >= 0
         ],
         "motors": [
@@ -141,7 +141,10 @@ def _structure_data(model: Model, anchors: Sequence[int]) -> dict[str, Any]:
 
 
 def _spring(model: Model, tendon: int) -> dict[str, Any] | None:
-    """Where the engine has the stiffness of a linear tendon that lets go: a force there, by a width; None of others."""
+    """Return where the engine has the stiffness of a linear tendon that can go slack: a force divided by a width.
+
+    None for other tendons.
+    """
     law = model.in_units.tendons[tendon].law
     if not model.lets_go[tendon] or any(law.stiffness[1:]) or not law.stiffness[0]:
         return None
@@ -151,13 +154,13 @@ def _spring(model: Model, tendon: int) -> dict[str, Any] | None:
     return {"at": int(muscle.id) * engine.actuator_biasprm.shape[1] + 2, "width": force / law.stiffness[0]}
 
 
-def _spoken(name: str) -> str:
-    """The name of a point as it is read aloud: "facet1_vertex2" is "facet 1 vertex 2"."""
+def _read_aloud(name: str) -> str:
+    """Return the name of a point as it is read aloud: "facet1_vertex2" becomes "facet 1 vertex 2"."""
     return re.sub(r"(?<=[a-z])(?=[0-9])", " ", name.replace("_", " "))
 
 
 def _reading(structure: Structure, measure: Measure) -> dict[str, Any]:
-    """What a measure reads: of sums of angles with their signs, or the number of a distance."""
+    """Return what a measure reads: sums of angles with their signs, or the index of a distance."""
     if measure.points is not None:
         apart = [each.name for each in structure.measures if each.points is not None]
         return {"distance": apart.index(measure.name)}
@@ -197,7 +200,7 @@ def _protocol_data(protocol: SteppedProtocol) -> dict[str, Any]:
 
 
 def _course_data(model: Model) -> dict[str, Any]:
-    """Where the protocol rests and how it gets there, with the words for it."""
+    """Return the states and transitions of the protocol, with their words."""
     structure = model.structure
     return {
         "stageStates": list(structure.stage_states),
@@ -215,7 +218,7 @@ def _transition_data(model: Model, transition: Transition) -> dict[str, Any]:
     measure = measure_of(structure, transition.measure)
     reading = None if measure is None else _reading(structure, measure) | {"groups": []}
     length = model.units.length
-    # distances are read in the model's units
+    # distances are in the model's units
     begun = transition.begun
     return {
         "name": transition.name,
@@ -242,14 +245,14 @@ def _goal_data(goal: StageGoal) -> dict[str, Any]:
 
 
 def _bounds(values: Any) -> list[float | None]:
-    """Bounds for JSON, which has no infinite numbers: None where there is none."""
+    """Return bounds for JSON, which has no infinite numbers: None where there is no bound."""
     return [value if np.isfinite(value) else None for value in np.asarray(values, dtype=float).tolist()]
 
 
 def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any] | None]:
-    """Sliders for how strong the drives of the protocol are."""
+    """Return sliders for the strengths of the protocol's drives."""
     used = {number for stage in protocol.stages for number in stage.drives}
-    found = []
+    sliders: list[dict[str, Any] | None] = []
     for number in sorted(used):
         each = protocol.drives[number]
         strength, quantity = each.drive.strength, key_quantity(each.drive.key, type(model.design))
@@ -258,8 +261,8 @@ def _drive_knobs(model: Model, protocol: SteppedProtocol) -> list[dict[str, Any]
         most = _MOST_STRENGTH * strength
         low, high = sorted((0.0, most))
         data = _slider(model.design, each.drive.key, quantity.unit, strength, low, high)
-        found.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
-    return found
+        sliders.append(data and data | {"drive": number, "title": f"strength of {each.drive.name}"})
+    return sliders
 
 
 def _knob_data(design: Design, knob: Knob) -> dict[str, Any] | None:
@@ -278,7 +281,7 @@ def _knob_data(design: Design, knob: Knob) -> dict[str, Any] | None:
 
 
 def _widened(knob: dict[str, Any], *ends: float) -> dict[str, Any]:
-    """A slider that has some values in its range, too."""
+    """Widen a slider so that its range includes some values."""
     lowest, highest = min((knob["lowest"], *ends)), max((knob["highest"], *ends))
     further = lowest - knob["lowest"]
     changes = [
@@ -289,7 +292,7 @@ def _widened(knob: dict[str, Any], *ends: float) -> dict[str, Any]:
 
 
 def _slider(design: Design, key: str, unit: Unit, value: float, low: float, high: float) -> dict[str, Any] | None:
-    """A slider over values of a key; None where the design file has no place of its own for it."""
+    """Return a slider over values of a key; None if the design file has no line for the key."""
     line = _line_of(design, key, low if value != low else high)
     if line is None:
         return None
@@ -307,13 +310,16 @@ def _slider(design: Design, key: str, unit: Unit, value: float, low: float, high
 
 
 def _display(unit: Unit, largest: float) -> tuple[str, float]:
-    """The unit in which a design file has a value, and its factor from SI."""
+    """Return the unit in which a design file writes a value, and its factor from SI."""
     number, _, name = show_quantity(largest or 1.0, unit, 17).partition(" ")
     return name, float(number) / (largest or 1.0)
 
 
 def _line_of(design: Design, key: str, other: float) -> dict[str, Any] | None:
-    """Where a design's file has a key's value: number of the line, and what stands before and after it there."""
+    """Return the line of a design file that contains a key's value: its index and the text before and after the value.
+
+    None if there is no such line.
+    """
     try:
         texts = [design_text(each).splitlines() for each in (design, with_values(design, {key: other}))]
     except ValueError:

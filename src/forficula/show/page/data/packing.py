@@ -1,4 +1,4 @@
-"""Numbers as text in a page."""
+"""Text form of numbers in a page."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import base64
 import numpy as np
 from numpy.typing import ArrayLike
 
-_WHOLE = 32767  # of a part of a unit vector
+_WHOLE = 32767  # integer that stands for a component of 1
 
 
 def packed(values: ArrayLike, kind: str) -> str:
@@ -16,5 +16,5 @@ def packed(values: ArrayLike, kind: str) -> str:
 
 
 def packed_directions(vectors: ArrayLike) -> str:
-    """Pack unit vectors as whole numbers of two bytes, 32767 times their parts."""
+    """Pack unit vectors as 2-byte integers, 32767 times their components."""
     return packed(np.rint(_WHOLE * np.asarray(vectors)), "i2")

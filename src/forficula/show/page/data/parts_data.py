@@ -1,4 +1,4 @@
-"""Parts as data for the script of their page: meshes, how they turn, straps, and the recorded motion."""
+"""Data of parts for the script of their page: meshes, hinges, straps, and the motion of a run."""
 
 from __future__ import annotations
 
@@ -25,31 +25,31 @@ from forficula.show.page.data.time_spans import run_spans, span_data
 from forficula.show.page.playback import clip_data, make_clip
 from forficula.structure import built_hinges
 
-_BUDGET = 2_000_000  # bytes of the frames of a motion, of which the page keeps the angles only
-# bows of a slack strap, from straight to both ends in one place, and points along each
+_BUDGET = 2_000_000  # bytes of the frames of a motion, of which the page keeps only the angles
+# shapes of a slack strap, from straight to ends that coincide, and points along each shape
 _BOWS, _POINTS = 33, 33
 
 
 def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
-    """Parts as data for JSON.
+    """Return parts as data for JSON.
 
     Args:
-        parts: with a joint or more.
-        record: of the same design, whose motion can be played; None for none.
+        parts: parts with at least one joint.
+        record: a run of the same design to play back; None for none.
 
     Raises:
-        InputError: the record is of another structure.
+        InputError: the record has another structure.
     """
     arrays = PackedArrays()
     looks, own = part_looks(parts)
-    ways = apart(parts)
+    shifts = apart(parts)
     same: dict[str, int] = {}
     data = []
     masses = part_masses(parts)
-    for part, look, way in zip(parts.parts, own, ways, strict=True):
+    for part, look, shift in zip(parts.parts, own, shifts, strict=True):
         place = same.get(part.kind, 0)
         same[part.kind] = place + 1
-        data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": way.tolist()})
+        data.append(_part_data(parts, part, masses[part.name], arrays, place) | {"look": look, "apart": shift.tolist()})
     return {
         "kind": "parts",
         "name": parts.design.name,
@@ -70,7 +70,7 @@ def parts_data(parts: PartSet, record: Record | None) -> dict[str, Any]:
 
 
 def _part_data(parts: PartSet, part: Part, mass: float | None, arrays: PackedArrays, place: int) -> dict[str, Any]:
-    """A part: what is told of it, what it moves with, and its mesh or what the script draws it by."""
+    """Return the data of a part: its facts, its body, and its mesh or the dimensions by which the script draws it."""
     data: dict[str, Any] = {
         "name": part.name,
         "count": part.count,
@@ -83,7 +83,7 @@ def _part_data(parts: PartSet, part: Part, mass: float | None, arrays: PackedArr
         return data | {"root": _root_data(parts.roots[place])}
     mesh = part_mesh(part, parts.joints)
     triangles = mesh.triangles.copy()
-    # corners of a triangle are near one another
+    # vertices of a triangle have similar indices, so their differences compress well
     triangles[:, 1:] -= triangles[:, :1]
     triangles[:, 1:] %= len(mesh.points)
     return data | {
@@ -97,7 +97,7 @@ def _part_data(parts: PartSet, part: Part, mass: float | None, arrays: PackedArr
 
 
 def _turns(parts: PartSet) -> list[dict[str, Any]]:
-    """Every hinge as a turn of its body against its parent about a line as built, by its angle in its own sense."""
+    """Return every hinge as a rotation of its body against its parent about a line in the built shape."""
     structure = parts.structure
     origins, axes = built_hinges(structure)
     return [
@@ -130,7 +130,7 @@ def _strap_data(parts: PartSet, place: StrapPlace) -> dict[str, Any]:
 
 
 def _root_data(root: Root) -> dict[str, Any]:
-    """A flexible rod: where the hub holds it, what bends, and where the bar holds it."""
+    """Return a flexible rod: the points at which the hub holds it, where it bends, and where the bar holds it."""
     deep = 2 * root.make.root_diameter
     free = root.begins - root.make.root_length
     places = [root.at(at).tolist() for at in (free - deep, free, root.begins, root.begins + deep)]
@@ -138,44 +138,46 @@ def _root_data(root: Root) -> dict[str, Any]:
 
 
 def _bows(arrays: PackedArrays) -> dict[str, Any]:
-    """Elasticas of length 1 between ends that are 1 - t^2 apart, t from 0 to 1, (bow, point, 2)."""
+    """Return elasticas of length 1 whose ends are 1 - t^2 apart, t from 0 to 1, (bow, point, 2)."""
     shares = 1 - np.linspace(0, 1, _BOWS) ** 2
     return arrays.floats([elastica(1.0, float(share), _POINTS) for share in shares])
 
 
 def _motion(parts: PartSet, record: Record, arrays: PackedArrays) -> dict[str, Any]:
-    """The angles of all hinges over the frames of a run, with its states and stages."""
+    """Return the angles of all hinges over the frames of a run, with its states and stages."""
     names = [hinge.name for hinge in record.structure.hinges]
     if names != [hinge.name for hinge in parts.structure.hinges]:
         raise InputError(
-            f"record: need one of the design that the parts are of, {parts.design.name}, got one of"
+            f"record: need a run of the design of the parts, {parts.design.name}, got one of"
             f" {record.design.name}, which has other hinges"
         )
     clip = make_clip(record, measure(record), budget=_BUDGET)
-    told = clip_data(clip)
+    played = clip_data(clip)
     angles = record.series["hinge_angle"][np.searchsorted(record.time, clip.time)]
     return {
         "time": arrays.doubles(clip.time),
         "angles": arrays.floats(angles[:, : len(_turns(parts))]),
-        "name": told["name"],
-        "marks": [{key: mark[key] for key in ("letter", "name", "time")} | {"readings": {}} for mark in told["marks"]],
-        "stages": told["stages"],
+        "name": played["name"],
+        "marks": [
+            {key: mark[key] for key in ("letter", "name", "time")} | {"readings": {}} for mark in played["marks"]
+        ],
+        "stages": played["stages"],
         "spans": [span_data(span) for span in run_spans(clip)],
         "free": [body.name for body in parts.structure.bodies if body.slides],
     }
 
 
 def parts_text(parts: PartSet) -> str:
-    """What the parts are, in a sentence."""
+    """Return a sentence with the numbers of parts and the range of the joints."""
     counts = Counter({part.kind: 0 for part in parts.parts})
     for part in parts.parts:
         counts[part.kind] += part.count
-    told = [f"{count} {kind}{'s' * (count != 1)}" for kind, count in counts.items()]
+    kinds = [f"{count} {kind}{'s' * (count != 1)}" for kind, count in counts.items()]
     low, high = angle_range(parts)
     joints = f"{len(parts.joints)} joints turn" if len(parts.joints) != 1 else "The joint turns"
-    return f"{listed(told).capitalize()}. {joints} from {degrees(low)} to {degrees(high)}."
+    return f"{listed(kinds).capitalize()}. {joints} from {degrees(low)} to {degrees(high)}."
 
 
 def degrees(angle: float) -> str:
-    """An angle, rad, in degrees."""
+    """Return an angle, rad, as text in degrees."""
     return f"{math.degrees(angle):.4g}°".replace("-", "−")

@@ -1,4 +1,4 @@
-"""Points that lie where they were drawn or proposed as data for a page: values, numbers, and what became of each."""
+"""Points that were drawn or proposed, as data for a page: their values, numbers and outcomes."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 
-# a margin of what holds
+# bound of a margin: it is met from 0 on
 MET = ((">=", 0.0),)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Number:
-    """A number that every point may have.
+    """Quantity that every point may have.
 
     Attributes:
-        variable: its name in the table.
-        title: what the page calls it.
-        aim: "least" or "largest", where it is to be that.
-        bounds: that it is held to, ">=" or "<=" with a value in SI.
+        variable: name in the table.
+        title: name on the page.
+        aim: "least" or "largest" for an objective.
+        bounds: limits, ">=" or "<=" with a value in SI.
     """
 
     variable: str
@@ -38,21 +38,21 @@ class Number:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownSamples:
-    """Points, and what a page says of them.
+    """Points and the words of their page.
 
     Attributes:
-        name: of what they belong to.
-        noun: what one of them is called.
-        file: of the folder that has them all.
-        keeps: why a run may not be there to play.
-        table: over one dimension.
-        factors: names of coordinates that differ from point to point.
-        numbers: that they have beside these.
-        words: what became of each, a few words, (point,).
-        signs: of these words, those that came furthest first.
-        statuses: the same in full, (point,).
-        built: whether each could run, (point,).
-        own: values of the design that the points lie about, SI, by name of the factor.
+        name: name of the goal or design.
+        noun: noun for one point.
+        file: file that lists all points.
+        keeps: sentence on which runs are kept.
+        table: table over one dimension.
+        factors: names of the coordinates that vary.
+        numbers: other quantities of the points.
+        words: outcome of each point in a few words, (point,).
+        signs: signs of these words, the best outcome first.
+        statuses: full outcome texts, (point,).
+        built: whether each point could run, (point,).
+        own: values of the nominal design, SI, by factor.
     """
 
     name: str
@@ -70,10 +70,10 @@ class ShownSamples:
 
 
 def samples_data(samples: ShownSamples) -> dict[str, Any]:
-    """What a page needs to know of points, as data for JSON.
+    """Return points as data for JSON.
 
     Returns:
-        As `study_data` has it of a study whose points were drawn. A factor may have `own`, the value of the design;
+        As `study_data` returns for a study with drawn points. A factor may have `own`, the value of the nominal design;
         a quantity has `aim` and `limits`, each with `kind` and `bound`, in its unit.
     """
     words = Words(sorted(set(samples.words), key=samples.signs.rank), samples.signs)
@@ -128,7 +128,7 @@ def _number_data(variable: DataArray, number: Number, verdicts: Sequence[int]) -
 
 
 def scale_of(variable: DataArray) -> float:
-    """The factor from SI to the unit for people of a variable; shares are in per cent."""
+    """Return the factor from SI to a variable's display unit; shares are shown in per cent."""
     display, si = str(variable.attrs.get("display", "")), str(variable.attrs.get("units", ""))
     if display == "%" and not si:
         return 100.0

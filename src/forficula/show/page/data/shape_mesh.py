@@ -1,4 +1,4 @@
-"""How a structure is drawn in 3-D: few points that move, and everything drawn between them."""
+"""A structure as a 3-D mesh: few points that move, and the surfaces and lines between them."""
 
 from __future__ import annotations
 
@@ -12,26 +12,27 @@ from forficula.dynamics import Record
 from forficula.show.structure.shape import Shape, ShapeLine, shape_of
 from forficula.structure import GROUND, Structure, built_frames, built_points
 
-# by diameter of the thickest bar: radius of a crease's line, of a rim, of the edge of a plate, of a tendon, of a joint,
+# as shares of the diameter of the thickest bar: radius of a crease's line, of a rim, of the edge of a plate, of a
+# tendon, of a joint; length of a dash
 # length of a dash
 _CREASE, _RIM, _EDGE, _TENDON, _JOINT, _DASH = 0.16, 0.06, 0.1, 0.32, 0.68, 0.9
-_THINNEST = 0.004  # by length of the whole: a line that can still be seen
-_FINEST = 20  # dashes' lengths to a crease
+_THINNEST = 0.004  # least width of a line, as a share of the span
+_FINEST = 20  # largest number of dash lengths along a crease
 # dashes of a crease and the gaps after them, in lengths of a dash: dash-dotted mountains, dashed valleys
 _STROKES = {"M": ((2.4, 0.6), (0.5, 0.6)), "V": ((1.2, 0.9),), "B": ((1e9, 0.0),)}
-_DIGITS = 6  # of a share
-_BASE = 0.8  # radius of a rod along what is held fast, by diameter of the thickest bar
-_SAME = 1e-6  # of the length of the whole: places no further apart are one
-_STUB = 0.04  # of that: a rod of a single place
+_DIGITS = 6  # decimals of a share
+_BASE = 0.8  # radius of a rod along fixed parts, as a share of the diameter of the thickest bar
+_SAME = 1e-6  # points closer than this share of the span count as one
+_STUB = 0.04  # length of a rod at a single point, as a share of the span
 
 
 @dataclass(frozen=True, kw_only=True)
 class Tube:
-    """A straight round bar between two vertices.
+    """Straight round bar between two vertices.
 
     Attributes:
         kind: "bar", "crease", "rim", "edge" or "tendon".
-        crease: "M" mountain, "V" valley or "B" border; "B" of a tendon.
+        crease: "M" mountain, "V" valley or "B" border; "B" for a tendon.
         ends: two vertices.
         radius: m.
     """
@@ -44,24 +45,24 @@ class Tube:
 
 @dataclass(frozen=True, kw_only=True)
 class ShapeMesh:
-    """What is drawn, by vertices that each lie between two moving points.
+    """Mesh of a structure; each vertex lies between two moving points.
 
     Attributes:
-        anchors: the points that move: numbers of those of the structure and, counted on, of nodes of its membranes.
-        between: the two points of each vertex, places in `anchors`, (vertex, 2).
-        share: how far it is from the first to the second, 0 to 1, (vertex,).
+        anchors: indices of the moving points: points of the structure and then nodes of its membranes.
+        between: the two points of each vertex, indices into `anchors`, (vertex, 2).
+        share: position between the first (0) and the second point (1), (vertex,).
         triangles: three vertices each, counterclockwise seen from above the built shape, (triangle, 3).
-        regions: numbers of the regions, (triangle,).
-        names: of the regions, such as "distal panel".
-        solid: whether each is of plates rather than of a sheet, (region,).
+        regions: region of each triangle, (triangle,).
+        names: names of the regions, such as "distal panel".
+        solid: whether the region consists of plates and not of a sheet, (region,).
         tubes: bars, creases, rims of sheets, edges of plates, and last the tendons in the structure's order.
-        joints: vertices of the hinges at the ends of bars, and of what is held, (joint,).
-        held: whether some are held.
-        joint_radius: m.
-        built: points of `anchors` in the built shape, m, (point, 3).
-        faces: number of the face that each triangle is part of, (triangle,).
-        base: ends of rods along what is held fast, m, (rod, end, axis).
-        base_radius: of these, m.
+        joints: vertices of hinges at the ends of bars, and of fixed points, (joint,).
+        held: whether there are fixed points.
+        joint_radius: radius of a joint, m.
+        built: positions of `anchors` in the built shape, m, (point, 3).
+        faces: face of each triangle, (triangle,).
+        base: ends of rods along fixed parts, m, (rod, end, axis).
+        base_radius: radius of these rods, m.
     """
 
     anchors: Indices
@@ -82,7 +83,7 @@ class ShapeMesh:
 
 
 def shape_mesh(structure: Structure) -> ShapeMesh:
-    """Lay out what is drawn of a structure."""
+    """Return the mesh of a structure."""
     shape = shape_of(structure)
     between, share = shape.between.tolist(), shape.share.tolist()
     pieces = [
@@ -119,12 +120,12 @@ def shape_mesh(structure: Structure) -> ShapeMesh:
 
 
 def _built(structure: Structure) -> Array:
-    """Points, then nodes of membranes, in the built shape, m, (point, 3)."""
+    """Return the points, then the nodes of membranes, in the built shape, m, (point, 3)."""
     return np.concatenate([built_points(structure), *(membrane.built for membrane in structure.membranes)])
 
 
 def moving_points(record: Record, mesh: ShapeMesh) -> Array:
-    """Where the points of a mesh are, m, (time, point, 3)."""
+    """Return the positions of a mesh's points, m, (time, point, 3)."""
     points, nodes = record.series["point_position"], record.series["membrane_position"]
     count = points.shape[1]
     of_points, of_nodes = mesh.anchors[mesh.anchors < count], mesh.anchors[mesh.anchors >= count] - count
@@ -132,16 +133,16 @@ def moving_points(record: Record, mesh: ShapeMesh) -> Array:
 
 
 def _thin(shape: Shape, share: float) -> float:
-    """Radius of a line by diameter of the bars, m, but one that can be seen."""
+    """Return the radius of a line, as a share of the bars' diameter but wide enough to be visible, m."""
     return max(share * shape.thickness, share * _THINNEST * shape.span)
 
 
 def _dashes(shape: Shape, line: ShapeLine, between: list[list[int]], share: list[float]) -> list[tuple[int, int]]:
-    """Ends of the dashes along a crease, as long as in the built shape; those within a piece become vertices."""
+    """Return the ends of the dashes along a crease, in the built shape; ends within a piece become new vertices."""
     lengths = [float(np.linalg.norm(shape.built[end] - shape.built[start])) for start, end in pairwise(line.path)]
     corners = [0.0, *np.cumsum(lengths).tolist()]
     width = corners[-1]
-    # not so fine that there are very many
+    # limits the number of dashes
     unit = max(_DASH * shape.thickness, width / _FINEST)
     dashes = []
     start, stroke = 0.0, 0
@@ -158,7 +159,7 @@ def _dashes(shape: Shape, line: ShapeLine, between: list[list[int]], share: list
 
 
 def _dash(between: list[list[int]], share: list[float], piece: tuple[int, int], places: list[float]) -> tuple[int, int]:
-    """Two vertices so far from one end of a straight piece to the other; its ends where these are no points."""
+    """Return two vertices at given shares along a straight piece; its ends if they are not points of the structure."""
     if any(share[end] for end in piece):
         return piece
     ends = []
@@ -173,12 +174,13 @@ def _dash(between: list[list[int]], share: list[float], piece: tuple[int, int], 
 
 
 def fixed_rods(structure: Structure) -> Array:
-    """Lay rods through the places at which a structure hangs on the ground, and around plates that cannot move.
+    """Return rods along the joints at which a structure is fixed to the ground, and around plates that cannot move.
 
-    Places are joined in the order of their bodies, as veins stand around a hub; a single one has a stub across.
+    Joints are connected in the order of their bodies, as veins are arranged around a hub; a single one gets a short
+    rod.
 
     Returns:
-        Ends, m, (rod, end, axis). None where nothing hangs on a joint and no plate is fixed, as of a sheet between
+        Ends, m, (rod, end, axis). Empty if nothing is fixed by a joint and no plate is fixed, as for a sheet between
         nodes.
     """
     origins, _ = built_frames(structure)

@@ -1,4 +1,4 @@
-"""A study's table as data for its page: factors, columns, quantities to map, and why values are missing."""
+"""A study's table as data for its page: factors, columns, quantities to map, and reasons for missing values."""
 
 from __future__ import annotations
 
@@ -24,34 +24,40 @@ if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
 _DIGITS = 7
-# the group of what a point has a value of for every torque that was tried
+# group of quantities with one value for every torque that was tried
 
 
 def study_data(study: Study, table: Dataset) -> dict[str, Any]:
-    """What a page needs to know of a study, as data for JSON.
+    """Return a study as data for JSON.
 
     Args:
-        study: what was asked.
-        table: what came out.
+        study: the study.
+        table: its results.
 
     Returns:
-        Every list with an entry a point has the study's order, in which the last factor runs fastest; numbers are in
-        the unit that stands beside them, None where there is none.
+        Every list with one entry for each point has the study's order, in which the last factor varies fastest. Numbers
+        are
+        in the unit beside them; None if there is no value.
 
-        - `noun`: what one of them is called; `file`: that has them all; `points`: how many; `sampled`: whether they
+        - `noun`: noun for one point; `file`: file that lists all; `points`: their number; `sampled`: whether they were
+          drawn.
           were drawn.
-        - `keeps`: why a run may not be there to play.
-        - `factors`: `key`, `name`, `unit`, `log`, whether they were drawn by their logarithms, and `values`: of the
-          grid, or a point each where they were drawn. Where factors are varied one at a time, their choices are the
+        - `keeps`: sentence on which runs are kept.
+        - `factors`: `key`, `name`, `unit`, `log` (whether values were drawn by their logarithms), and `values`: those
+        of the
+            grid, or one for each drawn point. If factors are varied one at a time, the first of these factors is the
+            choice.
           first of these.
-        - `axes`: numbers of the factors in the order in which maps take them for axes; `cuts`: number of each one's
-          value at which maps of the others lie.
-        - `words`: what became of points, those that came furthest first: `word`, `sign`, and `count` of the points with
-          it as their outcome.
-        - `verdicts`: a number of `words` a point; `statuses`: the full texts; `built`: whether any could run.
-        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, `reasons`: a
-          number of `words` a point, None where there is a value, and `transition`: number of the one that it is of or
-          that led there, None where it is of no single one. The first is the verdict and has no values.
+        - `axes`: indices of the factors in the order in which maps use them as axes; `cuts`: index of each factor's
+        value
+            at which maps of the other factors are drawn.
+        - `words`: outcomes, the best first: `word`, `sign`, and `count` of the points with this
+            outcome.
+        - `verdicts`: index into `words` for each point; `statuses`: full texts; `built`: whether the point could run.
+        - `quantities`: for maps and for the table's columns: `name`, `title`, `group`, `unit`, `values`, `reasons`
+        (index
+            into `words` for each point, None if there is a value) and `transition` (index of the transition that the
+            quantity belongs to, or None). The first quantity is the verdict and has no values.
     """
     signs = signs_of(table)
     words = Words(sorted({str(word) for word in table["outcome"].values.ravel()}, key=signs.rank), signs)
@@ -75,7 +81,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "name": study.name,
         "noun": "point",
         "file": "table.csv",
-        "keeps": "The study keeps the runs of as many points as --keep says.",
+        "keeps": "The option --keep says how many points keep their runs.",
         "unbuilt": unbuilt_text("point"),
         "design": study.base.name,
         "points": len(study.points),
@@ -95,7 +101,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
 
 @dataclass(frozen=True, kw_only=True)
 class _Drawn:
-    """A number of a table: its variable, what the page calls it, with which others, and of which transition it is."""
+    """Number of a table: its variable, its name on the page, its group, and its transition."""
 
     group: str
     name: str
@@ -104,7 +110,7 @@ class _Drawn:
 
 
 def _drawn(table: Dataset) -> list[_Drawn]:
-    """The numbers that a table has, in the order of the page's choice."""
+    """Return the numbers of a table in the order of the page's menu."""
     transitions, start = table_transitions(table), str(table.attrs.get("start_state", ""))
     numbered, noun = list(enumerate(transitions)), energy_noun(table)
     states: dict[str, int | None] = {start: None} if start else {}
@@ -120,7 +126,7 @@ def _drawn(table: Dataset) -> list[_Drawn]:
             for state, number in states.items()
         ),
         *(
-            ("energy", f"{state}_spring_energy", f"energy of what stretches when {state}", number)
+            ("energy", f"{state}_spring_energy", f"stretching energy when {state}", number)
             for state, number in states.items()
         ),
         *(
@@ -136,7 +142,7 @@ def _drawn(table: Dataset) -> list[_Drawn]:
 
 
 def factor_data(factor: DataArray) -> dict[str, Any]:
-    """A factor as data for JSON, with its values in the unit for people."""
+    """Return a factor as data for JSON, with its values in the display unit."""
     values, unit = display_values(factor)
     return {
         "key": str(factor.attrs.get("key", factor.name)),
@@ -166,24 +172,24 @@ def _quantity(table: Dataset, drawn: _Drawn, words: Words) -> dict[str, Any]:
 
 
 def _reasons(values: Sequence[float | None], reasons: NDArray[np.object_], words: Words) -> list[int | None]:
-    """Why there is no value, where there is none."""
+    """Return the reason for each missing value."""
     pairs = zip(values, reasons.tolist(), strict=True)
     return [words.number(str(reason)) if value is None else None for value, reason in pairs]
 
 
 def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
-    """A map for every value of the first transition that was tried, all in one unit."""
-    found = times_by_value(table)
-    if found is None:
+    """Yield a map for every value of the first transition that was tried, all in one unit."""
+    tried_times = times_by_value(table)
+    if tried_times is None:
         return
-    times, tried = table[found.times], table[found.value]
+    times, tried = table[tried_times.times], table[tried_times.value]
     unit, scale = _unit(times, times.values)
     for index in range(tried.size):
-        values = [rounded(scale * value) for value in times.isel({found.value: index}).values.ravel().tolist()]
-        became = table[found.outcomes].isel({found.value: index}).values.ravel()
+        values = [rounded(scale * value) for value in times.isel({tried_times.value: index}).values.ravel().tolist()]
+        became = table[tried_times.outcomes].isel({tried_times.value: index}).values.ravel()
         yield {
-            "name": f"{found.times}:{index}",
-            "title": f"{found.label} with {value_with_unit(tried, index)}",
+            "name": f"{tried_times.times}:{index}",
+            "title": f"{tried_times.label} with {value_with_unit(tried, index)}",
             "group": "time by torque",
             "unit": unit,
             "shares": True,
@@ -195,13 +201,13 @@ def _times_by_value(table: Dataset, words: Words) -> Iterator[dict[str, Any]]:
 
 
 def _unit(variable: DataArray, values: Any) -> tuple[str, float]:
-    """The unit in which values read well, and its factor from SI."""
+    """Return a legible unit for some values, and its factor from SI."""
     largest = np.nanmax(np.abs(values), initial=0.0, where=np.isfinite(values))
     return reading_unit(str(variable.attrs["units"]), float(largest))
 
 
 def rounded(value: Any) -> Any:
-    """A number with the digits that anyone reads; None for none."""
+    """Return a number rounded to the digits of the page; None for nan and infinity."""
     if not isinstance(value, float):
         return value
     return float(f"{value:.{_DIGITS}g}") if math.isfinite(value) else None

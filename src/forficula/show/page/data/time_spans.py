@@ -1,4 +1,4 @@
-"""Parts of the time line that a page shows close up."""
+"""Parts of the time line that a page shows enlarged."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from forficula.design import stage_drives
 from forficula.dynamics import StageEnd
 from forficula.show.page.playback import Clip
 
-# before and after a driven stage, as a share of it; its hold, in which little happens, by the time to its goal
+# time shown before and after a driven stage, as a share of it; largest hold shown, as a share of the time to the goal
 _LEAD, _HOLD = 0.15, 0.6
 
 
 @dataclass(frozen=True, kw_only=True)
 class Span:
-    """A part of the clock that several clips share.
+    """Part of the clock that several clips share.
 
     Attributes:
-        name: what it shows.
-        label: what its times count from.
+        name: name of the span.
+        label: label of the time axis, which names its zero.
         start: s on the clock.
         end: s on the clock.
-        origins: time of each clip that is 0 on the clock, s, (clip,).
-        whole: whether it is all that there is, most of it rest.
+        origins: time of each clip at 0 on the clock, s, (clip,).
+        whole: whether the span covers everything, most of it at rest.
     """
 
     name: str
@@ -36,7 +36,7 @@ class Span:
 
 
 def run_spans(clip: Clip) -> list[Span]:
-    """The whole run, then each driven stage close up, in the run's own time."""
+    """Return the whole run, then each driven stage enlarged, in the run's own time."""
     label = "time since the start of the run"
     first, last = float(clip.time[0]), float(clip.time[-1])
     spans = [Span(name="whole run", label=label, start=first, end=last, origins=(0.0,), whole=True)]
@@ -49,9 +49,9 @@ def run_spans(clip: Clip) -> list[Span]:
 
 
 def shared_spans(clips: Sequence[Clip]) -> list[Span]:
-    """Whole runs side by side, then their transitions, each from the start of that stage in every run.
+    """Return whole runs side by side, then their transitions, each from the start of its stage in every run.
 
-    Whole runs are lined up at the start of the first transition; runs of which one never gets there, at their own.
+    Whole runs are aligned at the start of the first transition, or at their own start if a run never reaches it.
     """
     spans = []
     nouns = {each.drive: each.wording.noun for clip in clips for each in clip.structure.transitions}
@@ -65,7 +65,7 @@ def shared_spans(clips: Sequence[Clip]) -> list[Span]:
         if len(ends) < 2:
             continue
         low, high = min(_close_up(end)[0] for end in ends), max(_close_up(end)[1] for end in ends)
-        # what never got there stays as it was at its end
+        # a run that never reached the transition stays at its end
         origins = tuple(
             float(clip.time[-1]) if start is None else start for clip, start in zip(clips, starts, strict=True)
         )
@@ -76,7 +76,7 @@ def shared_spans(clips: Sequence[Clip]) -> list[Span]:
 
 
 def span_data(span: Span) -> dict[str, Any]:
-    """A span as data for JSON."""
+    """Return a span as data for JSON."""
     return {
         "name": span.name,
         "label": span.label,
@@ -108,7 +108,7 @@ def _start(clip: Clip, drive: str) -> float | None:
 
 
 def _close_up(end: StageEnd) -> tuple[float, float]:
-    """From where to where a stage is shown, s since its start."""
+    """Return the start and end of the enlarged part of a stage, s since the stage's start."""
     duration = end.end - end.start
     if end.goal_time is not None:
         duration = min(duration, (1 + _HOLD) * (end.goal_time - end.start))

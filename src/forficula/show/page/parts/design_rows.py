@@ -1,4 +1,4 @@
-"""A design as rows for people, and what differs from another design."""
+"""Values of a design as rows for people, compared with another design."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from forficula.quantities import as_written, show_quantity
 
 ABSENT = "—"
 DIGITS = 9  # of a quantity, significant
-_MOST_IN_TITLE = 2  # values that a title names [chosen]
+_MOST_IN_TITLE = 2  # largest number of values in a title [chosen]
 
 
 @dataclass(frozen=True, kw_only=True)
 class DesignRow:
-    """One value of a design.
+    """Value of a design, beside that of another design.
 
     Attributes:
-        section: the part that it stands in, such as "tendon".
-        key: in that part; a number picks an entry of a list.
-        meaning: in words.
-        value: with its unit; `ABSENT` where there is none.
-        base: what the other design has there.
+        section: section of the design that contains the value, such as "tendon".
+        key: dotted key within the section; a number selects an entry of a list.
+        meaning: description of the key.
+        value: value with its unit; `ABSENT` if the design has none.
+        base: value of the other design.
     """
 
     section: str
@@ -42,10 +42,10 @@ class DesignRow:
 
 
 def base_design(design: Design) -> Design | None:
-    """The named design to compare one with: the one of its name, the reference, or the first of its kind.
+    """Return the named design to compare a design with: that of its name, its reference, or the first of its kind.
 
-    A design does not keep what it was based on, so a file of another name counts as one that came from the reference,
-    as one that `forficula new` wrote does.
+    A design does not record which design it started from, so a file with a name that is not known is compared with the
+    reference, from which `forficula new` writes files.
 
     Returns:
         None where no named design is of its kind.
@@ -60,31 +60,31 @@ def base_design(design: Design) -> Design | None:
 
 
 def design_rows(design: Design, base: Design) -> list[DesignRow]:
-    """Every value of a design, in its order, beside that of another; then what only the other one has."""
-    own, other = _flat(design), _flat(base)
+    """Return every value of a design, in its order, beside that of another; then values that only the other one has."""
+    values, other = _flat(design), _flat(base)
     meanings = dict(key_meanings(design)) | dict(key_meanings(base))
-    # as in a design file: what is built, then what is done to it
+    # the order of a design file: first the structure, then the protocol
     sections = dict.fromkeys([*type(design).model_fields, *type(base).model_fields])
     order = sorted(sections, key=lambda section: section == "protocol")
-    keys = sorted(_keys([own, other]), key=lambda key: order.index(key.partition(".")[0]))
+    keys = sorted(_keys([values, other]), key=lambda key: order.index(key.partition(".")[0]))
     return [
         DesignRow(
             section=key.partition(".")[0],
             key=key.partition(".")[2],
             meaning=meanings.get(key, ""),
-            value=_at(own, key),
-            base=_at(other, key),
+            value=_value_at(values, key),
+            base=_value_at(other, key),
         )
         for key in keys
     ]
 
 
 def design_title(design: Design) -> str:
-    """A design's name and what sets it apart from the named design of that name, for a heading or a window's title.
+    """Return a design's name and its differences from the named design of that name, for a heading or a window title.
 
     Returns:
-        Such as "binder2025, tendon.stiffness 20 N/cm"; where more differs, how many values do and the design's hash. Of
-        a design that no named one has the name of, the name.
+        Text such as "binder2025, tendon.stiffness 20 N/cm". Above two differences, their number and the design's hash.
+        Only the name if no named design has that name.
     """
     base = base_design(design)
     if base is None or base.name != design.name:
@@ -92,61 +92,61 @@ def design_title(design: Design) -> str:
     rows = [row for row in design_rows(design, base) if row.differs]
     if len(rows) > _MOST_IN_TITLE:
         return f"{design.name} with {len(rows)} other values ({design.hash})"
-    return ", ".join([design.name, *(_apart(row) for row in rows)])
+    return ", ".join([design.name, *(_difference_text(row) for row in rows)])
 
 
 def differing_rows(designs: Sequence[Design]) -> list[tuple[str, list[str]]]:
-    """The keys in which designs differ, dotted, each with every design's value."""
+    """Return the dotted keys in which designs differ, each with the values of all designs."""
     flat = [_flat(design) for design in designs]
-    rows = [(key, [_at(values, key) for values in flat]) for key in _keys(flat)]
+    rows = [(key, [_value_at(values, key) for values in flat]) for key in _keys(flat)]
     return [(key, values) for key, values in rows if len(set(values)) > 1]
 
 
 def section_title(section: str, design: Design) -> str:
-    """What a part of a design is, in words."""
+    """Return the description of a section of a design."""
     part = _section(section, design)
     return (part.about if part is not None else "") or section
 
 
 def section_heading(section: str, designs: Sequence[Design]) -> str:
-    """What is written over a part, as the first of some designs that has it says; empty where it does not say."""
+    """Return the heading of a section from the first design that has one; empty if none has."""
     parts = (_section(section, design) for design in designs)
     return next((part.heading for part in parts if part is not None), "")
 
 
-def _apart(row: DesignRow) -> str:
+def _difference_text(row: DesignRow) -> str:
     key = f"{row.section}.{row.key}"
     return f"{key} left out" if row.value == ABSENT else f"{key} {row.value}"
 
 
 def _section(section: str, design: Design) -> Section | None:
-    """A part of a design; of a list of them the first that there is."""
+    """Return a section of a design; the first entry if the section is a list."""
     part = getattr(design, section, None)
     entries = part if isinstance(part, tuple) else (part,)
     return next((entry for entry in entries if isinstance(entry, Section)), None)
 
 
 def _keys(designs: Sequence[dict[str, str]]) -> list[str]:
-    """The keys of designs; of those of one table for all only where no design has a list of tables."""
+    """Return the keys of all designs. A key of one table for all entries is left out if a design lists the entries."""
     keys = list(dict.fromkeys(key for values in designs for key in values))
-    listed = {_of_all(key) for key in keys} - {None}
+    listed = {_key_of_all_entries(key) for key in keys} - {None}
     return [key for key in keys if key not in listed]
 
 
-def _at(values: dict[str, str], key: str) -> str:
-    """The value at a key, or that of the table that stands for all entries of a list."""
-    return values.get(key, values.get(_of_all(key) or key, ABSENT))
+def _value_at(values: dict[str, str], key: str) -> str:
+    """Return the value at a key, or that of the table that applies to all entries of a list."""
+    return values.get(key, values.get(_key_of_all_entries(key) or key, ABSENT))
 
 
-def _of_all(key: str) -> str | None:
-    """The key of all entries of a list, such as "tendon.stiffness" of "tendon.1.stiffness"; None of others."""
+def _key_of_all_entries(key: str) -> str | None:
+    """Return the key of all entries of a list, such as "tendon.stiffness" for "tendon.1.stiffness"; None otherwise."""
     section, _, rest = key.partition(".")
     number, _, inside = rest.partition(".")
     return f"{section}.{inside}" if number.isdecimal() and inside else None
 
 
 def _flat(design: Design) -> dict[str, str]:
-    """Values as text by dotted key, without name and source; their last digits, where rounding shows, are left out."""
+    """Return values as text by dotted key, without name and source, rounded so that rounding errors do not show."""
     tables = design.as_tables(partial(show_quantity, digits=DIGITS))
     sections = {key: value for key, value in tables.items() if isinstance(value, dict) or _is_list_of_tables(value)}
     leaves: dict[str, str] = {}
@@ -161,8 +161,8 @@ def _leaves(value: Any, key: str) -> Iterator[tuple[str, str]]:
     if not isinstance(value, dict):
         yield key, value if isinstance(value, str) else as_written(value)
         return
-    for name, each in value.items():
-        yield from _leaves(each, f"{key}.{name}")
+    for name, entry in value.items():
+        yield from _leaves(entry, f"{key}.{name}")
 
 
 def _is_list_of_tables(value: Any) -> bool:
@@ -170,7 +170,7 @@ def _is_list_of_tables(value: Any) -> bool:
 
 
 def key_meanings(part: Section, prefix: str = "") -> Iterator[tuple[str, str]]:
-    """What the keys of a part mean, and of the parts in it."""
+    """Yield the keys of a section and of the sections in it, with their descriptions."""
     for name, field in type(part).model_fields.items():
         value = getattr(part, name)
         yield f"{prefix}{name}", field.description or ""

@@ -1,4 +1,4 @@
-"""A design in tables of a page, what differs from the named design it is compared with marked."""
+"""Tables of a page with the values of a design; values that differ from the compared named design are marked."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _STAGES = "stages"
 
 
 def design_tables(design: Design) -> list[str]:
-    """What differs, in a sentence, then one table a part, as HTML."""
+    """Return the HTML of a sentence about the differences and of one table for each section."""
     base = base_design(design)
     rows = design_rows(design, base or design)
     listed: dict[str, list[DesignRow]] = {}
@@ -43,7 +43,7 @@ def design_tables(design: Design) -> list[str]:
 
 
 def _list_of(row: DesignRow) -> str | None:
-    """Key of the list that a row belongs to, where it is the stages' or a part of the design; None of others."""
+    """Return the key of the list that a row belongs to: the stages or a listed section; None for other rows."""
     first, _, rest = row.key.partition(".")
     if first.isdigit():
         return row.section
@@ -56,8 +56,12 @@ def _differences(design: Design, base: Design, changed: list[DesignRow]) -> str:
         return f"Every value is that of the named design {base.name}{digits}."
     values = "value differs" if len(changed) == 1 else "values differ"
     keys = ", ".join(f"{row.section}.{row.key}" for row in changed)
-    why = "" if design.name == base.name else f" A design does not say what it came from: {base.name} is the reference."
-    return f"{len(changed)} {values} from the named design {base.name}, marked below: {keys}.{why}"
+    reason = (
+        ""
+        if design.name == base.name
+        else f" A design does not record what it was made from, so it is compared with the reference, {base.name}."
+    )
+    return f"{len(changed)} {values} from the named design {base.name}, marked below: {keys}.{reason}"
 
 
 def _value(row: DesignRow, base: Design | None) -> Cell:
@@ -66,14 +70,14 @@ def _value(row: DesignRow, base: Design | None) -> Cell:
 
 
 def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None) -> str:
-    """The entries of a list, one a row."""
+    """Return a table with one row for each entry of a list."""
     entries: dict[str, dict[str, DesignRow]] = {}
-    inside = name.partition(".")[2]
+    inner_key = name.partition(".")[2]
     for row in rows:
-        number, key = row.key.removeprefix(f"{inside}.").split(".", 1)
+        number, key = row.key.removeprefix(f"{inner_key}.").split(".", 1)
         entries.setdefault(number, {})[key] = row
     keys = list(dict.fromkeys(key for entry in entries.values() for key in entry))
-    # an entry without a name is known by its number
+    # entries without names are numbered
     named = "name" in keys
     cells = [
         [
@@ -83,8 +87,8 @@ def _list(name: str, rows: list[DesignRow], design: Design, base: Design | None)
         for number, entry in sorted(entries.items(), key=lambda item: int(item[0]))
     ]
     headings = [*([] if named else [""]), *(key.replace("_", " ") for key in keys)]
-    if inside:
-        return table(f"{inside.capitalize()} of the protocol ({name})", headings, cells, numbers=False)
+    if inner_key:
+        return table(f"{inner_key.capitalize()} of the protocol ({name})", headings, cells, numbers=False)
     meaning = type(design).model_fields[name].description or section_title(name, design)
     heading = section_heading(name, (design, base or design)) or f"{name.capitalize()}s"
     return table(f"{heading}: {meaning}", headings, cells, numbers=False)

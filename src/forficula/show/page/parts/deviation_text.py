@@ -1,4 +1,4 @@
-"""Tolerances in words."""
+"""Tolerances as text."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from forficula.quantities import show_quantity
 
 
 def plain_key(key: str) -> str:
-    """A key in words."""
+    """Return a key with spaces in place of dots and underscores."""
     return key.replace(".", " ").replace("_", " ")
 
 
 def deviation_text(design: Design, deviation: Deviation) -> str:
-    """A value and its tolerance, such as "10 N/cm ± 10 %"."""
+    """Return a value and its tolerance, such as "10 N/cm ± 10 %"."""
     quantity = key_quantity(deviation.key, type(design))
     value = float(key_value(design, deviation.key))
     if quantity is None:

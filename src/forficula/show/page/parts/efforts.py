@@ -1,4 +1,4 @@
-"""Where drives act on a structure that moves: what a page needs for their arrows."""
+"""Positions and directions of drives over a run: the data for their arrows in a page."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from forficula.statics.tree.pose import Pose, pose, tree_of
 from forficula.structure import GROUND, Drive, Hinge, Motor, Structure, built_points, drive_of, drive_unit, driven_motor
 
 _WORDS = {"torque": "torque", "force": "force", "displacement": "displacement", "rest-angle": "turn of rest angles"}
-_ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, by length of the whole
-_BESIDE = 0.45  # that radius by the least distance between two of the axes, where that is less
-_SAME = 1e-6  # of the length of the whole: axes no further apart are one
-_MOST_MOMENTS = 100  # of a stage
+_ARC, _LEAST_ARC = 0.075, 0.04  # radius of an arrow about an axis, as a share of the structure's span
+_BESIDE = 0.45  # largest radius as a share of the distance to the nearest other axis
+_SAME = 1e-6  # axes closer than this share of the span count as one
+_MOST_MOMENTS = 100  # largest number of frames of a stage
 _LONGEST_WORDS = 60
 
 
 @dataclass(frozen=True, kw_only=True)
 class Turn:
-    """A hinge that a torque turns.
+    """Hinge on which a torque acts.
 
     Attributes:
-        shares: times which the strength of each drive acts on it, (drive,).
-        ends: of a crease, numbers of the points that it goes from and to, in its own sense; None of a joint.
-        pivot: a place on the axis of a joint, m, (time, 3) or (1, 3) where that does not move.
-        axis: of a joint in its own sense, unit vectors, alike.
-        left: what speed leaves of the torque, (time,); None where it does not mind speeds.
-        radius: of its arrow, m.
+        shares: factors on the strength of each drive that acts on the hinge, (drive,).
+        ends: indices of the points from which to which a crease runs, in its positive sense; None for a joint.
+        pivot: a point on the axis of a joint, m, (time, 3), or (1, 3) if the point does not move.
+        axis: axis of a joint in its positive sense, unit vectors, same shape as `pivot`.
+        left: share of the torque that remains at the hinge's speed, (time,); None if the torque ignores speed.
+        radius: radius of the arrow, m.
     """
 
     shares: tuple[float, ...]
@@ -47,13 +47,13 @@ class Turn:
 
 @dataclass(frozen=True, kw_only=True)
 class Push:
-    """A point at which a force acts.
+    """Point at which a force acts.
 
     Attributes:
-        shares: times which the strength of each drive acts on it, (drive,); nothing of a displacement.
-        point: number of it.
-        direction: unit vector, (3,).
-        force: of a displacement on all its points together, by its largest, (time,); None of a force.
+        shares: factors on the strength of each drive that acts on the point, (drive,); 0 for a displacement.
+        point: index of the point.
+        direction: direction of the force, unit vector, (3,).
+        force: total force of a displacement on all its points, divided by its maximum, (time,); None for a force.
     """
 
     shares: tuple[float, ...]
@@ -64,15 +64,15 @@ class Push:
 
 @dataclass(frozen=True, kw_only=True)
 class Efforts:
-    """What drives do over the frames of a clip.
+    """Actions of the drives over the frames of a clip.
 
     Attributes:
-        structure: on which they act.
-        time: at which it is known where, s, (time,): while they do.
-        drives: that the stages switch on.
-        stages: start, end, s, and numbers of the drives, of those that are driven.
-        turns: hinges.
-        pushes: points.
+        structure: structure on which the drives act.
+        time: times of the positions, s, (time,), within driven stages.
+        drives: drives that the stages switch on.
+        stages: start and end, s, and indices of the drives, for each driven stage.
+        turns: hinges on which torques act.
+        pushes: points on which forces act.
     """
 
     structure: Structure
@@ -84,7 +84,7 @@ class Efforts:
 
 
 def efforts_of(record: Record, rows: Indices) -> Efforts:
-    """Find where drives act, at some rows of a record of those that are shown."""
+    """Find where drives act, at those rows of a record that a page shows."""
     structure, rows = record.structure, _acting_rows(record, rows)
     names = list(dict.fromkeys(name for end in record.stages for name in stage_drives(end.stage)))
     drives = tuple(drive_of(structure, name) for name in names)
@@ -97,9 +97,9 @@ def efforts_of(record: Record, rows: Indices) -> Efforts:
         if not any(shares):
             continue
         if motor.kind == "torque":
-            turns += _turns(record, rows, motor, shares, at)
+            turns += _motor_turns(record, rows, motor, shares, at)
         elif motor.kind in ("force", "displacement"):
-            pushes += _pushes(record, rows, number, shares)
+            pushes += _motor_pushes(record, rows, number, shares)
     return Efforts(
         structure=structure,
         time=record.time[rows],
@@ -115,20 +115,20 @@ def efforts_of(record: Record, rows: Indices) -> Efforts:
 
 
 def _acting_rows(record: Record, rows: Indices) -> Indices:
-    """Those of some rows in driven stages, not very many of each: shown rows lie close where it moves fast."""
-    found = []
+    """Return those of the rows that lie in driven stages, thinned out: shown rows are dense where motion is fast."""
+    row_groups = []
     for end in record.stages:
         if stage_drives(end.stage):
             within = rows[(record.time[rows] >= end.start) & (record.time[rows] <= end.end)]
-            found.append(
+            row_groups.append(
                 within[np.unique(np.linspace(0, max(len(within) - 1, 0), _MOST_MOMENTS).astype(int))[: len(within)]]
             )
-    acting = np.unique(np.concatenate([*found, rows[:0]]))
+    acting = np.unique(np.concatenate([*row_groups, rows[:0]]))
     return acting if len(acting) else rows[:1]
 
 
 def efforts_data(efforts: Efforts, anchors: Indices) -> dict[str, Any]:
-    """The same as data for JSON, of points by their places among those that move; arrows at others are left out."""
+    """Return efforts as data for JSON; arrows at points that do not move are left out."""
     structure, places = efforts.structure, {number: place for place, number in enumerate(anchors.tolist())}
     return {
         "time": packed(efforts.time, "f8"),
@@ -160,7 +160,7 @@ def efforts_data(efforts: Efforts, anchors: Indices) -> dict[str, Any]:
 
 
 def crease_ends(hinge: Hinge) -> tuple[int, int]:
-    """Points from which to which a crease goes, so that what folds it turns its left flap right-handed about that."""
+    """Return the points from and to which a crease runs, so that folding turns its left flap right-handed about it."""
     assert hinge.flaps is not None
     tail, head, *_ = hinge.flaps
     return (tail, head) if hinge.sense > 0 else (head, tail)
@@ -184,28 +184,28 @@ def _drive_data(structure: Structure, drive: Drive) -> dict[str, Any]:
     }
 
 
-def _turns(record: Record, rows: Indices, motor: Motor, shares: list[float], at: Pose | None) -> list[Turn]:
-    """What a motor turns; a joint on what slides is left out, for angles alone do not tell where that is."""
-    turns, nothing = [], np.zeros((0, 3))
+def _motor_turns(record: Record, rows: Indices, motor: Motor, shares: list[float], at: Pose | None) -> list[Turn]:
+    """Return the hinges of a motor, without joints on sliding bodies, whose position does not follow from angles."""
+    turns, empty = [], np.zeros((0, 3))
     for hinge, gain in zip(motor.hinges, motor.gains or (1.0,) * len(motor.hinges), strict=True):
-        built, ends, pivot, axis = record.structure.hinges[hinge], None, nothing, nothing
+        built, ends, pivot, axis = record.structure.hinges[hinge], None, empty, empty
         if built.flaps is not None:
             ends = crease_ends(built)
         elif at is not None and _is_anchored(record.structure, hinge):
-            axis = _once(at.axes[:, :, hinge].T)
-            pivot = _once(at.pivots[:, :, hinge].T + _middle(record.structure, hinge) * at.axes[:, :, hinge].T)
+            axis = _constant_row(at.axes[:, :, hinge].T)
+            pivot = _constant_row(at.pivots[:, :, hinge].T + _middle(record.structure, hinge) * at.axes[:, :, hinge].T)
         else:
             continue
         left = None
         if np.isfinite(motor.no_load_speed):
             speeds = np.gradient(record.series["hinge_angle"][:, hinge], record.time)
             left = 1 - speeds[rows] / motor.no_load_speed
-        own = tuple(gain * share for share in shares)
-        turns.append(Turn(shares=own, ends=ends, pivot=pivot, axis=axis, left=left))
+        hinge_shares = tuple(gain * share for share in shares)
+        turns.append(Turn(shares=hinge_shares, ends=ends, pivot=pivot, axis=axis, left=left))
     return turns
 
 
-def _pushes(record: Record, rows: Indices, number: int, shares: list[float]) -> list[Push]:
+def _motor_pushes(record: Record, rows: Indices, number: int, shares: list[float]) -> list[Push]:
     motor, force = record.structure.motors[number], None
     assert motor.direction is not None
     if motor.kind == "displacement":
@@ -215,7 +215,7 @@ def _pushes(record: Record, rows: Indices, number: int, shares: list[float]) -> 
 
 
 def _is_anchored(structure: Structure, hinge: int) -> bool:
-    """Whether angles alone tell where a joint is: what it hangs on does not slide."""
+    """Return whether the position of a joint follows from angles alone: no body between it and the ground slides."""
     body = structure.hinges[hinge].body
     while body != GROUND:
         if structure.bodies[body].slides:
@@ -225,22 +225,22 @@ def _is_anchored(structure: Structure, hinge: int) -> bool:
 
 
 def _middle(structure: Structure, number: int) -> float:
-    """How far along a joint's axis from its body's origin the middle of the body's points on it is, m."""
+    """Return the distance along a joint's axis from the body's origin to the middle of the body's points on it, m."""
     hinge = structure.hinges[number]
     places = np.array([point.place for point in structure.points if point.body == hinge.body]).reshape(-1, 3)
     along = hinge.sense * (places @ hinge.axis)
-    beside = np.linalg.norm(places - np.outer(hinge.sense * along, hinge.axis), axis=1)
-    there = along[beside <= _SAME * structure.span]
-    return float(there.min() + there.max()) / 2 if len(there) else 0.0
+    off_axis = np.linalg.norm(places - np.outer(hinge.sense * along, hinge.axis), axis=1)
+    on_axis = along[off_axis <= _SAME * structure.span]
+    return float(on_axis.min() + on_axis.max()) / 2 if len(on_axis) else 0.0
 
 
-def _once(values: Array) -> Array:
-    """One row of what does not change."""
+def _constant_row(values: Array) -> Array:
+    """Return only the first row of values that do not change."""
     return values[:1] if len(values) and np.allclose(values, values[:1], atol=1e-9) else values
 
 
 def _with_radii(structure: Structure, turns: Sequence[Turn]) -> tuple[Turn, ...]:
-    """Turns with arrows so large that those beside each other hardly meet in the built shape."""
+    """Set the radii of arrows so that neighbouring arrows hardly overlap in the built shape."""
     span, points = structure.span, built_points(structure)
     middles = np.array([points[list(turn.ends)].mean(axis=0) if turn.ends else turn.pivot[0] for turn in turns])
     gaps = np.linalg.norm(middles[:, np.newaxis] - middles, axis=2) if len(turns) else np.zeros((0, 0))

@@ -1,4 +1,4 @@
-"""What an optimisation came to, in tables of its page: margins, objectives, what was verified, what it took."""
+"""Tables of an optimisation's page: margins, objectives, verification and number of runs."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from forficula.structure import structure_of
 if TYPE_CHECKING:
     from xarray import Dataset
 
-# what rules a design out before it is run, by what is asked of it
-_BY = {
+# reasons for which a design is ruled out before its run, by the quantity that was checked
+_RULED_OUT_BY = {
     "not built": "cannot be built",
     "design": "its own values",
     "parts": "its parts",
@@ -32,38 +32,41 @@ _BY = {
 
 
 def limit_margins(goal: Goal) -> list[tuple[Limit, str]]:
-    """Each of a design's own limits with the variable of its margin: a second one on the same quantity is numbered."""
-    found, seen = [], dict[str, int]()
+    """Return a design's own limits with the variables of their margins; a second limit on a quantity is numbered."""
+    limits, seen = [], dict[str, int]()
     for limit in own_limits(goal):
         name = f"margin_{limit.quantity.dimension}"
         seen[name] = seen.get(name, 0) + 1
-        found.append((limit, name if seen[name] == 1 else f"{name}_{seen[name]}"))
-    return found
+        limits.append((limit, name if seen[name] == 1 else f"{name}_{seen[name]}"))
+    return limits
 
 
 def title_of(quantity: OutcomeQuantity) -> str:
-    """A quantity's name in words."""
+    """Return a quantity's name in words."""
     return quantity.name.replace(".", " ").replace("_", " ")
 
 
 def limit_text(limit: Limit) -> str:
-    """A limit in words, such as "holding torque ≥ 5 N cm"."""
+    """Return a limit in words, such as "holding torque ≥ 5 N cm"."""
     sign = {">=": "≥", "<=": "≤"}[limit.kind]
     return f"{title_of(limit.quantity)} {sign} {show_quantity(limit.bound, limit.quantity.unit)}"
 
 
 def limits_table(optimum: Optimum, results: Dataset, point: int) -> str:
-    """Every limit with what a candidate comes to, and the margin as a bar about 0."""
+    """Return a table of every limit, with the candidate's value and its margin as a bar about 0."""
     goal = optimum.goal
     rows = []
     if goal.simulate:
         margin = float(results["margin_works"].values[point])
-        does = " and ".join(each.wording.does for each in structure_of(goal.base).transitions) or "comes to rest"
-        note = f"{does}; its margin is the share of a time limit that was left, or of the way that was missing"
+        does = (
+            " and ".join(transition.wording.does for transition in structure_of(goal.base).transitions)
+            or "comes to rest"
+        )
+        note = f"{does}; margin: remaining share of a time limit, or missing share of the motion"
         yes = "—" if math.isnan(margin) else "yes" if margin > 0 else "no"
         rows.append(_margin_row("works in a run", margin, yes, note, met=margin > 0))
     for limit in goal.given:
-        note = "drives every run: what works needs no more"
+        note = "every run is driven with this value, so a design that works meets the limit"
         rows.append(BarRow(name=limit_text(limit), lanes=((),), cells=("given", "—"), note=note))
     for limit, name in limit_margins(goal):
         margin = float(results[name].values[point])
@@ -78,8 +81,8 @@ def limits_table(optimum: Optimum, results: Dataset, point: int) -> str:
     if not rows:
         return ""
     which = "" if optimum.feasible else ", which comes nearest: none meets all"
-    caption = f"Limits, and what design {point + 1} comes to{which}; right of the line is met"
-    return bar_table(caption, ("", "missed | met", "comes to", "margin"), rows, (-1.0, 1.0))
+    caption = f"Limits and values of design {point + 1}{which}; a bar right of the line means that the limit is met"
+    return bar_table(caption, ("", "missed | met", "value", "margin"), rows, (-1.0, 1.0))
 
 
 def _margin_row(name: str, margin: float, value: str, note: str, *, met: bool) -> BarRow:
@@ -88,7 +91,7 @@ def _margin_row(name: str, margin: float, value: str, note: str, *, met: bool) -
 
 
 def _value(results: Dataset, quantity: OutcomeQuantity, point: int) -> str:
-    """A quantity of a candidate, a probability with its interval."""
+    """Return a quantity of a candidate as text, a probability with its interval."""
     source = results.get(quantity.dimension)
     if source is None or math.isnan(value := float(source.values[point])):
         return "—"
@@ -99,14 +102,14 @@ def _value(results: Dataset, quantity: OutcomeQuantity, point: int) -> str:
 
 
 def objectives_table(optimum: Optimum, results: Dataset, point: int) -> str:
-    """What is to be least or largest, of one candidate and over all that meet the limits."""
+    """Return a table of the objectives: the value of one candidate and the range over all that meet the limits."""
     rows = []
     for each in optimum.goal.objectives:
         ends = [_shown(each, end) for end in _ends(results, each)]
         title = f"{each.kind} {title_of(each.quantity)}"
-        rows.append([title, _value(results, each.quantity, point), " to ".join(ends) or "none meets them"])
-    headings = ("objective", f"design {point + 1}", "over all that meet the limits")
-    return table("What is to be as small or as large as can be", headings, rows)
+        rows.append([title, _value(results, each.quantity, point), " to ".join(ends) or "no design meets them"])
+    headings = ("objective", f"design {point + 1}", "range of all designs that meet the limits")
+    return table("Objectives", headings, rows)
 
 
 def _shown(objective: Objective, value: float) -> str:
@@ -115,22 +118,29 @@ def _shown(objective: Objective, value: float) -> str:
 
 
 def _ends(results: Dataset, objective: Objective) -> list[float]:
-    """The least and the largest value of those that meet all limits."""
+    """Return the least and the largest value of the designs that meet all limits."""
     values = results[objective.quantity.dimension].values.astype(float)
     values = values[results["feasible"].values.astype(bool) & np.isfinite(values)]
     return [float(values.min()), float(values.max())] if len(values) else []
 
 
 def verifications_table(optimum: Optimum) -> str:
-    """How the best do where the search did not look: at a finer timestep, and of fresh neighbours."""
+    """Return a table of verifications: the best designs at a finer timestep, and fresh neighbours of theirs."""
     numbers = {each.point: str(number + 1) for number, each in enumerate(optimum.candidates)}
     checked = [each for each in (*optimum.best, *optimum.discarded) if each.finer is not None or each.fresh is not None]
     rows = [
         [numbers.get(each.candidate.point, ""), *_finer(each), _fresh(each.fresh), "yes" if each.holds else "no"]
         for each in checked
     ]
-    headings = ("design", "a quarter of", "margin there", "energy missing", "fresh neighbours that work", "holds")
-    return table("Verified where the search did not look", headings, rows) if rows else ""
+    headings = (
+        "design",
+        "timestep (checked at 1/4)",
+        "margin at 1/4",
+        "energy residual",
+        "new neighbours that work",
+        "confirmed",
+    )
+    return table("Verification at a finer timestep and with new neighbours", headings, rows) if rows else ""
 
 
 def _finer(verification: Verification) -> list[str]:
@@ -149,7 +159,7 @@ def _fresh(neighbours: Neighbours | None) -> str:
 
 
 def relaxations_table(optimum: Optimum) -> str:
-    """Where nothing meets the goal, how near each limit was met, and what would be had if it alone gave."""
+    """Return a table for a goal that no design meets: largest margin of each limit, alone and with the others met."""
     names = [limit_text(each) for each in own_limits(optimum.goal)] + ["works in a run"]
     rows = [
         BarRow(
@@ -159,8 +169,8 @@ def relaxations_table(optimum: Optimum) -> str:
         )
         for each in optimum.relaxations
     ]
-    headings = ("", "missed | met", "largest margin of any", "where all others are met")
-    return bar_table("The largest margin that any design has", headings, rows, (-1.0, 1.0)) if rows else ""
+    headings = ("", "missed | met", "of any design", "of designs that meet all other limits")
+    return bar_table("Largest margins", headings, rows, (-1.0, 1.0)) if rows else ""
 
 
 def _margin_text(margin: float) -> str:
@@ -168,13 +178,16 @@ def _margin_text(margin: float) -> str:
 
 
 def effort_table(optimum: Optimum) -> str:
-    """What the search cost, and what it did without."""
+    """Return a table of the number of runs that the search made and saved."""
     effort = optimum.effort
-    rows: list[list[Any]] = [["designs that were tried", str(effort.tried)], ["of these run", str(effort.runs)]]
-    rows += [[f"ruled out before, by {_BY.get(by, by)}", str(count)] for by, count in effort.ruled_out.items()]
+    rows: list[list[Any]] = [["designs tried", str(effort.tried)], ["designs run", str(effort.runs)]]
+    rows += [
+        [f"ruled out without a run by {_RULED_OUT_BY.get(by, by)}", str(count)]
+        for by, count in effort.ruled_out.items()
+    ]
     if optimum.goal.deviations:
-        rows.append(["neighbours that were run", str(effort.neighbour_runs)])
-        rows.append(["neighbours that did not need to be asked", str(effort.spared_neighbours)])
+        rows.append(["neighbours run", str(effort.neighbour_runs)])
+        rows.append(["neighbours that needed no run", str(effort.spared_neighbours)])
     rows.append(["runs to verify the best", str(effort.verification_runs)])
     rows.append(["runs saved", str(effort.spared_runs + effort.spared_neighbours)])
-    return table("Runs that were made, and those that were not", ("", ""), rows)
+    return table("Number of runs", ("", ""), rows)

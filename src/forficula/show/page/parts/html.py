@@ -1,4 +1,4 @@
-"""Pieces of HTML from text."""
+"""HTML elements built from text."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, kw_only=True)
 class Cell:
-    """A cell of a table.
+    """Cell of a table.
 
     Attributes:
-        text: what stands in it.
-        note: what stands under it, smaller.
-        marked: whether it should catch the eye.
-        failed: whether it says that something fails, and is red.
+        text: text of the cell.
+        note: smaller text under it.
+        marked: whether the cell is highlighted.
+        failed: whether the cell reports a failure and is red.
     """
 
     text: str
@@ -25,7 +25,7 @@ class Cell:
 
 
 def escaped(text: str) -> str:
-    """Text that HTML reads as text, in an attribute, too."""
+    """Escape text for HTML elements and attributes."""
     return html.escape(text, quote=True)
 
 
@@ -37,14 +37,14 @@ def table(
     groups: Sequence[tuple[str, int]] = (),
     numbers: bool = True,
 ) -> str:
-    """A table whose first column names the rows.
+    """Return the HTML of a table whose first column names the rows.
 
     Args:
-        caption: above it.
-        headings: one a column; all empty for none.
-        rows: cells, the first one the row's name.
-        groups: headings above the headings, each with how many columns it spans.
-        numbers: whether the other columns are numbers and stand to the right.
+        caption: text above the table.
+        headings: one for each column; no head row if all are empty.
+        rows: cells; the first cell is the row's name.
+        groups: headings above the headings, each with the number of columns that it spans.
+        numbers: whether the other columns contain numbers and are aligned right.
     """
     kind = ' class="numbers"' if numbers else ""
     above = "".join(_heading(text, f'colgroup" colspan="{span}') for text, span in groups)
@@ -52,31 +52,31 @@ def table(
     above, head = f'<tr class="groups">{above}</tr>' * bool(groups), f"<tr>{head}</tr>" * any(headings)
     body = "".join(_row(cells) for cells in rows)
     titled = f"<caption>{escaped(caption)}</caption>" if caption else ""
-    # the keyboard scrolls only what it can stop at; the script, where there is one, leaves stops only where it scrolls
+    # only a focusable element scrolls by keyboard; the page's script removes the focus from tables that do not scroll
     name = caption or ", ".join(filter(None, headings)) or "table"
-    place = f'<div class="table" tabindex="0" role="group" aria-label="{escaped(name)}">'
+    opening_tag = f'<div class="table" tabindex="0" role="group" aria-label="{escaped(name)}">'
     return (
-        f"{place}<table{kind}>{titled}"
+        f"{opening_tag}<table{kind}>{titled}"
         f"{f'<thead>{above}{head}</thead>' * bool(above or head)}<tbody>{body}</tbody></table></div>"
     )
 
 
 def paragraph(text: str, kind: str = "") -> str:
-    """A paragraph; nothing for no text."""
+    """Return a paragraph; empty for no text."""
     return f"<p{f' class={kind}' if kind else ''}>{escaped(text)}</p>" if text else ""
 
 
 def remarks(sentences: Iterable[str]) -> str:
-    """A list of sentences, each with a capital, unless it begins with a key, and a full stop; nothing for none."""
-    items = "".join(f"<li>{escaped(_sentence(each))}</li>" for each in sentences)
+    """Return a list of sentences with full stops and capitals (except before a key); empty for no sentences."""
+    items = "".join(f"<li>{escaped(_sentence(sentence))}</li>" for sentence in sentences)
     return f'<ul class="warnings">{items}</ul>' if items else ""
 
 
 def section(heading: str, *parts: str, name: str = "") -> str:
-    """A section under a heading; nothing where it would be empty."""
-    inside = "".join(parts)
+    """Return a section under a heading; empty if it has no contents."""
+    contents = "".join(parts)
     identity = f' id="{name}"' if name else ""
-    return f"<section{identity}><h2>{escaped(heading)}</h2>{inside}</section>\n" if inside else ""
+    return f"<section{identity}><h2>{escaped(heading)}</h2>{contents}</section>\n" if contents else ""
 
 
 def _sentence(text: str) -> str:
@@ -91,16 +91,16 @@ def _heading(text: str, scope: str) -> str:
 def _row(cells: Sequence[str | Cell]) -> str:
     first, *others = (Cell(text=cell) if isinstance(cell, str) else cell for cell in cells)
     marked = ' class="changed"' if any(cell.marked for cell in (first, *others)) else ""
-    values = "".join(f"<td>{_inside(cell)}</td>" for cell in others)
-    return f'<tr{marked}><th scope="row">{_inside(first)}</th>{values}</tr>'
+    values = "".join(f"<td>{_cell_contents(cell)}</td>" for cell in others)
+    return f'<tr{marked}><th scope="row">{_cell_contents(first)}</th>{values}</tr>'
 
 
 def red(html: str) -> str:
-    """HTML in the colour of what fails."""
+    """Return HTML in the colour of failures."""
     return f'<strong class="fails">{html}</strong>'
 
 
-def _inside(cell: Cell) -> str:
+def _cell_contents(cell: Cell) -> str:
     note = f"<small>{escaped(cell.note)}</small>" if cell.note else ""
     text = escaped(cell.text)
     if cell.failed:

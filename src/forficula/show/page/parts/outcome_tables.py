@@ -1,4 +1,4 @@
-"""What a run came to, in tables of a page."""
+"""Tables of a page with the outcome of a run."""
 
 from __future__ import annotations
 
@@ -26,25 +26,29 @@ _NUMBERS = {1: "one", 2: "two", 3: "three"}
 
 
 def outcome_tables(outcome: Outcome) -> list[str]:
-    """States by hinge and tendon, transitions, and the energy balance, as HTML."""
+    """Return the HTML tables of states by hinge and tendon, transitions, and the energy balance."""
     structure = outcome.structure
     return [_states(outcome, structure), _transitions(outcome, structure), _balance(outcome, structure)]
 
 
 def strength_table(record: Record) -> str:
-    """The largest strains, stresses and folds of a run, as HTML; nothing of what has none."""
+    """Return the HTML table of the largest strains, stresses and folds of a run; empty without such values."""
     rows = strength_rows(record)
     return table("Largest strains and folds", STRENGTH_HEADINGS, _signed(rows)) if rows else ""
 
 
 def groups_table(record: Record) -> str:
-    """The dimensionless groups of a run and what dominates, as HTML; nothing of what has none."""
+    """Return the HTML of the dimensionless groups of a run and what dominates; empty without groups."""
     groups = groups_of(record.structure, record.design.protocol.timestep)
     if groups is None or not groups.every:
         return ""
     scale = groups.scale
-    by = f"Moments are by {readable(scale.moment, 'N m')}, {measured_by(scale)}"
-    time = f"; times by t* = {readable(scale.time, 's')}, in which it moves what turns there" if scale.time else ""
+    by = f"Moments are divided by {readable(scale.moment, 'N m')}, {measured_by(scale)}"
+    time = (
+        f"; times are divided by t* = {readable(scale.time, 's')}, in which this moment turns the parts that it moves"
+        if scale.time
+        else ""
+    )
     rows: list[tuple[str | Cell, ...]] = [
         (Cell(text=each.label, note=each.name), f"{each.value:.3g}", each.meaning) for each in groups.every
     ]
@@ -53,41 +57,43 @@ def groups_table(record: Record) -> str:
 
 
 def _states(outcome: Outcome, structure: Structure) -> str:
-    """What is measured in the states, and their tendons, by hinge and tendon."""
-    there = states_reached(structure, outcome)
-    if not there:
+    """Return the table of the states: measures and tendons, one row for each hinge and tendon."""
+    reached = states_reached(structure, outcome)
+    if not reached:
         count = len(structure.states)
         return paragraph(f"None of the {_NUMBERS.get(count, count)} states was reached.") if count else ""
-    rows = state_rows(structure, there, outcome.confirmation)
-    groups = [("", 1), *((_at(name, state), len(rows.columns)) for name, state in there.items())]
+    rows = state_rows(structure, reached, outcome.confirmation)
+    groups = [("", 1), *((_state_heading(name, state), len(rows.columns)) for name, state in reached.items())]
     if not rows.columns:
         return paragraph(f"States: {'; '.join(name for name, _ in groups[1:])}.")
-    headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in there for each in rows.columns)]
+    headings = [rows.heading, *(f"{each.title} ({each.unit})" for _ in reached for each in rows.columns)]
     body = _signed(rows.parts)
     before = [""] * (len(rows.columns) - 1)
     if rows.sums:
         body.append([f"all {rows.summed}", *rows.sums])
     if structure.membranes:
-        energies = (_membrane(outcome, state) for state in there.values())
+        energies = (_membrane(outcome, state) for state in reached.values())
         body.append(["membrane", *(cell for energy in energies for cell in (*before, energy))])
     return table("States", headings, body, groups=groups)
 
 
 def _signed(rows: Iterable[Sequence[str]]) -> list[list[str]]:
-    """Rows whose numbers have the sign that is set before numbers; what a row is of keeps its hyphens."""
+    """Replace the hyphens of negative numbers by minus signs; the first cell, a name, keeps its hyphens."""
     return [[of, *(cell.replace("-", "−") for cell in cells)] for of, *cells in rows]
 
 
-def _at(name: str, state: State) -> str:
+def _state_heading(name: str, state: State) -> str:
     return f"{name}, at {readable(state.time, 's')}"
 
 
 def _membrane(outcome: Outcome, state: State) -> str:
-    """Write a membrane's energy with its own unit: it is a thousandth of the tendons' or less."""
+    """Return a membrane's energy in a unit of its own: at most a thousandth of the tendons' energy."""
     if math.isnan(state.membrane_energy):
         return ""
-    found = outcome.confirmation
-    half = None if found is None else found.of_state(state.name, lambda values: values["membrane.energy"][0])
+    confirmation = outcome.confirmation
+    half = (
+        None if confirmation is None else confirmation.of_state(state.name, lambda values: values["membrane.energy"][0])
+    )
     unit, factor = reading_unit("J", abs(state.membrane_energy))
     number = uncertain_number(factor * state.membrane_energy, 0.0 if half is None else factor * float(half))
     return f"{number} {unit}".replace("-", "−")
@@ -104,7 +110,7 @@ def _transitions(outcome: Outcome, structure: Structure) -> str:
 def _balance(outcome: Outcome, structure: Structure) -> str:
     balance = outcome.energy_balance
     if outcome.verdict is Verdict.DIVERGED or not balance.residual <= 1:
-        return paragraph("The energy balance does not close; the numbers mean nothing.")
+        return paragraph("The energy balance does not close, so the numbers of this run are meaningless.")
     rows = [(label, value.replace("-", "−")) for label, value in balance_rows(structure, balance)]
     remark = balance_remark(balance)
     return table("Energy balance", ("", ""), rows) + (paragraph(remark) if remark else "")

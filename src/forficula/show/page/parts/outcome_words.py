@@ -1,4 +1,4 @@
-"""What became of points, in words with a sign each, so that no one needs to tell colours apart."""
+"""Outcomes of points in words, each with a sign, so that nobody needs to distinguish colours."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from forficula.study.tables.outcome_kinds import OutcomeKind, outcome_kinds
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-# the sign of what did all that was asked of it
+# sign of a point that completed every transition
 _GOOD = "●"
 _SIGNS = {
     OutcomeKind.DID_ALL: _GOOD,
@@ -58,30 +58,30 @@ _PATTERNS = {
 
 
 def look_data(sign: str) -> dict[str, Any]:
-    """Return a sign as data for JSON, with its class in the style, and whether it stands for all that was asked."""
+    """Return a sign as data for JSON, with its CSS class and whether it stands for completing every transition."""
     return {"sign": sign, "pattern": _PATTERNS.get(sign, "other"), "good": sign == _GOOD}
 
 
-OTHER_LOOK = look_data(_OTHER)  # of a word that no point of a page has
+OTHER_LOOK = look_data(_OTHER)  # of a word that no point of the page has
 
 
 class Words:
-    """What became of points, each word once, with a number."""
+    """Numbered outcome words of the points of a page."""
 
     def __init__(self, first: Sequence[str], signs: Signs) -> None:
         self._numbers = {word: number for number, word in enumerate(first)}
         self._signs = signs
 
     def number(self, word: str) -> int:
-        """The number of a word, a new one where it is new."""
+        """Return the number of a word; a new word gets a new number."""
         return self._numbers.setdefault(word, len(self._numbers))
 
     def numbers(self, words: DataArray) -> list[int]:
-        """A number a point."""
+        """Return the number of each point's word."""
         return [self.number(str(word)) for word in words.values.ravel()]
 
     def data(self, verdicts: Sequence[int]) -> list[dict[str, Any]]:
-        """All words as data for JSON, each with its sign and how many points have it as their outcome."""
+        """Return all words as data for JSON, each with its sign and the number of points with this outcome."""
         counts = Counter(verdicts)
         return [
             {"word": word, "count": counts[number]} | look_data(self._signs.sign(word))
@@ -91,25 +91,25 @@ class Words:
 
 @dataclass(frozen=True, kw_only=True)
 class Signs:
-    """Signs of words, those that came furthest first."""
+    """Signs of words, from the most to the least successful outcome."""
 
     signs: Mapping[str, str]
 
     def rank(self, word: str) -> tuple[int, str]:
-        """What words are ordered by."""
+        """Return the sort key of a word."""
         return [*self.signs, word].index(word), word
 
     def sign(self, word: str) -> str:
-        """The sign of a word; that of others where it has none."""
+        """Return the sign of a word; that of other words if it has none."""
         return self.signs.get(word) or (_WITH_TORQUE if " with " in word else _OTHER)
 
 
 def signs_of(table: Dataset, own: Mapping[str, str] | None = None) -> Signs:
-    """The signs of the words that a table may have.
+    """Return the signs of the words that a table may contain.
 
     Args:
-        table: with the attribute that names its transitions, or without.
-        own: further words that come before these, with a sign each.
+        table: results, with or without the attribute that names the transitions.
+        own: additional words with their signs, placed before the others.
     """
     kinds = outcome_kinds(table)
     by_kind = {word: sign for kind, sign in _SIGNS.items() for word, its in kinds.items() if its is kind}

@@ -1,4 +1,4 @@
-"""Plots over the time as data: what the page's script draws."""
+"""Plots over time, as data that the page's script draws."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from forficula.show.structure.labels import parts_of
 
 @dataclass(frozen=True, kw_only=True)
 class Line:
-    """One line of a plot.
+    """Line of a plot.
 
     Attributes:
-        name: in the plot's key.
-        clip: over whose frames it goes.
-        values: in the plot's unit, (time,), or where they stand in the clip's own data: the readings and which of them.
+        name: text in the plot's legend.
+        clip: index of the clip whose frames give the time.
+        values: values in the plot's unit, (time,), or a reference to the clip's data: name of the readings and index.
     """
 
     name: str
@@ -33,13 +33,13 @@ class Line:
 
 @dataclass(frozen=True, kw_only=True)
 class Plot:
-    """Lines over the time.
+    """Lines over time.
 
     Attributes:
-        title: the quantity.
-        unit: of the values.
+        title: name of the quantity.
+        unit: unit of the values.
         lines: one or more.
-        text: what the plot shows, in a sentence.
+        text: a sentence that says what the plot shows.
     """
 
     title: str
@@ -49,10 +49,10 @@ class Plot:
 
 
 def reading_plot(clip: Clip, number: int) -> Plot:
-    """Angles or distances of the only clip of a page, by the number of its readings."""
+    """Return the plot of one measure, selected by index, of a page with a single clip."""
     readings = clip.readings[number]
     lines = tuple(
-        Line(name=label, clip=0, values=(readings.measure.name, place)) for place, label in enumerate(readings.labels)
+        Line(name=label, clip=0, values=(readings.measure.name, index)) for index, label in enumerate(readings.labels)
     )
     in_states = [readings.factor * mark_readings(clip, readings, mark)[0] for mark in clip.marks]
     text = reading_text(readings, in_states, clip)
@@ -60,7 +60,7 @@ def reading_plot(clip: Clip, number: int) -> Plot:
 
 
 def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: str) -> Plot:
-    """Energies in one unit.
+    """Return a plot of energies in one unit.
 
     Args:
         title: the quantity.
@@ -73,13 +73,13 @@ def energy_plot(title: str, energies: Sequence[tuple[str, int, Array]], text: st
 
 
 def plot_data(plots: Sequence[Plot]) -> list[dict[str, Any]]:
-    """Plots as data for JSON."""
+    """Return plots as data for JSON."""
     return [
         {
             "title": plot.title,
             "unit": plot.unit,
             "text": plot.text,
-            # of several lines that are called alike, but for their numbers
+            # common name of lines whose names differ only in their numbers
             "word": parts_of([line.name for line in plot.lines]).heading,
             "lines": [_line_data(line) for line in plot.lines],
         }

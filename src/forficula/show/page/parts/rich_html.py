@@ -1,4 +1,4 @@
-"""What the terminal shows of a result, as HTML."""
+"""Conversion of terminal output (rich) into HTML."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from forficula.show.page.parts.html import table
 
 @dataclass(frozen=True, kw_only=True)
 class LaidOut:
-    """A result that was laid out for the terminal.
+    """Result that was laid out for the terminal, converted to HTML.
 
     Attributes:
-        heading: what it comes to, which the terminal shows bold; empty for none.
-        tables: HTML, each under its title.
-        sentences: what stands beside them.
+        heading: the result in one sentence, bold in the terminal; empty for none.
+        tables: HTML of the tables, each with its title.
+        sentences: the other sentences.
     """
 
     heading: str
@@ -28,16 +28,16 @@ class LaidOut:
 
 
 def laid_out(renderable: RenderableType) -> LaidOut:
-    """Take apart what the terminal shows of a result; a line in italics is the title of the table after it."""
+    """Split the terminal output of a result; a line in italics is the title of the table after it."""
     heading, title, tables, sentences = "", "", [], []
     for part in renderable.renderables if isinstance(renderable, Group) else [renderable]:
         match part:
             case Table():
                 headings = [_plain(column.header) for column in part.columns]
                 cells = [[_plain(cell) for cell in column.cells] for column in part.columns]
-                own = title if part.title is None else _plain(part.title)
+                caption = title if part.title is None else _plain(part.title)
                 if any(cells):
-                    tables.append(table(own, headings, list(zip_longest(*cells, fillvalue=""))))
+                    tables.append(table(caption, headings, list(zip_longest(*cells, fillvalue=""))))
                 title = ""
             case Text() if "bold" in str(part.style):
                 heading = part.plain
