@@ -140,7 +140,7 @@ def test_every_number_in_a_table_of_the_findings_is_computed_or_measured_with_th
         assert each.version == ff.__version__, f"{each.command}: measure again, or say why its numbers stay"
         program, command, name, *_ = each.command.split()
         assert program == "forficula"
-        assert name in {"run": ff.named_designs(), "study": ff.named_studies()}[command]
+        assert name in {"run": ff.examples(), "study": ff.examples("studies")}[command]
 
 
 def test_a_cell_is_found_with_its_options_and_commands():

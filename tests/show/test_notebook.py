@@ -36,9 +36,9 @@ def results(design, record, surveyed, tmp_path_factory):
         "assumptions": ASSUMED,
         "study": study,
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
-        "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
+        "material": ff.material.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
         "law": load_law("tpu-82a"),
-        "parts": ff.make_parts("binder2025-joint", "joint"),
+        "parts": ff.make.parts("binder2025-joint", "joint"),
         **_answers(quick, tmp_path_factory.mktemp("answers")),
     }
 

@@ -50,7 +50,7 @@ def test_climbs_are_called_by_what_their_transitions_do(called):
 
 def test_a_state_that_there_is_not_is_one_of_what_it_is(called):
     with pytest.raises(InputError, match="need a stable state of the flower"):
-        ff.barrier(called, "flat", "nowhere")
+        called.barrier("flat", "nowhere")
 
 
 def test_structures_side_by_side_are_called_what_they_are():

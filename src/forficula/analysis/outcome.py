@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -17,7 +16,7 @@ from forficula.analysis.verdict import ENDING_TEXTS, Ending, Verdict, ending_tex
 from forficula.arrays import Array
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
-from forficula.dynamics import EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
+from forficula.dynamics import AnyRun, EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
 from forficula.serial import Joules, Key, Seconds, Written
 from forficula.structure import (
@@ -249,7 +248,7 @@ class _Way:
     holds: bool
 
 
-def measure(run: Record | str | os.PathLike[str]) -> Outcome:
+def measure(run: AnyRun) -> Outcome:
     """Find what a run, or the one in a folder, means.
 
     A state is taken at the end of the stage that the protocol names it by. Where that did not take place it is taken

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Literal
 
@@ -14,24 +15,24 @@ from forficula.results import check_own_kind
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from forficula.dynamics import Record
+    from forficula.dynamics import AnyRun
 
 _WIDEST = 100  # inch, of a figure
+_FEWEST_COMPARED, _MOST_COMPARED = 2, 12
 
 
 def figure(of: object, kind: str | None = None, *, width: float | Literal["column", "page"] = "column") -> Figure:
-    """Draw a figure of some results, as `forficula figure` does.
+    """Draw a figure of a result, as `forficula figure` does.
 
     Args:
-        of: a folder that a command wrote, or a record, a landscape, a study's table, a convergence study,
-            assumptions, a material, or what became of cycles.
-        kind: which figure, by the name of its picture in the folder; may be left out where there is one only.
-        width: of a journal's column or page, or inch.
+        of: result, such as a run, a landscape or the table of a study, or the folder of one.
+        kind: name of the figure, as of its file in the folder; may be left out where there is only one.
+        width: of a journal's column or page, or a number in inches.
 
     Raises:
-        InputError: no such kind, another width, or nothing that has figures.
+        InputError: no such figure or width, or no result that has figures.
 
-    >>> ff.figure(record, "angles", width="page").savefig("angles.pdf")
+    >>> ff.figure(result, "angles", width="page").savefig("angles.pdf")
     """
     from forficula.show.folder.presentation import drawings_of
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
@@ -47,7 +48,7 @@ def figure(of: object, kind: str | None = None, *, width: float | Literal["colum
 
 
 def film(
-    run: Record | AnyPath,
+    run: AnyRun,
     path: AnyPath,
     *,
     size: tuple[int, int] | None = None,
@@ -58,17 +59,17 @@ def film(
     """Film a run, as `forficula film` does.
 
     Args:
-        run: its record or its folder.
-        path: .mp4 or .gif.
-        size: pixels across and upwards, both even; 1280 x 720, or 800 x 450 for .gif.
-        fps: pictures a second; 30, or 15 for .gif.
-        slower: how many times slower than the run its moves are; each takes about 3.5 s if not given.
-        strain: whether membranes have the colours of their largest strains.
+        run: run, its record or its folder.
+        path: path of the film; must end with .mp4 or .gif.
+        size: width and height in pixels, both even; 1280 x 720, or 800 x 450 for .gif, if not given.
+        fps: frames per second; 30, or 15 for .gif, if not given.
+        slower: factor by which the film is slower than the run; each transition takes about 3.5 s if not given.
+        strain: whether membranes are coloured by their largest strain.
 
     Raises:
-        InputError: no such run, another ending, a choice that is not allowed, or it cannot be written.
+        InputError: no such run, another ending, an option that is not allowed, or the file cannot be written.
 
-    >>> ff.film(record, "short.gif", size=(160, 160), fps=1, slower=2)
+    >>> ff.film(result, "short.gif", size=(160, 160), fps=1, slower=2)
     """
     from forficula.dynamics import as_record
     from forficula.show.film.film import check_choices, check_film, write_film
@@ -83,16 +84,16 @@ def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
     """Write a result as one HTML file that opens in any browser without a network.
 
     Args:
-        of: a result, or the folder of one; a design is written as the page in which a reader moves its structure, as
-            `forficula open` writes it.
-        path: of the page; must end with .html.
-        engine: whether the simulator is in the page of a run, with which a reader moves the structure; it takes 3.5 MB.
-            The page of a folder of other results is copied as it is.
+        of: result, or the folder of one. The page of a design simulates its structure in the browser, as that of
+            `forficula open` does.
+        path: path of the page; must end with .html.
+        engine: whether the page of a run contains the simulator (3.5 MB), so that a reader can move the structure. The
+            page in a folder of another result is copied as it is.
 
     Raises:
-        InputError: no result that has a page of its own, another ending, or it cannot be written.
+        InputError: no result that has a page, another ending, or the file cannot be written.
 
-    >>> ff.page(record, "run.html")
+    >>> ff.page(result, "run.html")
     """
     from forficula.show.folder.presentation import write_page
     from forficula.show.page.bench_page import write_bench_page
@@ -105,54 +106,70 @@ def page(of: object, path: AnyPath, *, engine: bool = True) -> None:
         write_page(of, file, engine=engine)
 
 
-def compare(folders: Iterable[AnyPath], path: AnyPath) -> None:
+def compare(runs: Iterable[AnyRun], path: AnyPath) -> None:
     """Show runs side by side on one clock, as `forficula compare` does: a page.
 
     Args:
-        folders: of the runs, two to twelve.
-        path: of the page; must end with .html.
+        runs: two to twelve runs, or their folders.
+        path: path of the page; must end with .html.
 
     Raises:
-        InputError: too few or too many folders, one that holds no run, or it cannot be written.
+        InputError: too few or too many runs, a folder without a run, or the page cannot be written.
 
-    >>> import os
-    >>> for folder in ("one", "two"):
-    ...     os.mkdir(folder)
-    ...     ff.save_record(record, f"{folder}/record.nc")
-    >>> ff.compare(["one", "two"], "both.html")
+    >>> other = ff.run(design.with_values({"tendon.left.stiffness": "0.4 N/cm"}), confirm=False)
+    >>> ff.compare([result, other], "both.html")
     """
     from forficula.show.page import compare_runs
 
-    if not isinstance(folders, Iterable) or isinstance(folders, str | bytes):
-        raise InputError(f"compare: need a list of 2 to 12 folders of runs, got {folders!r}")
-    runs = [as_path(folder, "the folder of a run, as save(record, folder) leaves it") for folder in folders]
-    compare_runs(runs, as_path(path, "a file that ends with .html"))
+    if not isinstance(runs, Iterable) or isinstance(runs, str | bytes):
+        raise InputError(f"compare: need a list of 2 to 12 runs or their folders, got {runs!r}")
+    file = as_path(path, "a file that ends with .html")
+    listed = list(runs)
+    folders = [as_path(run, "the folder of a run") for run in listed if isinstance(run, str | os.PathLike)]
+    if len(folders) == len(listed):
+        compare_runs(folders, file)
+        return
+    from forficula.analysis import measure
+    from forficula.dynamics import as_record
+    from forficula.files import write_text
+    from forficula.show.page.compare_page import ComparedRun, compare_page
+    from forficula.show.page.page import page_path
+
+    if not _FEWEST_COMPARED <= len(listed) <= _MOST_COMPARED:
+        raise InputError(f"compare: need {_FEWEST_COMPARED} to {_MOST_COMPARED} runs, got {len(listed)}")
+    records = [as_record(run) for run in listed]
+    names = [record.design.name for record in records]
+    labels = [name if names.count(name) == 1 else f"{number}: {name}" for number, name in enumerate(names, start=1)]
+    compared = [
+        ComparedRun(label=label, record=record, outcome=measure(record))
+        for label, record in zip(labels, records, strict=True)
+    ]
+    write_text(page_path(file), compare_page(compared))
 
 
 def save(result: object, folder: AnyPath) -> None:
     """Write a result to a folder, as its command does.
 
     Args:
-        result: of `run`, `landscape`, `converge`, `assumptions`, `characterise`, `identify`, `make_parts`, which are
-            checked without a record, or `run_study`, `collect`, `tolerance` or `optimise`, of which no runs are kept to
-            be played.
-        folder: made where it is missing; what an earlier result of the kind left there is replaced.
+        result: any result of a call. Parts are checked without a run; the pages of studies, tolerances and optima
+            contain no runs to play.
+        folder: created if it is missing; an earlier result of the same kind in it is replaced.
 
     Raises:
-        InputError: nothing that a command writes, or the folder cannot be written or holds results of another kind.
+        InputError: no result that a command writes, or the folder cannot be written or contains another kind of result.
 
-    >>> ff.save(record, "there")
-    >>> ff.load_record("there").design.name
+    >>> ff.save(result, "there")
+    >>> ff.load_run("there").design.name
     'letter-fold'
     """
-    if folder == "":  # which would be the current one
+    if folder == "":  # would be the current folder
         raise InputError('need a folder, got ""')
     from forficula.show.folder.presentation import presentation, result_kind
 
-    place, kind = as_path(folder, "a folder"), result_kind(result)
+    path, kind = as_path(folder, "a folder"), result_kind(result)
     write = presentation(kind).write
     if write is None:
         raise InputError(f"a {kind.name} is written by its command, from its file; got a {type(result).__name__}")
     if kind.marker:
-        check_own_kind(place, kind.name)
-    write(result, place)
+        check_own_kind(path, kind.name)
+    write(result, path)

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import numpy as np
 
@@ -198,7 +198,17 @@ class Record(Displayed):
 
     @cached_property
     def data(self) -> xarray.Dataset:
-        """The series with their dimensions, coordinates and units."""
+        """Return the series with dimensions, coordinates and units, without those of parts that the structure lacks."""
+        every = self.dataset
+        return every.drop_dims([dimension for dimension, size in every.sizes.items() if size == 0])
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the record as netCDF; see `save_record`."""
+        save_record(self, path)
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Return all series, also those whose dimension has size zero, as a file has them."""
         import xarray
 
         built = self.structure
@@ -226,6 +236,18 @@ class Record(Displayed):
         return xarray.Dataset(variables, coordinates)
 
 
+class HasRecord(Protocol):
+    """Run, which is of a layer above."""
+
+    @property
+    def record(self) -> Record:
+        """Return its record."""
+
+
+# a run, its record, or the path of its folder or file
+AnyRun = Record | HasRecord | str | os.PathLike[str]
+
+
 def save_record(record: Record, path: str | os.PathLike[str]) -> None:
     """Write a record as netCDF, its design and stages with it, and a checksum of all that at the end.
 
@@ -233,7 +255,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         InputError: it cannot be written.
     """
     nothing = float("nan")
-    data = record.data.assign(
+    data = record.dataset.assign(
         triangle=(("face", "corner"), record.triangles, {"long_name": "membrane mesh: nodes of each triangle"}),
         stage_name=("stage", [end.stage.name for end in record.stages]),
         stage_start=("stage", [end.start for end in record.stages], {"units": "s"}),
@@ -338,11 +360,12 @@ def load_record(path: str | os.PathLike[str]) -> Record:
 
 
 def as_record(run: object) -> Record:
-    """A record, or that of a run's folder or file.
+    """Return a record, the record of a run, or that of a run's folder or file.
 
     Raises:
         InputError: it is none, or cannot be read.
     """
+    run = getattr(run, "record", run)  # `Run` is of a layer above
     if isinstance(run, Record):
         return run
     if isinstance(run, str | os.PathLike):

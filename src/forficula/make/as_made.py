@@ -72,7 +72,7 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
         InputError: parts without joints, a material without a density, or what the parts have is no design: as where
             they stop before what counts as folded.
 
-    >>> parts = ff.make_parts("binder2025-joint")
+    >>> parts = ff.make.parts("binder2025-joint")
     >>> made = as_made(parts)
     >>> made.hinge.overbend == parts.design.hinge.overbend
     True

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.displayed import Displayed
 from forficula.goals.goal import Goal
 from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
 from forficula.goals.optimise.candidate import Candidate, Verification
 from forficula.goals.optimise.trials import Relaxation
+from forficula.results import Result
 from forficula.serial import Key, Written
 from forficula.study.running.kept_runs import RunToKeep
 
@@ -51,7 +51,7 @@ class Effort:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Optimum(Displayed):
+class Optimum(Result):
     """The best designs by a goal.
 
     Attributes:

@@ -104,7 +104,7 @@ def _sentence(parts: PartSet) -> str:
 def _checked(checks: Sequence[Check]) -> str:
     """How many checks fail, in red, as HTML."""
     if not checks:
-        return "They are not checked yet: ff.check_parts does that."
+        return "They are not checked yet: ff.make.check_parts does that."
     failed, held = (sum(check.ok is each for check in checks) for each in (False, True))
     left = sum(check.ok is None for check in checks)
     rest = f" {left} could not be carried out." * (left > 0)
