@@ -85,7 +85,8 @@ def test_what_has_no_figures_and_cannot_be_saved_is_refused(wrong, tmp_path):
         ),
         (
             lambda: ff.material.characterise([1]),
-            "tests: need a list of objects of class TensileTest (as material.read_tensile_test returns them), got [1] (list)",
+            "tests: need a list of objects of class TensileTest (as material.read_tensile_test returns them),"
+            " got [1] (list)",
         ),
     ],
 )

@@ -76,6 +76,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
     from pandas import DataFrame as DataFrame  # type: ignore[import-untyped]
+    from pandas import Series as Series
 
 
 class Result(Displayed):

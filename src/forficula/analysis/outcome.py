@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
 from forficula.dynamics import AnyRun, EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
+from forficula.results import pandas_module
 from forficula.serial import Joules, Key, Seconds, Written
 from forficula.structure import (
     Drive,
@@ -31,6 +32,9 @@ from forficula.structure import (
     measure_of,
     state_of,
 )
+
+if TYPE_CHECKING:
+    from forficula.results import Series
 
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the whole
@@ -216,6 +220,38 @@ class Outcome(Displayed):
     structure: Structure
     confirmation: Confirmation | None = None
     advise: Callable[[], Advice] = field(default=lambda: NOTHING, repr=False, compare=False)
+
+    def to_dict(self) -> dict[str, object]:
+        """Return verdict, states, transitions and readings as plain values, SI, by flat keys, as one row of a table.
+
+        Keys: `design`, `verdict`, `status`, `residual`; by state `folded` (whether it was reached and held) and
+        `folded_tendon_energy_J`, and by measure `folded_distal_rad` or `..._m`, a number or a list of one per hinge; by
+        transition `fold_succeeded`, `fold_time_s`, `fold_work_J`. Unknown values are None.
+        """
+        values: dict[str, object] = {"design": self.name, "verdict": self.verdict.value, "status": self.status}
+        values |= dict(self.holds)
+        for name, made in self.transitions.items():
+            values[f"{name}_succeeded"] = None if made is None else made.succeeded
+            values[f"{name}_time_s"] = None if made is None else made.time
+            values[f"{name}_work_J"] = None if made is None else made.work
+        for name, state in self.states.items():
+            if state is None:
+                continue
+            if len(state.tendon_energy):
+                values[f"{name}_tendon_energy_J"] = float(state.tendon_energy.sum())
+            for measure_name, reading in state.readings.items():
+                means = reading.mean.tolist()
+                unit = "rad" if reading.kind == "angle" else "m"
+                values[f"{name}_{measure_name}_{unit}"] = means[0] if len(means) == 1 else means
+        return values | {"residual": self.ending.residual}
+
+    def to_series(self) -> Series:
+        """Return `to_dict` as a pandas series; a list of outcomes becomes a table by `pandas.DataFrame`.
+
+        Raises:
+            InputError: pandas is not installed.
+        """
+        return pandas_module().Series(self.to_dict(), name=self.name, dtype=object)
 
     def __repr__(self) -> str:
         """What became of it, and the states."""

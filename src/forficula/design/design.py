@@ -91,6 +91,9 @@ class Design(Displayed, Section):
         """The design by its name; `print` writes its file, with units."""
         return f"<{type(self).__name__} {self.name}, hash {self.hash}>"
 
+    def _key_text(self, name: str) -> str:
+        return f'"{name}"'
+
     def __str__(self) -> str:
         """The design file."""
         from forficula.design.files.design_file import design_text
