@@ -78,6 +78,7 @@ _KNOWN = {
         lambda value: value is None or isinstance(value, bool) or callable(value),
     ),
     "Building": _FUNCTION,
+    "Frame": _accepted("a frame, which is a name and coordinates", "frames, each a name and coordinates", _is_list),
     "Evaluate": _FUNCTION,
 }
 # function that returns an object of a class, as users call it
@@ -86,7 +87,6 @@ _GIVEN_BY = {
     "Cycle": "material.find_cycles",
     "Design": "load_design",
     "EnergyLandscape": "landscape",
-    "Frame": "pattern.read_folded_frames",
     "Generator": "numpy.random.default_rng",
     "Goal": "load_goal",
     "MaterialLaw": "material.load_law",
