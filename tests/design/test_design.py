@@ -53,9 +53,7 @@ def test_the_reference_has_the_values_of_the_design_page_in_si():
 
 
 def test_a_design_cannot_be_changed_in_place():
-    with pytest.raises(
-        AttributeError, match=r'^stiffness: designs do not change; .*stiffness": "10 N/cm"'
-    ):
+    with pytest.raises(AttributeError, match=r'^stiffness: designs do not change; .*stiffness": "10 N/cm"'):
         REFERENCE.tendon.stiffness = 1.0
     with pytest.raises(AttributeError, match=r'^name: designs do not change; design.with_values\({"name": '):
         REFERENCE.name = "other"

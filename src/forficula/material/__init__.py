@@ -9,6 +9,7 @@ _PUBLIC = (
     "MaterialLaw",
     "ModulusClass",
     "StrainHistory",
+    "TendonSize",
     "TendonSizes",
     "TensileTest",
     "area_for",

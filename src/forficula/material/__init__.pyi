@@ -1,3 +1,4 @@
+from forficula.analysis.sizing import TendonSize as TendonSize
 from forficula.analysis.sizing import TendonSizes as TendonSizes
 from forficula.analysis.sizing import size_tendons as size_tendons
 
