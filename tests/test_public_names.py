@@ -14,10 +14,10 @@ PUBLIC = {f"{prefix}{name}": getattr(module, name) for prefix, module in MODULES
 CLASSES = {name.rpartition(".")[2] for name, value in PUBLIC.items() if inspect.isclass(value)}
 FUNCTIONS = {name: value for name, value in PUBLIC.items() if inspect.isfunction(value)}
 # aliases and classes of Python and of libraries
-OTHERS = {"Any", "Array", "Figure", "Indices", "DataFrame", "Series", "Dataset", "Literal", "Mapping", "Sequence", "Self"}
-OTHERS |= {"None", "Frame", "Iterator"}
-    "Any Array Figure Indices DataFrame Series Dataset Literal Mapping Sequence Self None Frame Iterator".split()
-)
+OTHERS = {
+    *("Any", "Array", "DataFrame", "Dataset", "Figure", "Frame", "Indices", "Iterator", "Literal", "Mapping"),
+    *("None", "Self", "Sequence", "Series"),
+}
 
 
 def returned_classes(function):

@@ -10,10 +10,10 @@ How thick must tendons of a printed TPU be, and what does the wing do with them?
 
 import forficula as ff
 
-law = ff.load_law("tpu-82a")
+law = ff.material.load_law("tpu-82a")
 print(law.source)
 wing = ff.load_design("binder2025")
-for facts in ff.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
+for facts in ff.material.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
     print(f"{100 * facts.length:.0f} cm long, {facts.why}:")
     for size in facts.sizes:
         area, across = 1e6 * size.area, 1e3 * size.diameter
