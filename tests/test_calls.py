@@ -29,7 +29,7 @@ def record(letter_run):
 def test_every_example_is_true(tmp_path, monkeypatch, record):
     monkeypatch.chdir(tmp_path)
     known = {"ff": ff, "design": ff.load_design("letter-fold", QUICK), "result": record}
-    parts = ("designs", "goals", "patterns", "progress", "runs", "shown", "studies")
+    parts = ("designs", "goals", "patterns", "output", "progress", "runs", "studies")
     calls = [importlib.import_module(f"forficula.calls.{part}") for part in parts]
     modules = (*calls, forficula.results)
     found = [each for module in modules for each in doctest.DocTestFinder().find(module, extraglobs=known)]

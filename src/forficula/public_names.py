@@ -5,17 +5,13 @@ from __future__ import annotations
 import ast
 import warnings
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from types import FunctionType
-from typing import Any
-
-from forficula.argument_checks import checked
+from typing import Any, NamedTuple
 
 
-@dataclass(frozen=True)
-class OldName:
+class OldName(NamedTuple):
     """Deprecated name of a package.
 
     Attributes:
@@ -49,8 +45,8 @@ def public_names(
     def get(name: str) -> Any:
         if name in places:
             value = _imported(places[name])
-            if name in listed and isinstance(value, FunctionType):
-                value = checked(value, name, package)
+            if name in listed:
+                value = _checked(value, name, package)
             # the next use finds it without this function
             vars(import_module(package))[name] = value
             return value
@@ -60,8 +56,7 @@ def public_names(
                 DeprecationWarning,
                 stacklevel=2,
             )
-            value = _imported(old[name].place)
-            return checked(value, name, package) if isinstance(value, FunctionType) else value
+            return _checked(_imported(old[name].place), name, package)
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return get, lambda: listed, listed
@@ -78,6 +73,15 @@ def _places(package: str, stub: Path) -> dict[str, str]:
             place = f"{module}.{alias.name}:" if node.module is None else f"{module}:{alias.name}"
             places[alias.asname or alias.name] = place
     return places
+
+
+def _checked(value: Any, name: str, package: str) -> Any:
+    """Return a function with a check of its arguments; other values as they are."""
+    if not isinstance(value, FunctionType):
+        return value
+    from forficula.argument_checks import checked
+
+    return checked(value, name, package)
 
 
 def _imported(place: str) -> Any:

@@ -37,7 +37,7 @@ class Progress:
         """Progress in one line, such as "fold: 0.3 of at most 1 s"."""
         if self.total is None:
             return f"{self.task}: {self.done:.4g} {self.unit}" if self.unit else self.task
-        return f"{self.task}: {self.done:.4g} of at most {self.total:.4g} {self.unit}"
+        return f"{self.task}: {self.done:.4g} of at most {self.total:.4g} {self.unit}".rstrip()
 
 
 ProgressOption: TypeAlias = Callable[[Progress], None] | bool | None

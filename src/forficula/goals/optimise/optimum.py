@@ -20,6 +20,8 @@ from forficula.study.running.kept_runs import RunToKeep
 if TYPE_CHECKING:
     import xarray
 
+    from forficula.results import DataFrame
+
 
 @dataclass(frozen=True, kw_only=True)
 class Effort:
@@ -85,6 +87,10 @@ class Optimum(Result):
     def feasible(self) -> bool:
         """Whether anything meets the goal."""
         return bool(self.best)
+
+    def to_dataframe(self) -> DataFrame:
+        """Return all candidates as a pandas table, one row each, SI."""
+        return self.table.to_dataframe()
 
     def __repr__(self) -> str:
         """What was asked and how many designs answer it."""
