@@ -42,7 +42,7 @@ def main() -> None:
     confirms = "confirm" in inspect.signature(ff.run).parameters
     print(f"| design | outcome | times | {'confirmed' if confirms else '-'} | CPU s |")
     print("| --- | --- | --- | --- | --- |")
-    for name in names or list(ff.named_designs()):
+    for name in names or list(ff.examples()):
         print(row_of(name), flush=True)
 
 

@@ -71,7 +71,7 @@ def random_fan(number: int) -> Design:
 
 def compare(design: Design) -> list[dict[str, Any]]:
     """What statics and a ramp find for folding, and for opening where the ramp folds the fan."""
-    courses = {course.name: course for course in ff.energy_landscape(design, points=21).courses}
+    courses = {course.name: course for course in ff.landscape(design, points=21).courses}
     spans = {name: course.span or (math.inf, math.inf) for name, course in courses.items()}
     largest = {name: _BEYOND * spans[name][1] for name in ("fold", "unfold")}
     strengths = {"fold": design.protocol.fold_torque, "unfold": design.protocol.unfold_torque}

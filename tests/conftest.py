@@ -112,7 +112,7 @@ def reference() -> Design:
 @pytest.fixture(scope="session")
 def reference_run(reference) -> Record:
     """The reference design, run; do not change it."""
-    return ff.run(reference, confirm=False)
+    return ff.run(reference, confirm=False).record
 
 
 @pytest.fixture(scope="session")
@@ -123,7 +123,7 @@ def reference_outcome(reference_run) -> ff.Outcome:
 @pytest.fixture(scope="session")
 def stored_run() -> Record:
     """The wing that lies folded for a month and is left open for one, averaged over half as long as it has it."""
-    return ff.run(ff.load_design("binder2025-stored", {"protocol.window": "50 ms"}), confirm=False)
+    return ff.run(ff.load_design("binder2025-stored", {"protocol.window": "50 ms"}), confirm=False).record
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -249,7 +249,7 @@ def study_file(tmp_path, write_study_file):
 @pytest.fixture(scope="session")
 def letter_run() -> Record:
     """The quickest named design, which closes and opens again."""
-    return ff.run(ff.load_design("letter-fold"), confirm=False)
+    return ff.run(ff.load_design("letter-fold"), confirm=False).record
 
 
 @pytest.fixture

@@ -12,13 +12,18 @@ import forficula as ff
 from forficula.argument_checks import _by_annotation
 from forficula.errors import InputError
 
-FUNCTIONS = [name for name in ff.__all__ if inspect.isfunction(getattr(ff, name))]
+FUNCTIONS = {
+    f"{prefix}{name}": getattr(module, name)
+    for prefix, module in (("", ff), ("pattern.", ff.pattern), ("material.", ff.material), ("make.", ff.make))
+    for name in module.__all__
+    if inspect.isfunction(getattr(module, name))
+}
 WRONG = (None, 3.5, True, b"bytes", {1: 2}, [object()], object(), "text", print)
 
 
 def arguments_of(name):
     """Every parameter of a function with the values of WRONG that it is not annotated with."""
-    for key, parameter in inspect.signature(getattr(ff, name)).parameters.items():
+    for key, parameter in inspect.signature(FUNCTIONS[name]).parameters.items():
         accepted = _by_annotation(parameter.annotation)
         if parameter.kind is not parameter.VAR_KEYWORD and accepted.word:
             yield key, [value for value in WRONG if not accepted.holds(value)]
@@ -26,7 +31,7 @@ def arguments_of(name):
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_an_argument_of_a_wrong_type_is_refused_with_what_is_accepted(name):
-    function = getattr(ff, name)
+    function = FUNCTIONS[name]
     parameters = inspect.signature(function).parameters
     needed = [
         key for key, each in parameters.items() if each.default is each.empty and each.kind is not each.VAR_KEYWORD
@@ -61,13 +66,13 @@ def test_what_has_no_figures_and_cannot_be_saved_is_refused(wrong, tmp_path):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: ff.run("letter-fold", progress=0), "progress: need a function, got 0 (int)"),
+        (lambda: ff.run("letter-fold", progress=0), "progress: need a function, True, False or None, got 0 (int)"),
         (
-            lambda: ff.energy_landscape("letter-fold", points=None),
+            lambda: ff.landscape("letter-fold", points=None),
             "points: need a whole number, got None",
         ),
         (
-            lambda: ff.size_tendons("letter-fold", ff.load_law("tpu-82a"), ""),
+            lambda: ff.material.size_tendons("letter-fold", ff.material.load_law("tpu-82a"), ""),
             'stiffnesses: need a list of numbers, got "" (str)',
         ),
         (
@@ -75,12 +80,13 @@ def test_what_has_no_figures_and_cannot_be_saved_is_refused(wrong, tmp_path):
             'study: need a Study (as load_study or new_study returns it), got "study.toml" (str)',
         ),
         (
-            lambda: ff.read_tensile_tests("a.csv"),
+            lambda: ff.material.read_tensile_tests("a.csv"),
             'paths: need a list of paths, got "a.csv" (str)',
         ),
         (
-            lambda: ff.characterise([1]),
-            "tests: need a list of objects of class TensileTest (as read_tensile_test returns them), got [1] (list)",
+            lambda: ff.material.characterise([1]),
+            "tests: need a list of objects of class TensileTest (as material.read_tensile_test returns them),"
+            " got [1] (list)",
         ),
     ],
 )
@@ -102,13 +108,13 @@ def test_numbers_of_numpy_are_numbers(number, reference):
 
 def test_public_functions_are_those_of_their_modules_to_help_and_pickle():
     assert pickle.loads(pickle.dumps(ff.run)) is ff.run
-    assert str(inspect.signature(ff.run)).startswith("(design: 'AnyDesign', progress: 'Progress | None' = None, *, ")
-    assert ff.run.__doc__.startswith("Take a design through its protocol")
+    assert str(inspect.signature(ff.run)).startswith("(design: 'AnyDesign', progress: 'ProgressOption' = None, *, ")
+    assert ff.run.__doc__.startswith("Run a design through its protocol")
     with pytest.raises(TypeError, match=r"run\(\) missing 1 required positional argument: 'design'"):
         ff.run()
 
 
 def test_the_package_is_imported_without_what_its_functions_need():
-    code = "import sys, forficula; print(sorted({'mujoco', 'xarray', 'scipy', 'pydantic'} & set(sys.modules)))"
+    code = "import sys, forficula; print(sorted({'mujoco', 'numpy', 'xarray', 'scipy', 'pydantic'} & set(sys.modules)))"
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ended.stdout == "[]\n"

@@ -129,7 +129,7 @@ def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
 
     # to the last bit, which netCDF keeps
     again = ff.run(ff.load_design(folder / "design.toml"), confirm=False)
-    assert again.data.equals(ff.load_record(folder / "record.nc").data)
+    assert again.data.equals(ff.load_run(folder / "record.nc").data)
 
 
 @pytest.mark.usefixtures("no_figures")
@@ -355,7 +355,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     # flags of the whole may stand before the command, too
     surveyed = call("--json", "landscape", "binder2025-joint", "--no-simulation", "--out", "energy").out
     assert json.loads(surveyed) == json.loads((in_an_empty_folder / "energy" / "landscape.json").read_text())
-    assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.named_designs())
+    assert [each["name"] for each in json.loads(call("designs", "--json").out)] == list(ff.examples())
     assert {"key", "meaning", "allowed", "default"} == set(json.loads(call("keys", "guard", "--json").out)[0])
     points = {each["name"]: each.get("points") for each in json.loads(call("studies", "--json").out)}
     assert points["binder2025-search"] == 60
@@ -429,7 +429,7 @@ def test_settings_are_values_as_in_a_file_or_bare_text(in_an_empty_folder, call)
     chosen = [part for key, (text, _) in settings.items() for part in ("--set", f"{key}={text}")]
     by_place = ("--set", "name=other wing", "--set", "protocol.stages.0.hold=1 ms")
     call("run", "wing.toml", "--no-confirm", "--out", "a", *by_place, *chosen)
-    design = ff.load_record(in_an_empty_folder / "a" / "record.nc").design
+    design = ff.load_run(in_an_empty_folder / "a" / "record.nc").design
     assert design.name == "other wing"
     assert design.protocol.stages[0].hold == 1e-3
     tables = design.model_dump()
@@ -937,7 +937,7 @@ def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_fo
     assert output.out.splitlines()[-1] == "written to out/tpu"
     folder = in_an_empty_folder / "out" / "tpu"
     assert {"material.json", "tendon_law.toml", "modulus.png"} < set(everything_in(folder))
-    law = ff.load_law(folder / "tendon_law.toml")
+    law = ff.material.load_law(folder / "tendon_law.toml")
     assert law.source.endswith("tpu-1.csv, tpu-2.csv, tpu-3.csv")
     call("size", "binder2025", "--material", str(folder / "tendon_law.toml"), *RANGE, "--out", "sizes.csv")
     rows = [row.split(",") for row in (in_an_empty_folder / "sizes.csv").read_text().splitlines()[1:]]

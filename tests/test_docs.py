@@ -62,7 +62,7 @@ def commands_of(page):
     return [words for cell in (*run, *shown) for words in cell.commands]
 
 
-def test_every_public_name_is_documented_exactly_once():
+def test_every_public_name_is_described_once_and_nothing_else():
     described = re.findall(r"^\.\. auto\w+:: (\w+)$", PYTHON.read_text("utf-8"), re.M)
     public = {name for name in ff.__all__ if not name.startswith("_")}
     assert sorted(described) == sorted(public)
@@ -141,7 +141,7 @@ def test_every_number_in_a_table_of_the_findings_is_computed_or_measured_with_th
         assert block.version == ff.__version__, f"{block.command}: measure again, or state why its numbers remain"
         program, command, name, *_ = block.command.split()
         assert program == "forficula"
-        assert name in {"run": ff.named_designs(), "study": ff.named_studies()}[command]
+        assert name in {"run": ff.examples(), "study": ff.examples("studies")}[command]
 
 
 def test_a_cell_has_its_options_and_commands():

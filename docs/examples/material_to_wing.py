@@ -11,10 +11,10 @@ How thick must a tendon of printed TPU be for a given stiffness, and how does th
 
 import forficula as ff
 
-law = ff.load_law("tpu-82a")
+law = ff.material.load_law("tpu-82a")
 print(law.source)
 wing = ff.load_design("binder2025")
-for sizing in ff.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
+for sizing in ff.material.size_tendons(wing, law, [1000.0, 2000.0, 3000.0]):
     print(f"{100 * sizing.length:.0f} cm long, {sizing.why}:")
     for size in sizing.sizes:
         area, across = 1e6 * size.area, 1e3 * size.diameter

@@ -190,20 +190,25 @@ def _command(cell: Cell) -> str:
 
 
 def _python(text: str, names: dict[str, Any], picture: str) -> Shown:
-    import ast
-
-    tree = ast.parse(text)
-    last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        exec(compile(tree, "<cell>", "exec"), names)
-        value = None if last is None else eval(compile(ast.Expression(last.value), "<cell>", "eval"), names)
+        value = evaluate(text, names)
     if hasattr(value, "savefig"):
         value.savefig(picture)
         return Shown(text=printed.getvalue().rstrip(), picture=picture)
     if value is not None:
         printed.write(repr(value))
     return Shown(text=printed.getvalue().rstrip())
+
+
+def evaluate(text: str, names: dict[str, Any]) -> Any:
+    """Run Python and return the value of the expression that it ends with; None if it ends with a statement."""
+    import ast
+
+    tree = ast.parse(text)
+    last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
+    exec(compile(tree, "<cell>", "exec"), names)
+    return None if last is None else eval(compile(ast.Expression(last.value), "<cell>", "eval"), names)
 
 
 def _main() -> None:

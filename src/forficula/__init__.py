@@ -2,26 +2,16 @@
 
 import forficula as ff
 
-record = ff.run("binder2025")
-outcome = ff.measure(record)
+run = ff.run("binder2025")
+run.outcome
 """
 
 from importlib import metadata
-from types import FunctionType
 
-import lazy_loader
+from forficula.old_names import OLD_NAMES
+from forficula.public_names import public_names
 
-# the public names stand in __init__.pyi, once
-_public, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
-
-
-def __getattr__(name: str) -> object:
-    value = _public(name)
-    if isinstance(value, FunctionType):
-        from forficula.argument_checks import checked
-
-        value = globals()[name] = checked(value, name)
-    return value
-
+# the public names are in __init__.pyi
+__getattr__, __dir__, __all__ = public_names(__name__, __file__, old=OLD_NAMES)
 
 __version__ = metadata.version("forficula")

@@ -1,4 +1,4 @@
-"""Arguments of public functions, checked by their annotations before anything is done with them."""
+"""Check of the arguments of public functions by their annotations, before the function is called."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ R = TypeVar("R")
 
 @dataclass(frozen=True, kw_only=True)
 class _Accepted:
-    """What an annotation allows.
+    """Values that an annotation allows.
 
     Attributes:
-        word: one of them, as errors say it; empty for what errors need not say.
-        many: several of them.
-        holds: whether a value is one of them.
+        word: name of one such value in errors; empty if errors need not name it.
+        many: name of several.
+        holds: returns whether a value is allowed.
     """
 
     word: str
@@ -41,7 +41,7 @@ def _is_whole(value: object) -> bool:
 
 
 def _is_list(value: object) -> bool:
-    """A list, a tuple, an array: no text and no table, which are sequences to Python, too."""
+    """Return whether a value is a list, tuple or array: not text or a table, which are also sequences in Python."""
     counted = hasattr(value, "__len__") and hasattr(value, "__getitem__") and isinstance(value, Iterable)
     return counted and not isinstance(value, str | bytes | bytearray | Mapping)
 
@@ -55,7 +55,7 @@ _FUNCTION = _accepted("a function", "functions", callable)
 _PATH = _accepted("a path", "paths", lambda value: isinstance(value, str | os.PathLike))
 _TEXT = _accepted("text", "texts", lambda value: isinstance(value, str))
 _TABLE = _accepted("a table of values by key", "tables", lambda value: isinstance(value, Mapping))
-# by the last part of their names; the names of ours are aliases, which exist for type checkers only
+# by the last part of a name in an annotation; those of forficula are aliases, which exist for type checkers only
 _KNOWN = {
     "None": _accepted("", "", lambda value: value is None),
     "object": _ANYTHING,
@@ -72,49 +72,56 @@ _KNOWN = {
     "Mapping": _TABLE,
     "dict": _TABLE,
     "Callable": _FUNCTION,
-    "Progress": _FUNCTION,
+    "ProgressOption": _accepted(
+        "a function, True, False or None",
+        "functions",
+        lambda value: value is None or isinstance(value, bool) or callable(value),
+    ),
     "Building": _FUNCTION,
+    "Frame": _accepted("a frame, which is a name and coordinates", "frames, each a name and coordinates", _is_list),
     "Evaluate": _FUNCTION,
 }
-# what gives a user an object of a class
+# function that returns an object of a class, as users call it
 _GIVEN_BY = {
-    "CreasePattern": "earwig_pattern or read_fold",
-    "Cycle": "find_cycles",
+    "CreasePattern": "pattern.earwig_pattern or pattern.read_fold",
+    "Cycle": "material.find_cycles",
     "Design": "load_design",
-    "EnergyLandscape": "energy_landscape",
-    "Frame": "read_folded_frames",
+    "EnergyLandscape": "landscape",
+    "Generator": "numpy.random.default_rng",
     "Goal": "load_goal",
-    "MaterialLaw": "load_law",
+    "MaterialLaw": "material.load_law",
     "Observations": "load_observations",
-    "PartSet": "make_parts",
-    "Record": "run or load_record",
+    "PartSet": "make.parts",
+    "Record": "load_record",
+    "Run": "run or load_run",
     "Structure": "structure_of",
     "Study": "load_study or new_study",
-    "TensileTest": "read_tensile_test",
+    "TensileTest": "material.read_tensile_test",
 }
 
 
-def checked(function: Callable[P, R], name: str) -> Callable[P, R]:
-    """The function, which first refuses arguments of other types than it is annotated with.
+def checked(function: Callable[P, R], name: str, package: str = "forficula") -> Callable[P, R]:
+    """Return the function with a check of its arguments: those of another type than annotated are refused.
 
-    Numbers of numpy, 0-d arrays among them, are handed on as Python's. What a value must be beyond its type the
-    function says itself.
+    Numbers of numpy, including 0-d arrays, are passed on as Python's. The function itself checks everything beyond the
+    type.
 
     Args:
-        function: public, of a module whose annotations are text.
-        name: by which the package offers it, and by which it is pickled.
+        function: public function of a module whose annotations are text.
+        name: public name, by which the function is pickled.
+        package: package that has the name.
     """
 
     @wraps(function)
     def first_checked(*arguments: P.args, **options: P.kwargs) -> R:
-        own = _signature(function)
+        expected = _signature(function)
         try:
-            bound = own.bind(*arguments, **options)
+            bound = expected.bind(*arguments, **options)
         except TypeError:
-            return function(*arguments, **options)  # of too many or too few Python says which
+            return function(*arguments, **options)  # Python reports too many or too few arguments
         for key, value in bound.arguments.items():
-            accepted = _by_annotation(own.parameters[key].annotation)
-            if own.parameters[key].kind in (Parameter.VAR_KEYWORD, Parameter.VAR_POSITIONAL):
+            accepted = _by_annotation(expected.parameters[key].annotation)
+            if expected.parameters[key].kind in (Parameter.VAR_KEYWORD, Parameter.VAR_POSITIONAL):
                 continue
             plain = value if accepted.holds(value) else plain_value(value)
             if not accepted.holds(plain):
@@ -122,7 +129,7 @@ def checked(function: Callable[P, R], name: str) -> Callable[P, R]:
             bound.arguments[key] = plain
         return function(*bound.args, **bound.kwargs)
 
-    first_checked.__module__, first_checked.__qualname__ = __name__.partition(".")[0], name
+    first_checked.__module__, first_checked.__qualname__ = package, name
     return first_checked
 
 
@@ -133,7 +140,7 @@ def _signature(function: Callable[..., object]) -> Signature:
 
 @cache
 def _by_annotation(annotation: object) -> _Accepted:
-    """What an annotation allows, as a module with `from __future__ import annotations` has it."""
+    """Return what an annotation allows, given as text (`from __future__ import annotations`)."""
     return _read(ast.parse(annotation, mode="eval").body) if isinstance(annotation, str) else _ANYTHING
 
 
@@ -149,7 +156,7 @@ def _read(node: ast.expr) -> _Accepted:
             return _list_of(_read(inner), lazy=kind == "Iterable")
         case ast.Subscript(value=ast.Name(id="Literal"), slice=ast.Tuple(elts=words)):
             word = " or ".join(as_written(each.value) for each in words if isinstance(each, ast.Constant))
-            return _accepted(word, word, _TEXT.holds)  # the function names the nearest one
+            return _accepted(word, word, _TEXT.holds)  # the function itself names the nearest word
         case ast.Subscript(value=ast.Name(id="tuple")):
             return _accepted("a list", "lists", _is_list)
         case ast.Subscript(value=kind):
@@ -160,6 +167,12 @@ def _read(node: ast.expr) -> _Accepted:
 
 
 def _named(name: str) -> _Accepted:
+    if name == "AnyRun":
+        run, record = _named("Run"), _named("Record")
+        word = "a run (as run or load_run returns it), its record, or a path"
+        return _accepted(
+            word, "runs or paths", lambda value: _PATH.holds(value) or run.holds(value) or record.holds(value)
+        )
     if name == "AnyDesign":
         design = _named("Design")
         word = "a design, its name or the path of its file"
@@ -168,7 +181,7 @@ def _named(name: str) -> _Accepted:
         return _KNOWN[name]
     article = "an" if name[0] in "AEIOU" else "a"
     given = f" (as {_GIVEN_BY[name]} returns it)" if name in _GIVEN_BY else ""
-    # by name: what a class is imported from may take a second
+    # by name, because importing the class may take a second
     return _accepted(
         f"{article} {name}{given}",
         f"objects of class {name}{given.replace(' it', ' them')}",
@@ -177,22 +190,24 @@ def _named(name: str) -> _Accepted:
 
 
 def _alternatives(node: ast.expr) -> list[_Accepted]:
-    """What is allowed on both sides of every |."""
+    """Return what is allowed on each side of every |."""
     if isinstance(node, ast.BinOp):
         return [*_alternatives(node.left), *_alternatives(node.right)]
     return [_read(node)]
 
 
 def _any_of(every: list[_Accepted]) -> _Accepted:
-    # a path may be text, and what is not given need not be named
+    # a path may be text, and None need not be named
     paths = any(each.word == _PATH.word for each in every)
-    told = [each for each in every if each.word and not (each is _TEXT and paths)]
-    words, many = (list(dict.fromkeys(names)) for names in zip(*((each.word, each.many) for each in told), strict=True))
+    named = [each for each in every if each.word and not (each is _TEXT and paths)]
+    words, many = (
+        list(dict.fromkeys(names)) for names in zip(*((each.word, each.many) for each in named), strict=True)
+    )
     return _accepted(" or ".join(words), " or ".join(many), lambda value: any(each.holds(value) for each in every))
 
 
 def _list_of(entry: _Accepted, *, lazy: bool) -> _Accepted:
-    """A list; the entries of what is made while it is read are left to the function."""
+    """Return what a list of entries allows; the function itself checks the entries of a generator."""
 
     def holds(value: object) -> bool:
         if lazy and isinstance(value, Iterable) and not hasattr(value, "__len__"):
@@ -204,7 +219,7 @@ def _list_of(entry: _Accepted, *, lazy: bool) -> _Accepted:
 
 
 def _shown(value: object) -> str:
-    """A value with its type, in a line."""
+    """Return a value with its type, in one line."""
     written = as_written(value) if isinstance(value, str | bool | int | float | list | tuple | dict) else ""
     kind = type(value).__name__
     if value is None:

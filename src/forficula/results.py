@@ -1,7 +1,7 @@
-"""Kinds of results: the file by which a folder is recognised, and the module that presents results of the kind.
+"""Classes of results, the methods that they share, and their kinds: how each is recognised, drawn and written.
 
-A new kind of result is one entry here and one module of `forficula.show.folder` with a `PRESENTATION`. Importing this
-module loads none of them.
+A new kind of result is one entry of `KINDS` and one module of `forficula.show.folder` with a `PRESENTATION`. Importing
+this module loads none of them.
 """
 
 from __future__ import annotations
@@ -10,30 +10,154 @@ import json
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
+from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import one_of
 from forficula.quantities import as_written
 from forficula.serial import schema_of
 
+# public classes of what functions return, by name; they are imported at first use
+_CLASSES = {
+    # runs
+    "Record": "forficula.dynamics",
+    "StageEnd": "forficula.dynamics",
+    "NumericalCheck": "forficula.dynamics",
+    "EnergyBalance": "forficula.dynamics",
+    "State": "forficula.analysis",
+    "Reading": "forficula.analysis",
+    "TransitionOutcome": "forficula.analysis",
+    "StageOutcome": "forficula.analysis",
+    "Ending": "forficula.analysis",
+    "Confirmation": "forficula.analysis.confirmation",
+    "Advice": "forficula.analysis.advice",
+    "Cycling": "forficula.study.cycling",
+    "CycleRun": "forficula.study.cycling",
+    # designs and structures
+    "FanDesign": "forficula.design",
+    "JointDesign": "forficula.design",
+    "SheetDesign": "forficula.design",
+    "Structure": "forficula.structure",
+    "Examples": "forficula.calls",
+    # energy landscapes
+    "StableState": "forficula.statics",
+    "NetState": "forficula.statics.net.net_state",
+    "Rest": "forficula.statics",
+    "Pass": "forficula.statics.landscape",
+    "LeastTorque": "forficula.statics.landscape",
+    "Course": "forficula.statics.net.net_course",
+    "CrossedHinge": "forficula.statics",
+    "HingeLandscape": "forficula.statics",
+    # many runs
+    "Assumptions": "forficula.study.assumptions.assumptions",
+    "AssumptionRun": "forficula.study.assumptions.assumptions",
+    "Convergence": "forficula.study.convergence.convergence",
+    "StudyTable": "forficula.study.tables.study_table",
+    "ToleranceTable": "forficula.goals.tolerance.tolerance_table",
+    "IdentificationTable": "forficula.goals.identify.result",
+    "Optimum": "forficula.goals.optimise",
+}
+__all__ = ["Result", "json_schema", *_CLASSES]  # noqa: PLE0604
+
+
+def __getattr__(name: str) -> Any:
+    if name in _CLASSES:
+        return getattr(import_module(_CLASSES[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
+if TYPE_CHECKING:
+    import os
+
+    from matplotlib.figure import Figure
+    from pandas import DataFrame as DataFrame  # type: ignore[import-untyped]
+    from pandas import Series as Series
+
+
+class Result(Displayed):
+    """Result of a computation: a notebook shows it, and its methods draw it and write it.
+
+    The methods are the calls of `forficula.calls`, a layer above, by name.
+    """
+
+    __slots__ = ()
+
+    def figure(self, name: str | None = None, *, width: float | Literal["column", "page"] = "column") -> Figure:
+        """Draw a figure of this result.
+
+        Args:
+            name: of the figure, as of its file in the folder that `save` writes; may be left out where there is only
+                one.
+            width: of a journal's column or page, or a number in inches.
+
+        Raises:
+            InputError: no such figure or width.
+        """
+        figure: Figure = call("figure")(self, name, width=width)
+        return figure
+
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Write data, figures and page of this result to a folder, as its command does.
+
+        Args:
+            folder: created if it is missing; an earlier result of the same kind in it is replaced.
+
+        Raises:
+            InputError: the folder cannot be written or contains results of another kind.
+        """
+        call("save")(self, folder)
+
+    def page(self, path: str | os.PathLike[str], *, engine: bool = True) -> None:
+        """Write this result as one HTML file that opens in any browser without a network.
+
+        Args:
+            path: of the file; must end with .html.
+            engine: whether the page of a run contains the simulator (3.5 MB).
+
+        Raises:
+            InputError: another ending, or the file cannot be written.
+        """
+        call("page")(self, path, engine=engine)
+
+
+def pandas_module() -> Any:
+    """Return pandas.
+
+    Raises:
+        InputError: it is not installed.
+    """
+    try:
+        return import_module("pandas")
+    except ImportError:
+        raise InputError("tables of this kind need pandas, which is not installed: pip install pandas") from None
+
+
+def call(name: str) -> Any:
+    """Return a function of `forficula.calls`. Methods of results use it because `calls` is a layer above them."""
+    return getattr(import_module("forficula.calls"), name)
+
 
 @dataclass(frozen=True, kw_only=True)
 class ResultKind:
-    """A kind of results.
+    """Kind of results.
 
     Attributes:
-        name: in messages, such as "convergence study".
-        module: of `forficula.show.folder`, whose `PRESENTATION` draws and writes it.
-        classes: names of the classes of its results.
-        data: file in its folder from which its figures are drawn again.
-        json: name of its JSON and of the schema of that; the file in the folder, where there is one, ends with ".json".
-        shape: the data class that `forficula.serial` writes as this JSON, as "module:class".
-        marker: file in its folder that only this kind has; empty where it is an addition to the folder of another kind.
+        name: name in messages, such as "convergence study".
+        module: module of `forficula.show.folder` whose `PRESENTATION` draws and writes these results.
+        classes: names of their classes.
+        data: file of the folder from which figures are drawn again.
+        json: name of the JSON and of its schema; the file in the folder, if there is one, is this name and ".json".
+        shape: data class that `forficula.serial` writes as this JSON, as "module:class".
+        marker: file of the folder that only this kind has; empty if the kind is an addition to folders of another kind.
         named_by: key of the marker, a JSON file, whose value names the result.
-        verdict: key of the marker that has the verdict; empty where it has none.
-        has_rows: whether a journal of rows may be in its folder before it is done.
-        covers: kinds whose files are part of its folder, too.
+        verdict: key of the marker that has the verdict; empty if there is none.
+        has_rows: whether the folder may contain a journal of rows before the result is complete.
+        covers: kinds whose files are also part of the folder.
     """
 
     name: str
@@ -53,7 +177,7 @@ KINDS: tuple[ResultKind, ...] = (
     ResultKind(
         name="run",
         module="run_folder",
-        classes=("Record",),
+        classes=("Run", "Record"),
         data="record.nc",
         json="summary",
         shape="forficula.analysis.summary:Summary",
@@ -153,7 +277,7 @@ KINDS: tuple[ResultKind, ...] = (
         has_rows=True,
     ),
 )
-# rows of a study or a search that is not done; the command that continues it checks whose they are
+# rows of an unfinished study or search; the command that continues it checks to which study they belong
 _ROWS = "journal*.jsonl"
 
 
@@ -161,12 +285,12 @@ def json_schema(name: str) -> dict[str, Any]:
     """Return the JSON schema (draft 2020-12) of the JSON that commands write to a folder and print with `--json`.
 
     Args:
-        name: "summary" of a run, "landscape", "row" of a study, "assumptions", or that of another kind of results.
+        name: "summary" (of a run), "landscape", "row" (of a study), "assumptions", or the name of another kind.
 
     Raises:
         InputError: another name.
 
-    >>> sorted(ff.json_schema("row")["required"])
+    >>> sorted(ff.results.json_schema("row")["required"])
     ['status', 'verdict']
     """
     shapes = {kind.json: kind.shape for kind in KINDS if kind.shape}
@@ -177,35 +301,35 @@ def json_schema(name: str) -> dict[str, Any]:
 
 
 def json_file(kind: str) -> str:
-    """Return the name of the file in a folder that has the JSON of a kind of results."""
+    """Return the name of the JSON file of a kind of results."""
     return f"{_named(kind).json}.json"
 
 
 def kind_of_class(name: str) -> ResultKind | None:
-    """Find the kind of the results of a class by the name of the class; None where there is none."""
+    """Return the kind of results of a class, by the name of the class; None if it is no class of results."""
     return next((kind for kind in KINDS if name in kind.classes), None)
 
 
 def kinds_in(folder: Path) -> list[ResultKind]:
-    """List the kinds of the results in a folder, by the files from which their figures are drawn."""
+    """List the kinds of results in a folder, recognised by the files from which figures are drawn."""
     return _uncovered([kind for kind in KINDS if (folder / kind.data).is_file()])
 
 
 def check_own_kind(folder: Path, own: str) -> None:
-    """Refuse a folder with results of another kind, whose pages, figures and tables would be replaced.
+    """Refuse a folder with results of another kind, because their pages, figures and tables would be replaced.
 
     Args:
         folder: where results will be written.
         own: name of their kind.
 
     Raises:
-        InputError: what the folder holds.
+        InputError: the folder contains results of another kind.
     """
-    there = _uncovered([kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()])
-    if any(kind.name == own for kind in there):
+    present = _uncovered([kind for kind in KINDS if kind.marker and (folder / kind.marker).is_file()])
+    if any(kind.name == own for kind in present):
         return
-    if there:
-        first = there[0]
+    if present:
+        first = present[0]
         article = "an" if first.name[0] in "aeiou" else "a"
         raise InputError(
             f"need a folder of its own, got {folder}, which holds {article} {first.name} ({first.marker}), whose"

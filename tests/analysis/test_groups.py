@@ -177,7 +177,7 @@ def test_numbers_that_cannot_be_computed_with_give_no_groups(stiffness):
     assert groups(with_values(REFERENCE, {"tendon.stiffness": stiffness})) is None
 
 
-@pytest.mark.parametrize("name", [name for name in ff.named_designs() if name != "binder2025-thick"])
+@pytest.mark.parametrize("name", [name for name in ff.examples() if name != "binder2025-thick"])
 def test_every_named_design_has_groups_that_json_can_hold(name):
     found = groups(load_design(name))
     assert json.dumps(plain(found), allow_nan=False)

@@ -87,7 +87,7 @@ def test_the_tendon_that_stands_for_all_is_an_inner_one_and_its_hinge_has_a_name
 
 
 def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
-    record = ff.run(ff.load_design("letter-fold"), confirm=False)
+    record = ff.run(ff.load_design("letter-fold"), confirm=False).record
     time = np.linspace(0, 0.2, 2001)
     fold = np.minimum(10 * time, 1.7)
     series = dict(record.series) | {"hinge_angle": np.stack([fold, fold], axis=1)}
@@ -99,7 +99,7 @@ def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
 
 def test_a_fold_counts_from_beside_where_an_offset_tendon_is_longest():
     offset = {"tendon.proximal_offset": "2 mm", "tendon.distal_offset": "2 mm"}
-    record = ff.run(ff.load_design("binder2025", offset), confirm=False)
+    record = ff.run(ff.load_design("binder2025", offset), confirm=False).record
     snap = snap_of(folding(record, lambda time: np.minimum(20 * time, math.pi)))
     crossing = record.structure.tendons[1].crossing
     # the top is the offset angle past straight, and 1 deg more is where it is let go

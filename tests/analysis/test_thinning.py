@@ -63,7 +63,7 @@ def test_the_whole_fold_stays(reference_run, thinned):
 
 def test_a_wing_that_diverges_keeps_its_last_row():
     settings = {"membrane.youngs_modulus": "30 MPa", "protocol.timestep": "0.4 ms"}
-    record = ff.run(ff.load_design("binder2025", settings), confirm=False)
+    record = ff.run(ff.load_design("binder2025", settings), confirm=False).record
     thinned = thin_record(record)
     assert record.diverged_at is not None
     assert thinned.time[-1] == record.time[-1]

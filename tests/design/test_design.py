@@ -3,7 +3,6 @@ import math
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from pydantic import ValidationError
 
 from forficula.design import FanDesign, load_design, with_values
 from forficula.design.section import Section, field_quantity
@@ -54,8 +53,21 @@ def test_the_reference_has_the_values_of_the_design_page_in_si():
 
 
 def test_a_design_cannot_be_changed_in_place():
-    with pytest.raises(ValidationError, match="frozen"):
+    with pytest.raises(AttributeError, match=r'^stiffness: designs do not change; .*stiffness": "10 N/cm"'):
         REFERENCE.tendon.stiffness = 1.0
+    with pytest.raises(AttributeError, match=r'^name: designs do not change; design.with_values\({"name": '):
+        REFERENCE.name = "other"
+
+
+def test_a_section_shows_its_values_with_units():
+    assert "rest_length=9 cm" in repr(REFERENCE.tendon)
+    assert "timestep=0.2 ms" in repr(REFERENCE.protocol)
+
+
+def test_tab_completion_lists_names_of_designs_and_none_of_pydantic():
+    names = {name for name in dir(REFERENCE) if not name.startswith("_")}
+    assert {"tendon", "protocol", "with_values", "hash"} <= names
+    assert not {name for name in names if name.startswith(("model_", "parse_", "schema", "once"))}
 
 
 QUANTITIES = [(key, quantity) for key, quantity, _ in quantities(REFERENCE)]

@@ -187,7 +187,7 @@ def test_progress_tells_of_every_stage_and_never_passes_the_longest():
     longer = with_values(SHORT, {f"protocol.stages.{stage}.hold": 0.03 for stage in range(1, 5)})
     longer = with_values(longer, {"protocol.stages.0.time_limit": 0.05})
     with mock.patch.object(MODULE, "_CHUNK", 50):
-        ff.run(longer, lambda *each: seen.append(each), confirm=False)
+        ff.run(longer, lambda report: seen.append((report.task, report.done, report.total)), confirm=False)
     assert list(dict.fromkeys(stage for stage, _, _ in seen)) == [stage.name for stage in SHORT.protocol.stages]
     times = [time for _, time, _ in seen]
     assert times == sorted(times)

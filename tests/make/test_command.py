@@ -60,7 +60,7 @@ def test_failures_are_red_on_the_terminal_in_the_figure_and_on_the_page(call, tm
     page = (folder / "parts.html").read_text("utf-8")
     assert re.search(r'<strong class="fails">1 of \d checks fails; see below.</strong>', page)
     assert '<strong class="fails">failed</strong>' in page
-    parts, checks = ff.make_parts(ff.load_design(folder / "design.toml")), read_checks(folder)
+    parts, checks = ff.make.parts(ff.load_design(folder / "design.toml")), read_checks(folder)
     title = parts_drawings(parts, checks)["sheet"](7.1)._suptitle
     assert "checks fails: bridges" in title.get_text()
     assert to_hex(title.get_color()) == "#d55e00"
@@ -70,10 +70,10 @@ def test_failures_are_red_on_the_terminal_in_the_figure_and_on_the_page(call, tm
 
 
 def test_windows_that_meet_and_pieces_that_come_off_are_marked_on_the_sheet():
-    sheet = ff.make_parts("binder2025", "sheet").sheet
+    sheet = ff.make.parts("binder2025", "sheet").sheet
     assert sum(check.ok is False for check in sheet.checks) == 2
     assert len(sheet.faults) >= 4
-    assert ff.make_parts("letter-fold", "sheet").sheet.faults == ()
+    assert ff.make.parts("letter-fold", "sheet").sheet.faults == ()
 
 
 def test_results_are_data(call):
@@ -99,18 +99,18 @@ def test_invalid_input_exits_with_1_and_writes_nothing(call, tmp_path, arguments
 
 
 def test_a_run_of_another_design_is_refused(letter_run):
-    parts = ff.make_parts("letter-fold", "sheet")
-    assert all(check.ok for check in ff.check_parts(parts, letter_run))
-    other = ff.make_parts(ff.load_design("letter-fold").with_values({"protocol.window": "70 ms"}), "sheet")
+    parts = ff.make.parts("letter-fold", "sheet")
+    assert all(check.ok for check in ff.make.check_parts(parts, letter_run))
+    other = ff.make.parts(ff.load_design("letter-fold").with_values({"protocol.window": "70 ms"}), "sheet")
     with pytest.raises(ff.InputError, match="record: need a run of letter-fold with the same values"):
-        ff.check_parts(other, letter_run)
+        ff.make.check_parts(other, letter_run)
     with pytest.raises(ff.InputError, match="record: need the record of a run, or its folder, got a int"):
-        ff.check_parts(parts, 3)
+        ff.make.check_parts(parts, 3)
 
 
 def test_parts_are_saved_by_one_call(call, tmp_path):
     call()
-    ff.save(ff.make_parts("letter-fold", "sheet"), tmp_path / "there")
+    ff.save(ff.make.parts("letter-fold", "sheet"), tmp_path / "there")
     called, saved = (
         {file.relative_to(folder): file.read_bytes() for file in folder.rglob("*.*") if file.is_file()}
         for folder in (tmp_path / "out" / "letter-fold-parts", tmp_path / "there")

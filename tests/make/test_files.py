@@ -52,7 +52,7 @@ write_with_one_figure(make_parts("binder2025-joint"), Path(sys.argv[1]))
 
 @pytest.fixture(scope="module")
 def joint():
-    return ff.make_parts("binder2025-joint")
+    return ff.make.parts("binder2025-joint")
 
 
 @pytest.fixture(scope="module")

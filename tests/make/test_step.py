@@ -31,7 +31,7 @@ def joint():
         import OCP.gp  # noqa: F401
     else:
         pytest.importorskip("OCP.gp", reason=MISSING)
-    return ff.make_parts("binder2025-joint", "joint")
+    return ff.make.parts("binder2025-joint", "joint")
 
 
 def test_both_kernels_have_the_same_volumes(joint):

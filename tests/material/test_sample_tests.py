@@ -13,9 +13,9 @@ def test_what_is_printed_reads_what_is_written(tmp_path, monkeypatch, capsys):
     main(["new", "tpu.csv", "--tests"])
     words = capsys.readouterr().out.partition("forficula material ")[2].split(" --length")[0].split()
     assert words == ["tpu-made-up-1.csv", "tpu-made-up-2.csv", "tpu-made-up-3.csv"]
-    tests = ff.read_tensile_tests(words, length=0.06, area=5e-6)
+    tests = ff.material.read_tensile_tests(words, length=0.06, area=5e-6)
     assert [len(test.time) for test in tests] == [801] * 3
-    found = ff.characterise(tests, name="tpu", source=", ".join(words))
+    found = ff.material.characterise(tests, name="tpu", source=", ".join(words))
     # 4.8 MPa, less by what it softens from its first cycle on
     assert found.cycles[0].secant_modulus == pytest.approx(4.8e6, rel=0.05)
     assert "made-up" in found.law.source

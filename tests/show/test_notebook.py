@@ -4,6 +4,7 @@ import pytest
 import xarray
 
 import forficula as ff
+from forficula.analysis.run import Run
 from forficula.design import design_text
 from forficula.goals import goal_of
 from forficula.goals.identify import observations_of
@@ -30,15 +31,16 @@ def results(design, record, surveyed, tmp_path_factory):
     return {
         "design": design,
         "record": record,
+        "run": Run(record),
         "outcome": ff.measure(record),
         "landscape": surveyed("plates"),
         "convergence": ff.converge(quick, timesteps="0.5 0.25 ms"),
         "assumptions": ASSUMED,
         "study": study,
         "table": ff.run_study(study, out=tmp_path_factory.mktemp("study")),
-        "material": ff.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
+        "material": ff.material.characterise([cyclic_test(lambda strain, _: 5e6 * strain)]),
         "law": load_law("tpu-82a"),
-        "parts": ff.make_parts("binder2025-joint", "joint"),
+        "parts": ff.make.parts("binder2025-joint", "joint"),
         **_answers(quick, tmp_path_factory.mktemp("answers")),
     }
 
@@ -72,6 +74,7 @@ def _answers(design, folder):
     [
         ("design", ("letter-fold", "<img", "Every value", "N/cm")),
         ("record", ("<iframe", "allow-scripts", "letter-fold got closed in")),
+        ("run", ("<iframe", "allow-scripts", "letter-fold got closed in")),
         ("outcome", ("letter-fold got closed in", "tendon (cm)", "Energy balance")),
         ("landscape", ("Stable states", "<img", "J</td>")),
         ("convergence", ("0.5 ms", "value of the design", "<img")),

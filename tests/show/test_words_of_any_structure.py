@@ -50,7 +50,7 @@ def test_torques_along_the_fold_are_named_after_transitions(called):
 
 def test_an_unknown_state_is_refused_with_the_structure_s_noun(called):
     with pytest.raises(InputError, match="need a stable state of the flower"):
-        ff.barrier(called, "flat", "nowhere")
+        called.barrier("flat", "nowhere")
 
 
 def test_an_ensemble_s_error_uses_the_structure_s_noun():

@@ -21,7 +21,7 @@ def levels_of(name, values=None):
 
 
 def test_springs_in_the_hinges_leave_no_levels():
-    landscape = ff.energy_landscape(ff.load_design("letter-fold"), points=11)
+    landscape = ff.landscape(ff.load_design("letter-fold"), points=11)
     assert landscape.levels is None
     assert landscape_summary(landscape)["levels_J"] is None
     json.dumps(landscape_summary(landscape), allow_nan=False)
@@ -29,7 +29,7 @@ def test_springs_in_the_hinges_leave_no_levels():
 
 
 def test_of_loose_hinges_the_tendons_add_up():
-    landscape = ff.energy_landscape(ff.load_design("letter-fold", LOOSE), points=11)
+    landscape = ff.landscape(ff.load_design("letter-fold", LOOSE), points=11)
     by_count = [[state.energy for state in landscape.partial_folds if len(state.folded) == count] for count in range(3)]
     assert [np.mean(energies) for energies in by_count] == pytest.approx(landscape.levels, abs=1e-9)
     assert landscape.levels[1] == pytest.approx(landscape.levels[0] / 2)
@@ -48,7 +48,7 @@ def test_a_hinge_without_a_tendon_counts_as_one_that_stores_nothing():
 
 def test_where_nothing_holds_plates_they_stay_all_the_same():
     """Slack tendons and no springs: a neutral state, however rounding turns its stiffness."""
-    landscape = ff.energy_landscape(ff.load_design("letter-fold", LOOSE), points=11)
+    landscape = ff.landscape(ff.load_design("letter-fold", LOOSE), points=11)
     assert [state.stable for state in landscape.partial_folds] == [True] * 4
     assert [(rest.name, rest.stable) for rest in landscape.rests] == [
         ("flat", True),

@@ -29,7 +29,7 @@ def landscape_with(landscape_of):
 
 
 def test_the_reference_is_bistable_pressed_flat_and_slack_when_folded(landscape):
-    flat, folded = ff.stable_states(landscape)
+    flat, folded = landscape.states
     assert (flat.name, flat.kind, folded.name, folded.kind) == ("flat", "stop", "folded", "neutral")
     assert flat.ring_angle == pytest.approx(-math.radians(3))
     assert flat.energy == pytest.approx(3 * float(landscape.tendons[0].hinge.energy(math.radians(3))), rel=1e-5)
@@ -39,19 +39,19 @@ def test_the_reference_is_bistable_pressed_flat_and_slack_when_folded(landscape)
 def test_all_hinges_together_climb_three_times_what_one_climbs(landscape):
     """Camber and straight cost the membrane nothing, so the wing's barrier is that of its tendons."""
     one = landscape.tendons[0].barrier
-    assert ff.barrier(landscape, "flat", "folded") == pytest.approx(3 * one, rel=1e-3)
+    assert landscape.barrier("flat", "folded") == pytest.approx(3 * one, rel=1e-3)
     assert landscape.hinge_barriers == pytest.approx(np.full(3, one), rel=5e-3)
 
 
 def test_back_it_climbs_what_it_has_lost(landscape):
-    flat, folded = ff.stable_states(landscape)
-    there, back = ff.barrier(landscape, "flat", "folded"), ff.barrier(landscape, "folded", "flat")
+    flat, folded = landscape.states
+    there, back = landscape.barrier("flat", "folded"), landscape.barrier("folded", "flat")
     assert back - there == pytest.approx(flat.energy - folded.energy)
 
 
 def test_the_flat_state_presses_as_much_as_folding_takes(landscape):
     """Nothing on the way is steeper than the start, so what holds the wing flat is what must be overcome."""
-    flat = ff.stable_states(landscape)[0]
+    flat = landscape.states[0]
     assert landscape.fold_path.fold_torque == pytest.approx(flat.holding_torque)
     assert landscape.least_torques["fold"] == pytest.approx(flat.holding_torque, rel=0.02)
 
@@ -95,19 +95,19 @@ def test_what_does_not_exist_is_a_sentence_and_no_nan(landscape_with, settings, 
 
 
 def test_a_wing_whose_veins_stop_early_is_never_called_folded(landscape_with):
-    names = [state.name for state in ff.stable_states(landscape_with({"hinge.turn_limit": "60 deg"}))]
+    names = [state.name for state in landscape_with({"hinge.turn_limit": "60 deg"}).states]
     assert names == ["flat", "partly folded"]
 
 
 def test_a_state_that_is_none_is_told_with_the_nearest(landscape):
     with pytest.raises(InputError, match=r'need a stable state of the wing \(flat, folded\), got "foldd".*"folded"'):
-        ff.barrier(landscape, "flat", "foldd")
+        landscape.barrier("flat", "foldd")
 
 
 def test_a_path_without_a_barrier_says_why(landscape_with):
     landscape = landscape_with(SLACK_WITHOUT_HUB)
     with pytest.raises(InputError, match="hub_radius is 0"):
-        ff.barrier(landscape, "flat", "folded")
+        landscape.barrier("flat", "folded")
 
 
 def test_the_summary_has_units_in_its_keys(landscape):
@@ -115,6 +115,6 @@ def test_the_summary_has_units_in_its_keys(landscape):
     assert found["hinge"]["angle_deg"][0] == pytest.approx(3)
     assert found["hinge"]["angle_deg"][-1] == pytest.approx(-180)
     assert found["hinge"]["slack_angle_deg"] == pytest.approx(-2 * math.degrees(math.acos(9 / 11)))
-    assert found["wing"]["barrier_J"] == pytest.approx(ff.barrier(landscape, "flat", "folded"))
+    assert found["wing"]["barrier_J"] == pytest.approx(landscape.barrier("flat", "folded"))
     assert len(found["tendons"]) == 3
     assert len(found["wing"]["pleat_angle_deg"]) == len(found["wing"]["energy_J"])

@@ -85,7 +85,7 @@ def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffne
         "start": f"{0.9 * math.degrees(angles[wells[0]]):.1f} deg",
     }
     letter = ff.load_design("letter-fold", {f"crease.{key}": value for key, value in crease.items()})
-    landscape = ff.energy_landscape(letter, points=61)
+    landscape = ff.landscape(letter, points=61)
     assert sum(state.stable for state in landscape.partial_folds) == len(wells) ** 2
     if len(wells) == 1:
         assert landscape.easiest_barrier is None
@@ -96,7 +96,7 @@ def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffne
 
 
 def test_what_rests_at_a_goal_needs_no_torque_and_says_so():
-    landscape = ff.energy_landscape(ff.load_design("letter-fold", {"crease.rest_angle": "90 deg"}), points=61)
+    landscape = ff.landscape(ff.load_design("letter-fold", {"crease.rest_angle": "90 deg"}), points=61)
     assert landscape.least_torques["close"] == 0
     assert (
         'no torque is needed to get closed: the goal of "close" is already met in the state before it'
@@ -136,7 +136,7 @@ def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
     with pytest.raises(InputError, match="letter-fold: has no single folding path"):
         stable_states(landscape)
     with pytest.raises(InputError, match="has no single folding path"):
-        ff.barrier(landscape, "flat", "closed")
+        landscape.barrier("flat", "closed")
     summary = landscape_summary(landscape)
     assert summary["wing"] is None
     assert [state["name"] for state in summary["rests"]] == ["flat", "closed", "opened"]
@@ -148,7 +148,7 @@ LEFT = {"from": "facet 0 at 0.5, 0.5", "to": "facet 1 at 0.4, 0.5", "rest_length
 
 def test_two_tendons_across_one_hinge_are_one_of_twice_the_stiffness():
     def letter(*tendons):
-        return ff.energy_landscape(ff.load_design("letter-fold", {"tendon": list(tendons)}), points=61)
+        return ff.landscape(ff.load_design("letter-fold", {"tendon": list(tendons)}), points=61)
 
     one = letter(LEFT | {"name": "whole", "stiffness": "0.5 N/cm"})
     two = letter(*(LEFT | {"name": name, "stiffness": "0.25 N/cm"} for name in ("upper", "lower")))
@@ -165,7 +165,7 @@ def test_two_tendons_across_one_hinge_are_one_of_twice_the_stiffness():
 def test_tendons_across_several_hinges_are_said_to_be_left_out_of_a_single_one():
     over = {"name": "over", "from": "facet 0 at 0.5, 0.5", "to": "facet 2 at 0.5, 0.5", "stiffness": "0.1 N/cm"}
     tendons = [LEFT | {"name": "left", "stiffness": "0.5 N/cm"}, over | {"rest_length": "5 cm"}]
-    remarks = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": tendons}), points=61).remarks
+    remarks = ff.landscape(ff.load_design("letter-fold", {"tendon": tendons}), points=61).remarks
     assert "the landscapes of single hinges leave out tendons across several hinges: over" in remarks
 
 
@@ -195,7 +195,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
     tendons.append({"name": "over", "from": ends["left"][0], "to": ends["right"][0]})
     tendons[-1] |= {"stiffness": 100 * over, "rest_length": length / 100}
     values = {"tendon": tendons, "crease.stiffness": stiffness, "crease.rest_angle": math.radians(rest_angle)}
-    landscape = ff.energy_landscape(with_values(ff.load_design("letter-fold"), values), points=11)
+    landscape = ff.landscape(with_values(ff.load_design("letter-fold"), values), points=11)
 
     angles = np.radians(np.linspace(-3, 175, 713))
     one, other = np.meshgrid(angles, angles, indexing="ij")
@@ -227,7 +227,7 @@ def test_states_and_barriers_of_hinges_that_a_tendon_couples(stiffness, rest_ang
 
 
 def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_closed():
-    landscape = ff.energy_landscape(ff.load_design("letter-fold", {"tendon": []}), points=11)
+    landscape = ff.landscape(ff.load_design("letter-fold", {"tendon": []}), points=11)
     assert [(state.name, state.energy, state.same_as) for state in landscape.rests] == [
         ("flat", 0, ""),
         ("not closed", 0, "flat"),
@@ -243,7 +243,7 @@ def test_without_tendons_it_rests_at_one_place_and_nothing_opens_what_never_clos
 def test_heavy_panels_hang_down():
     """In a plane that lies level, held at the middle panel: the outer ones bend back as far as they may."""
     light, heavy = (
-        ff.energy_landscape(
+        ff.landscape(
             ff.load_design("letter-fold", {"protocol.gravity": gravity, "crease.back_limit": "80 deg"}), points=11
         )
         for gravity in ("0 m/s^2", "9.81 m/s^2")

@@ -10,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import forficula as ff
 from forficula.design import load_design
 from forficula.errors import InputError
 from forficula.statics import energy_landscape, landscape_summary
@@ -67,13 +66,13 @@ def test_the_barrier_is_that_of_the_bars_pressed_flat(landscape, slanting):
 
 def test_states_and_barriers_of_a_net_are_asked_for_as_those_of_a_wing(landscape):
     (way,) = landscape.passes
-    assert [state.name for state in ff.stable_states(landscape)] == ["up", "down"]
+    assert [state.name for state in landscape.states] == ["up", "down"]
     for ends, climb in zip((("up", "down"), ("down", "up")), way.barriers, strict=True):
-        assert ff.barrier(landscape, *ends) == pytest.approx(climb, rel=1e-9)
+        assert landscape.barrier(*ends) == pytest.approx(climb, rel=1e-9)
     with pytest.raises(InputError, match=r'\(up, down\), got "dwn", did you mean "down"'):
-        ff.barrier(landscape, "up", "dwn")
+        landscape.barrier("up", "dwn")
     with pytest.raises(InputError, match='no saddle was found that leads from "up" to "down"'):
-        ff.barrier(replace(landscape, passes=()), "up", "down")
+        replace(landscape, passes=()).barrier("up", "down")
 
 
 def test_of_several_ways_the_one_with_the_lowest_top_counts(landscape):
@@ -82,8 +81,8 @@ def test_of_several_ways_the_one_with_the_lowest_top_counts(landscape):
     direct = replace(landscape.passes[0], energy=9.0)
     around = (replace(direct, ends=(0, 2), energy=5.0), replace(direct, ends=(1, 2), energy=6.0))
     three = replace(landscape, states=(up, down, between), passes=(direct, *around))
-    assert ff.barrier(three, "up", "down") == 6.0
-    assert ff.barrier(three, "between", "up") == 4.0
+    assert three.barrier("up", "down") == 6.0
+    assert three.barrier("between", "up") == 4.0
 
 
 def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):

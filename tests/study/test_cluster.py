@@ -114,8 +114,8 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
     monkeypatch.setattr("forficula.study.running.cluster._PATIENCE_SECONDS", 1)
     kept = []
 
-    def send_home(_, __, row):
-        kept.append(row["key"])
+    def send_home(report):
+        kept.append(report.latest["key"])
         cluster.scale(0)
 
     words = (
@@ -125,7 +125,7 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
         ff.run_study(study, tmp_path / "out", cluster=workers, progress=send_home)
     assert 0 < len(kept) < len(study.points)
     rows = []
-    table = ff.run_study(study, tmp_path / "out", progress=lambda *each: rows.append(each[2]["key"]))
+    table = ff.run_study(study, tmp_path / "out", progress=lambda each: rows.append(each.latest["key"]))
     assert {*kept, *rows} == set(read_rows(tmp_path / "out", study.base))
     assert set(kept).isdisjoint(rows)
     assert table.identical(here[0])

@@ -66,7 +66,7 @@ def test_design_file_of_a_run_has_the_automatic_timestep(tmp_path, monkeypatch, 
     assert ended.value.code == 2
     assert "still moving" in capsys.readouterr().out
     kept = ff.load_design(tmp_path / "there" / "design.toml")
-    assert kept.protocol.timestep == ff.load_record(tmp_path / "there" / "record.nc").design.protocol.timestep
+    assert kept.protocol.timestep == ff.load_run(tmp_path / "there" / "record.nc").design.protocol.timestep
     assert isinstance(kept.protocol.timestep, float)
 
 

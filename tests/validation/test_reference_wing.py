@@ -254,7 +254,7 @@ def test_the_wing_folds_by_the_mountain_and_valley_assignment_of_its_pattern(
     """A vein that is a mountain stands above its neighbours when folded, a valley below (FOLD 1.2, seen from +z)."""
     row = np.argmin(np.abs(reference_run.time - reference_outcome.states["folded"].time))
     height = places(reference_run, "ring")[row, :, 2]
-    pattern = ff.earwig_pattern(reference.fan)
+    pattern = ff.pattern.earwig_pattern(reference.fan)
     (assignment,) = (
         letter
         for letter, role in zip(pattern.edges_assignment, pattern.edges_role, strict=True)

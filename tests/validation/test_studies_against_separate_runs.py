@@ -27,9 +27,9 @@ def bits(value):
 
 def by_hand(design, *, confirmed):
     """What separate runs say of a design: one, and one at half the timestep where the study found that it decides."""
-    record = ff.run(design, confirm=False)
+    record = ff.run(design, confirm=False).record
     outcome = ff.measure(
-        with_checks(record, {HALF_STEP: ff.run(half_step(design), confirm=False)} if confirmed else {})
+        with_checks(record, {HALF_STEP: ff.run(half_step(design), confirm=False).record} if confirmed else {})
     )
     fold, unfold = outcome.transitions["fold"], outcome.transitions["unfold"]
     numbers = {

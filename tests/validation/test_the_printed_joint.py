@@ -126,7 +126,7 @@ def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, 
     agree(f"least torque of runs, {key}", least, closed, by="statics", unit="N m", abs=step / 100)
 
 
-def test_the_joint_simulated_with_its_printed_parts_is_bistable_with_the_numbers_of_the_readme():
+def test_simulated_as_its_parts_are_made_it_has_two_stable_states_with_the_numbers_of_the_readme():
     made = as_made(ff.make_parts(JOINT, "joint"))
     outcome = ff.measure(ff.run(made, confirm=False))
     assert outcome.status == "folded and opened"

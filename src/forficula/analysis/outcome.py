@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 
@@ -17,8 +16,9 @@ from forficula.analysis.verdict import ENDING_TEXTS, Ending, Verdict, ending_tex
 from forficula.arrays import Array
 from forficula.design import Design, stage_drives
 from forficula.displayed import Displayed
-from forficula.dynamics import EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
+from forficula.dynamics import AnyRun, EnergyBalance, NumericalCheck, Record, StageEnd, as_record, energy_balance
 from forficula.quantities import reading_unit, show_duration, show_value
+from forficula.results import pandas_module
 from forficula.serial import Joules, Key, Seconds, Written
 from forficula.structure import (
     Drive,
@@ -32,6 +32,9 @@ from forficula.structure import (
     measure_of,
     state_of,
 )
+
+if TYPE_CHECKING:
+    from forficula.results import Series
 
 _STIR = np.radians(0.1)
 _STIR_SHARE = 1e-3  # of the size of the structure
@@ -220,6 +223,38 @@ class Outcome(Displayed):
     confirmation: Confirmation | None = None
     advise: Callable[[], Advice] = field(default=lambda: NOTHING, repr=False, compare=False)
 
+    def to_dict(self) -> dict[str, object]:
+        """Return verdict, states, transitions and readings as plain values, SI, by flat keys, as one row of a table.
+
+        Keys: `design`, `verdict`, `status`, `residual`; by state `folded` (whether it was reached and held) and
+        `folded_tendon_energy_J`, and by measure `folded_distal_rad` or `..._m`, a number or a list of one per hinge; by
+        transition `fold_succeeded`, `fold_time_s`, `fold_work_J`. Unknown values are None.
+        """
+        values: dict[str, object] = {"design": self.name, "verdict": self.verdict.value, "status": self.status}
+        values |= dict(self.holds)
+        for name, made in self.transitions.items():
+            values[f"{name}_succeeded"] = None if made is None else made.succeeded
+            values[f"{name}_time_s"] = None if made is None else made.time
+            values[f"{name}_work_J"] = None if made is None else made.work
+        for name, state in self.states.items():
+            if state is None:
+                continue
+            if len(state.tendon_energy):
+                values[f"{name}_tendon_energy_J"] = float(state.tendon_energy.sum())
+            for measure_name, reading in state.readings.items():
+                means = reading.mean.tolist()
+                unit = "rad" if reading.kind == "angle" else "m"
+                values[f"{name}_{measure_name}_{unit}"] = means[0] if len(means) == 1 else means
+        return values | {"residual": self.ending.residual}
+
+    def to_series(self) -> Series:
+        """Return `to_dict` as a pandas series; a list of outcomes becomes a table by `pandas.DataFrame`.
+
+        Raises:
+            InputError: pandas is not installed.
+        """
+        return pandas_module().Series(self.to_dict(), name=self.name, dtype=object)
+
     def __repr__(self) -> str:
         """Return the status and the states."""
         states = [repr(state) for state in self.states.values() if state is not None]
@@ -251,7 +286,7 @@ class _TransitionRun:
     holds: bool
 
 
-def measure(run: Record | str | os.PathLike[str]) -> Outcome:
+def measure(run: AnyRun) -> Outcome:
     """Compute the outcome of a run, or of a run in a folder.
 
     A state is taken at the end of the stage that names it. If that stage did not take place, the state is taken at the

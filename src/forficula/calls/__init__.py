@@ -1,27 +1,48 @@
-"""What every command does, as one call: designs by name or path in, records, tables, figures and files out.
+"""The Python interface: one call for everything that a command does.
 
-In the examples, `ff` is forficula, `design` is `ff.load_design("letter-fold")`, and `record` a run of it.
+In the examples, `ff` is forficula, `design` is `ff.load_design("letter-fold")`, and `result` a run of it.
 """
 
+from forficula.calls.designs import Examples, check_design, examples
 from forficula.calls.goals import identify, optimise, tolerance
+from forficula.calls.output import compare, figure, film, page, save
 from forficula.calls.patterns import pattern_facts
-from forficula.calls.runs import landscape, run
-from forficula.calls.shown import compare, figure, film, page, save
-from forficula.calls.studies import assumptions, converge, new_study
+from forficula.calls.progress import Progress
+from forficula.calls.runs import landscape, load_run, run
+from forficula.calls.studies import (
+    assumptions,
+    collect,
+    converge,
+    estimate,
+    new_study,
+    run_cycles,
+    run_study,
+    sweep,
+)
 
 __all__ = [
+    "Examples",
+    "Progress",
     "assumptions",
+    "check_design",
+    "collect",
     "compare",
     "converge",
+    "estimate",
+    "examples",
     "figure",
     "film",
     "identify",
     "landscape",
+    "load_run",
     "new_study",
     "optimise",
     "page",
     "pattern_facts",
     "run",
+    "run_cycles",
+    "run_study",
     "save",
+    "sweep",
     "tolerance",
 ]

@@ -1,58 +1,87 @@
-"""Calls that run a design, or survey its energy."""
+"""Calls that run a design, and that compute its energy landscape."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from forficula.calls.progress import Progress, ProgressOption, reporting, simulated
 from forficula.design import AnyDesign, as_design
+from forficula.files import AnyPath
 
 if TYPE_CHECKING:
-    from forficula.dynamics import Record
-    from forficula.dynamics.stepping.simulate import Progress
+    from forficula.analysis.run import Run
     from forficula.statics import EnergyLandscape
 
 
-def run(design: AnyDesign, progress: Progress | None = None, *, confirm: bool = True) -> Record:
-    """Take a design through its protocol, as `forficula run` does.
+def run(design: AnyDesign, progress: ProgressOption = None, *, confirm: bool = True) -> Run:
+    """Run a design through its protocol, as `forficula run` does.
 
     Args:
-        design: or the name of one, or the path of a design file, a FOLD file or a drawing.
-        progress: called now and then with the stage's name, the time so far and the longest it can take, s.
+        design: design, its name, or the path of a design file, a FOLD file or a drawing.
+        progress: function that is called with every `Progress`; True shows the progress, False does not, None shows it
+            in notebooks and on terminals only.
         confirm: whether to run the design also at half the timestep and from a slightly different start, for the
-            numerical uncertainty of its numbers; a verdict that changes is "undecided". Without, a loop over many
+            numerical uncertainty of the results; a verdict that changes is "undecided". Without it, a loop over many
             designs takes a quarter of the time.
 
     Returns:
-        What happened, sampled at the protocol's interval. `measure` says what that came to, `save` writes it. With a
-        timestep "auto" its design has the one that was found.
+        Run with its record, outcome, figures and page. If the timestep is "auto", the design of the run has the
+        timestep that was found.
 
     Raises:
         InputError: no such design, or it cannot be built.
 
-    >>> record = ff.run(design)
-    >>> ff.measure(record).status
+    >>> result = ff.run(design)
+    >>> result.outcome.status
     'closed and opened'
     """
+    from forficula.analysis.run import Run
     from forficula.study.running.runs import run as run_one
 
-    return run_one(as_design(design), progress, confirm=confirm)
+    read = as_design(design)
+    with reporting(progress, simulated) as tell:
+        return Run(run_one(read, tell, confirm=confirm))
 
 
-def landscape(design: AnyDesign, *, progress: Callable[[str], None] = lambda _: None) -> EnergyLandscape:
-    """Survey a design's energy by statics, as `forficula landscape --no-simulation` does.
+def load_run(path: AnyPath) -> Run:
+    """Load a run from its folder, or from its record.nc.
 
     Args:
-        design: or its name or path.
-        progress: is told what is surveyed.
+        path: folder that `forficula run` or `Run.save` wrote, or the file of a record.
+
+    Raises:
+        InputError: no such file, or it contains no record.
+
+    >>> ff.run(design, confirm=False).save("loaded")
+    >>> ff.load_run("loaded")
+    <Run of letter-fold: closed and opened>
+    """
+    from forficula.analysis.run import Run
+    from forficula.dynamics import load_record
+
+    return Run(load_record(path))
+
+
+def landscape(design: AnyDesign, points: int = 181, *, progress: ProgressOption = None) -> EnergyLandscape:
+    """Compute the energy landscape of a design by statics, as `forficula landscape --no-simulation` does.
+
+    Args:
+        design: design, its name or its path.
+        points: number of points of each curve.
+        progress: as of `run`.
+
+    Returns:
+        Stable states with energies, barriers between them, and the least torques or forces of each transition.
 
     Raises:
         InputError: no such design, or it cannot be built.
 
-    >>> surveyed = ff.landscape("binder2025")
-    >>> f"{1e3 * ff.barrier(surveyed, 'flat', 'folded'):.2f} mJ"
+    >>> landscape = ff.landscape("binder2025")
+    >>> f"{1e3 * landscape.barrier('flat', 'folded'):.2f} mJ"
     '2.08 mJ'
     """
     from forficula.statics import energy_landscape
 
-    return energy_landscape(as_design(design), progress=progress)
+    read = as_design(design)
+    with reporting(progress, lambda step: Progress(task=step)) as tell:
+        return energy_landscape(read, points) if tell is None else energy_landscape(read, points, tell)

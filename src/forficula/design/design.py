@@ -95,6 +95,9 @@ class Design(Displayed, Section):
         """Return the class, the name and the hash; `print` writes the design file, with units."""
         return f"<{type(self).__name__} {self.name}, hash {self.hash}>"
 
+    def _key_text(self, name: str) -> str:
+        return f'"{name}"'
+
     def __str__(self) -> str:
         """Return the design file as text."""
         from forficula.design.files.design_file import design_text

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar, get_origin
@@ -108,6 +108,23 @@ def field_quantity(field: FieldInfo) -> Quantity | None:
     return field.json_schema_extra if isinstance(field.json_schema_extra, Quantity) else None
 
 
+class _Text(str):
+    """Text whose repr has no quotation marks."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+_DIGITS = 6  # of values in the repr of a section
+# names that tab completion leaves out
+_HIDDEN = {
+    *(name for name in dir(BaseModel) if not name.startswith("_")),
+    *("about", "as_tables", "hash_values", "heading", "later", "natural", "once", "si_tables"),
+}
+
+
 class Section(BaseModel):
     """A section of a design file: frozen, no unknown keys."""
 
@@ -136,6 +153,35 @@ class Section(BaseModel):
             return value
         in_si = bool(info.context and info.context.get("si"))
         return _read_list(reader, value, in_si=in_si) if is_list(field) else reader.read(value, in_si=in_si)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse to change a value, and say how a changed design is made.
+
+        Raises:
+            AttributeError: always.
+        """
+        reader = _readers(type(self)).get(name)
+        example = "..." if reader is None else f'"{reader.unit.example}"'
+        raise AttributeError(
+            f"{name}: designs do not change; design.with_values({{{self._key_text(name)}: {example}}})"
+            " returns a changed design"
+        )
+
+    def _key_text(self, name: str) -> str:
+        """Return the dotted key of a value for messages; a section does not know where it is in a design."""
+        return f'"<section>.{name}"'
+
+    def __dir__(self) -> list[str]:
+        """Names for users: not those of pydantic, and not those for other modules."""
+        return sorted(set(super().__dir__()) - _HIDDEN)
+
+    def __repr_args__(self) -> Iterator[tuple[str, object]]:
+        """Values with units; absent ones are left out."""
+        for name, reader in _readers(type(self)).items():
+            value = getattr(self, name)
+            if value is None:
+                continue
+            yield name, value if reader is None else _with_unit(value, reader.unit)
 
     def as_tables(self, write: Callable[[float, Unit], object] = format_quantity) -> dict[str, Any]:
         """Return the section as TOML tables without absent values; `write` formats quantities, by default exactly."""
@@ -186,6 +232,13 @@ class Section(BaseModel):
             elif value is not None and (name not in self.later or value != defaults[name]):
                 values[name] = value
         return values
+
+
+def _with_unit(value: object, unit: Unit) -> object:
+    """Return a value whose repr has its unit: a number or several; words stay."""
+    if isinstance(value, tuple):
+        return [_with_unit(each, unit) for each in value]
+    return _Text(show_quantity(value, unit, _DIGITS)) if isinstance(value, float) else value
 
 
 def in_si(value: float, _: Unit) -> float:

@@ -4,7 +4,16 @@ from forficula.dynamics.engine.model import Model, compile_model, compile_struct
 from forficula.dynamics.engine.portable_model import portable_model, why_not_portable
 from forficula.dynamics.engine.sharing import but_last_drive
 from forficula.dynamics.engine.units import design_in_model_units
-from forficula.dynamics.record import NumericalCheck, Record, StageEnd, as_record, load_record, save_record, versions
+from forficula.dynamics.record import (
+    AnyRun,
+    NumericalCheck,
+    Record,
+    StageEnd,
+    as_record,
+    load_record,
+    save_record,
+    versions,
+)
 from forficula.dynamics.stepping.simulate import simulate, simulate_each
 from forficula.dynamics.stepping.stage_plan import goal_in_units
 from forficula.dynamics.stepping.stepped_protocol import SteppedProtocol, stepped_protocol
@@ -19,6 +28,7 @@ from forficula.dynamics.stepping.timestep import (
 __all__ = [
     "STEPS_TO_CONTACT",
     "STEPS_TO_TIME_CONSTANT",
+    "AnyRun",
     "EnergyBalance",
     "Knob",
     "Model",

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from functools import cache, cached_property
 from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import numpy as np
 
@@ -196,7 +196,17 @@ class Record(Displayed):
 
     @cached_property
     def data(self) -> xarray.Dataset:
-        """Return the series with their dimensions, coordinates and units."""
+        """Return the series with dimensions, coordinates and units, without those of parts that the structure lacks."""
+        every = self.dataset
+        return every.drop_dims([dimension for dimension, size in every.sizes.items() if size == 0])
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the record as netCDF; see `save_record`."""
+        save_record(self, path)
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Return all series, also those whose dimension has size zero, as a file has them."""
         import xarray
 
         built = self.structure
@@ -224,6 +234,18 @@ class Record(Displayed):
         return xarray.Dataset(variables, coordinates)
 
 
+class HasRecord(Protocol):
+    """Run, which is of a layer above."""
+
+    @property
+    def record(self) -> Record:
+        """Return its record."""
+
+
+# a run, its record, or the path of its folder or file
+AnyRun = Record | HasRecord | str | os.PathLike[str]
+
+
 def save_record(record: Record, path: str | os.PathLike[str]) -> None:
     """Write a record as netCDF, with its design, its stages and a checksum at the end.
 
@@ -231,7 +253,7 @@ def save_record(record: Record, path: str | os.PathLike[str]) -> None:
         InputError: the file cannot be written.
     """
     nothing = float("nan")
-    data = record.data.assign(
+    data = record.dataset.assign(
         triangle=(("face", "corner"), record.triangles, {"long_name": "membrane mesh: nodes of each triangle"}),
         stage_name=("stage", [end.stage.name for end in record.stages]),
         stage_start=("stage", [end.start for end in record.stages], {"units": "s"}),
@@ -336,11 +358,12 @@ def load_record(path: str | os.PathLike[str]) -> Record:
 
 
 def as_record(run: object) -> Record:
-    """Return a record, or read it from a run's folder or file.
+    """Return a record, the record of a run, or that of a run's folder or file.
 
     Raises:
         InputError: the argument is not a record, or it cannot be read.
     """
+    run = getattr(run, "record", run)  # `Run` is of a layer above
     if isinstance(run, Record):
         return run
     if isinstance(run, str | os.PathLike):

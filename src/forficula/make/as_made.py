@@ -72,7 +72,7 @@ def as_made(parts: PartSet, groups: Collection[Group] = GROUPS, values: MadeValu
         InputError: parts without joints, a material without a density, or values that are no design, for example
             because the parts stop before the angle that counts as folded.
 
-    >>> parts = ff.make_parts("binder2025-joint")
+    >>> parts = ff.make.parts("binder2025-joint")
     >>> made = as_made(parts)
     >>> made.hinge.overbend == parts.design.hinge.overbend
     True

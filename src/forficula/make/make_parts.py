@@ -35,7 +35,7 @@ def make_parts(design: AnyDesign, part: PartName = "all") -> PartSet:
     Raises:
         InputError: unknown part, or one that the design does not have.
 
-    >>> parts = ff.make_parts("binder2025-joint")
+    >>> parts = ff.make.parts("binder2025-joint")
     >>> [part.name for part in parts.parts]
     ['proximal0', 'distal0', 'pin_fold0', 'strap0']
     """

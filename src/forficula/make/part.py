@@ -9,7 +9,6 @@ from manifold3d import Error, Manifold
 
 from forficula.arrays import Array
 from forficula.design import Design
-from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.make.flat.cut_lines import CutSheet
 from forficula.make.hinge.hub import Root
@@ -18,6 +17,7 @@ from forficula.make.hinge.strap_shape import StrapPlace
 from forficula.make.solid.mesh import MILLIMETRES, solid_of
 from forficula.make.solid.solids import Solid
 from forficula.make.stock import Stock
+from forficula.results import Result
 from forficula.structure import Structure
 
 # mm, volume / surface: thinner parts are lost in the single precision of meshes and their files
@@ -75,7 +75,7 @@ class Part:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class PartSet(Displayed):
+class PartSet(Result):
     """Parts of a design.
 
     Attributes:

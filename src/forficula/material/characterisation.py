@@ -10,7 +10,6 @@ from typing import Annotated
 import numpy as np
 
 from forficula.arrays import Array
-from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.material.fit.fit import LawFit, fit_law
 from forficula.material.law.drift import Drift, fit_drift
@@ -23,6 +22,7 @@ from forficula.material.tensile.modulus import ModulusClass, moduli_by_strain
 from forficula.material.tensile.strain_history import StrainHistory
 from forficula.material.tensile.tensile_test import TensileTest
 from forficula.quantities import Unit, parse_quantity
+from forficula.results import Result
 from forficula.serial import Key, WithUnit, Written
 
 SPECIMEN_LENGTH, SPECIMEN_AREA = "length of the specimens", "area of the specimens"
@@ -83,7 +83,7 @@ class DriftSummary:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Characterisation(Displayed):
+class Characterisation(Result):
     """Results of the tensile tests of a material.
 
     Attributes:

@@ -9,15 +9,15 @@ from __future__ import annotations
 import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.design import Design
-from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.quantities import Unit, show_value
+from forficula.results import Result, pandas_module
 from forficula.serial import Joules, Written
 from forficula.statics.net.net import Net, NetShape
 from forficula.statics.net.net_course import Course
@@ -29,6 +29,9 @@ from forficula.statics.tree.inertial_help import InertialHelp
 from forficula.statics.tree.partial_folds import PartialFold
 from forficula.statics.tree.tip_stiffness import TipStiffness
 from forficula.structure import Drive, Structure
+
+if TYPE_CHECKING:
+    from forficula.results import DataFrame
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +115,7 @@ class NetSurvey:
 
 
 @dataclass(frozen=True, kw_only=True)
-class EnergyLandscape(Displayed):
+class EnergyLandscape(Result):
     """Energy landscape of a design.
 
     Attributes:
@@ -154,6 +157,25 @@ class EnergyLandscape(Displayed):
         """Return the resting states with their energies."""
         rests = ", ".join(f"{each.name} {show_value(each.energy, 'J')}" for each in self.rests)
         return f"<EnergyLandscape of {self.design.name}: {rests or f'{len(self.remarks)} remarks'}>"
+
+    def barrier(self, start: str, end: str) -> float:
+        """Return the energy to climb from one stable state to another, J; see the function `barrier`.
+
+        Args:
+            start: name of a stable state, such as "flat".
+            end: name of another, such as "folded".
+
+        Raises:
+            InputError: no stable state of that name, or no known saddle leads from one to the other.
+        """
+        return barrier(self, start, end)
+
+    def to_dataframe(self) -> DataFrame:
+        """Return the stable states as a pandas table: name and energy, J."""
+        pandas = pandas_module()
+
+        rows = [(state.name, state.energy) for state in self.states]
+        return pandas.DataFrame(rows, columns=["state", "energy_J"]).set_index("state")
 
     @property
     def hinge(self) -> HingeLandscape | None:

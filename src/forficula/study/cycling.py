@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,10 +12,14 @@ from forficula.design import AnyDesign, Design, as_design, with_values
 from forficula.errors import InputError
 from forficula.material.law.law_cycle import change_at_cycle, drifts_of, law_at_cycle, stretched_before
 from forficula.material.law.material_law import MaterialLaw
+from forficula.results import Result, pandas_module
 from forficula.statics.slow_margin import least_slow_torques, margin
 from forficula.structure import Structure, Transition, built_strains, drive_of, structure_of
 from forficula.study.running.evaluate import evaluate, row_key
 from forficula.study.running.journal import Row
+
+if TYPE_CHECKING:
+    from forficula.results import DataFrame
 
 Progress = Callable[[int, int, dict[str, Any]], None]
 
@@ -48,7 +52,7 @@ class CycleRun:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cycling:
+class Cycling(Result):
     """Behaviour of a structure over cycles.
 
     Attributes:
@@ -66,6 +70,21 @@ class Cycling:
     transitions: tuple[Transition, ...]
     verdict: str
     remarks: tuple[str, ...]
+
+    def to_dataframe(self) -> DataFrame:
+        """Return the cycles as a pandas table: stiffness by that of the first, residual strain, outcome, margins."""
+        pandas = pandas_module()
+
+        rows = [
+            {
+                "stiffness": run.stiffness[0],
+                "residual_strain": run.residual_strain,
+                **{name: value for name, value in run.row.items() if name != "key"},
+                **{f"{name}_margin": value for name, value in run.margins.items()},
+            }
+            for run in self.runs
+        ]
+        return pandas.DataFrame(rows, index=pandas.Index([run.cycle for run in self.runs], name="cycle"))
 
     def works(self, run: CycleRun) -> bool:
         """Return whether the last transition of the protocol was reached in a cycle."""

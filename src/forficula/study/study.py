@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from forficula.design import Design
 from forficula.displayed import Displayed
+from forficula.results import call
 from forficula.study.factors import Factor
 from forficula.study.search_steps import Search
+
+if TYPE_CHECKING:
+    from forficula.study.tables.study_table import StudyTable
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +45,42 @@ class Study(Displayed):
     choices: tuple[Mapping[str, object], ...] = ()
     grid: tuple[Factor, ...] = ()
     reproduces: str | None = None
+
+    def run(
+        self, out: str | os.PathLike[str] | None = None, *, threads: int = 0, progress: object = None
+    ) -> StudyTable:
+        """Run all points and return the table; see `forficula.run_study`, which has more options.
+
+        Args:
+            out: folder of the journal, in which an interrupted study continues; a temporary one if not given.
+            threads: number of threads; 0 for one per core.
+            progress: as of `forficula.run`.
+
+        Raises:
+            InputError: the folder contains rows of another study or cannot be written.
+        """
+        table: StudyTable = call("run_study")(self, out, threads=threads, progress=progress)
+        return table
+
+    def collect(self, out: str | os.PathLike[str]) -> StudyTable:
+        """Return the table of a study that several machines ran in parts (shards), from the rows in a folder.
+
+        Raises:
+            InputError: rows are missing, or the folder contains rows of another study.
+        """
+        table: StudyTable = call("collect")(self, out)
+        return table
+
+    def estimate(self, out: str | os.PathLike[str] | None = None) -> tuple[int, int, float]:
+        """Return the largest number of runs, the number of points to run, and the estimated duration, s.
+
+        The estimate is the duration of the middle point, which is run now, times the number of points.
+
+        Args:
+            out: folder of the journal, whose points are not run again.
+        """
+        most, left, seconds = call("estimate")(self, out)
+        return most, left, seconds
 
     def __repr__(self) -> str:
         """Return the number of points and the varied keys."""

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray
 
-from forficula.displayed import Displayed
 from forficula.goals.identify.exclusion import (
     Evidence,
     agreeing,
@@ -25,6 +24,7 @@ from forficula.goals.identify.observations import Observations
 from forficula.goals.identify.prior import value_at
 from forficula.goals.share_interval import share_interval
 from forficula.quantities import parse_quantity
+from forficula.results import Result
 from forficula.study.factors import Factor
 
 if TYPE_CHECKING:
@@ -257,7 +257,7 @@ def _attributes(observations: Observations, samples: Sequence[Sample], seen: Evi
     }
 
 
-class IdentificationTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
+class IdentificationTable(Result, xarray.Dataset):  # type: ignore[no-untyped-call]
     """An `xarray.Dataset` that displays its conclusions in notebooks."""
 
     __slots__ = ()

@@ -9,16 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from forficula.design import Design
-from forficula.displayed import Displayed
 from forficula.goals.goal import Goal
 from forficula.goals.kept_designs import MOST_KEPT, designs_to_keep
 from forficula.goals.optimise.candidate import Candidate, Verification
 from forficula.goals.optimise.trials import Relaxation
+from forficula.results import Result
 from forficula.serial import Key, Written
 from forficula.study.running.kept_runs import RunToKeep
 
 if TYPE_CHECKING:
     import xarray
+
+    from forficula.results import DataFrame
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,7 +53,7 @@ class Effort:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Optimum(Displayed):
+class Optimum(Result):
     """The best designs for a goal.
 
     Attributes:
@@ -87,6 +89,10 @@ class Optimum(Displayed):
     def feasible(self) -> bool:
         """Whether any design meets the goal."""
         return bool(self.best)
+
+    def to_dataframe(self) -> DataFrame:
+        """Return all candidates as a pandas table, one row each, SI."""
+        return self.table.to_dataframe()
 
     def __repr__(self) -> str:
         """Return the numbers of best and of tried designs."""

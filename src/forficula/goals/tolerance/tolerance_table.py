@@ -8,7 +8,6 @@ import numpy as np
 import xarray
 
 from forficula.design import key_quantity, key_value
-from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.goals.deviation import allowed_ends, deviation_widths
 from forficula.goals.tolerance.advice import advice
@@ -17,11 +16,12 @@ from forficula.goals.tolerance.nearest_failure import Answer, Reach
 from forficula.goals.tolerance.question import Question
 from forficula.goals.tolerance.samples import margin_names
 from forficula.goals.tolerance.tolerance import Tolerance
+from forficula.results import Result
 from forficula.structure import structure_of
 from forficula.study.tables.outcome_kinds import transitions_text
 
 
-class ToleranceTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
+class ToleranceTable(Result, xarray.Dataset):  # type: ignore[no-untyped-call]
     """An `xarray.Dataset` that displays its conclusions in notebooks.
 
     Attributes:

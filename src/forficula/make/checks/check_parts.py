@@ -40,7 +40,7 @@ def check_parts(parts: PartSet, record: object = None) -> tuple[Check, ...]:
     Raises:
         InputError: not a record, or one of a design with other values.
 
-    >>> checks = ff.check_parts(ff.make_parts("binder2025-joint"))
+    >>> checks = ff.make.check_parts(ff.make.parts("binder2025-joint"))
     >>> [check.name for check in checks if check.ok is False]
     []
     """

@@ -24,7 +24,7 @@ def print_files(parts: PartSet, progress: Callable[[str], None] = lambda _: None
         parts: of a design.
         progress: called with a text for each file.
 
-    >>> list(print_files(ff.make_parts("binder2025-joint")))
+    >>> list(print_files(ff.make.parts("binder2025-joint")))
     ['stl/proximal0.stl', 'stl/distal0.stl', 'stl/strap0.stl', 'parts.3mf']
     """
     pieces, items = printed_pieces(parts), []

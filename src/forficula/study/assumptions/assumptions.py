@@ -13,11 +13,11 @@ from forficula.analysis.confirmation import HALF_STEP, OTHER_START, SETTLED_WITH
 from forficula.analysis.verdict import ending_word
 from forficula.design import Design, design_text, put
 from forficula.design.design import DesignIdentity
-from forficula.displayed import Displayed
 from forficula.dynamics import Record, versions, with_timestep
 from forficula.dynamics.stepping.simulate import Progress
 from forficula.errors import InputError
 from forficula.names import counted
+from forficula.results import Result
 from forficula.serial import Joules, Key, Seconds, WithUnit, Written
 from forficula.structure import Structure
 from forficula.study.assumptions.modelling_assumptions import ASSUMPTIONS, Assumption, Variant, variant_of
@@ -25,6 +25,8 @@ from forficula.study.running.runs import half_step, run_each, with_checks
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+    from forficula.results import DataFrame
 
 # a run without a conclusive verdict is repeated at a timestep shorter by this factor, at most twice
 _SHORTER, _REPEATS = 4, 2
@@ -88,7 +90,7 @@ class AssumptionRun:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Assumptions(Displayed):
+class Assumptions(Result):
     """Effect of each modelling assumption on the result of a design.
 
     Attributes:
@@ -144,6 +146,16 @@ class Assumptions(Displayed):
         changes = ", ".join(f"{run.label} ({run.word})" for run in self.deciding)
         verb = "changes" if len(self.deciding) == 1 else "change"
         return f"{self.own.word}; {len(self.deciding)} of {tried} {verb} the verdict: {changes}{rest}"
+
+    def to_dataframe(self) -> DataFrame:
+        """Return the runs as a pandas table: label, effect, verdict, status, and times, s, and works, J."""
+        table = self.to_xarray()
+        numbers = {
+            f"{transition}_{name}_{unit}": table[name].sel(transition=transition).values
+            for name, unit in (("time", "s"), ("work", "J"))
+            for transition in table["transition"].values.tolist()
+        }
+        return table.drop_dims("transition").to_dataframe().assign(**numbers)
 
     def to_xarray(self) -> Dataset:
         """Return the table as a dataset.

@@ -5,18 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from forficula.analysis import Verdict
 from forficula.arrays import Array, Flags
 from forficula.design import Design, with_values
-from forficula.displayed import Displayed
 from forficula.dynamics import Model, compile_model
 from forficula.dynamics.stepping.simulate import simulate_each
 from forficula.errors import InputError
 from forficula.quantities import as_written
+from forficula.results import Result, pandas_module
 from forficula.study.convergence.observed_order import OrderFit, fit_order
 from forficula.study.convergence.refinement import (
     MESH,
@@ -33,6 +33,9 @@ from forficula.study.running.runs import resolved
 from forficula.study.running.timed_run import TimedRun, timed_run
 from forficula.study.tables.verdict import judge_moves, judge_timestep
 
+if TYPE_CHECKING:
+    from forficula.results import DataFrame
+
 Progress = Callable[[int, int, dict[str, Any]], None]
 
 # Largest number of rows of a record. A very short timestep would otherwise fill the memory.
@@ -40,7 +43,7 @@ _MOST_ROWS = 100_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Convergence(Displayed):
+class Convergence(Result):
     """Runs of one design at several values of one setting, from coarse to fine or from soft to stiff.
 
     Attributes:
@@ -80,6 +83,14 @@ class Convergence(Displayed):
     tolerance: float
     fine: bool | None
     verdict: str
+
+    def to_dataframe(self) -> DataFrame:
+        """Return the runs as a pandas table: value of the setting, SI, verdict, status, time of each transition, s."""
+        pandas = pandas_module()
+
+        words = {"verdict": [each.value for each in self.verdicts], "status": list(self.statuses)}
+        times = {f"{name}_time_s": each for name, each in self.transition_times.items()}
+        return pandas.DataFrame(words | times, index=pandas.Index(self.values, name=self.key))
 
     @property
     def own_verdict(self) -> Verdict:

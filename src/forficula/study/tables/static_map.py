@@ -11,6 +11,7 @@ import numpy as np
 from forficula.analysis import Ending, Verdict, ending_text, ending_word
 from forficula.arrays import Array, Flags
 from forficula.design import TORQUE, Design, check_keys_once, key_value
+from forficula.design.section import Section
 from forficula.errors import InputError
 from forficula.statics.net.net_of import is_net
 from forficula.statics.tree.lines import line_energy
@@ -105,7 +106,7 @@ def static_map(study: Study, progress: Callable[[int, int], None] | None = None)
         except InputError as error:
             results[number] = {**_ending_columns(Ending(verdict=Verdict.NOT_BUILT, why=str(error)))}
         else:
-            groups.setdefault(repr([key_value(design, key) for key in static_keys(design)]), []).append(
+            groups.setdefault(repr([_exact(key_value(design, key)) for key in static_keys(design)]), []).append(
                 (number, design)
             )
     done = 0
@@ -207,6 +208,13 @@ def _ending(results: Sequence[tuple[Transition, bool, bool]]) -> Ending:
         if not held:
             return Ending(verdict=Verdict.NOT_HELD, transition=transition)
     return Ending(verdict=Verdict.REACHED, transition=results[-1][0])
+
+
+def _exact(value: Any) -> Any:
+    """Return a value of a design in SI with all digits, which the repr of a section does not have."""
+    if isinstance(value, Section):
+        return value.si_tables()
+    return [_exact(each) for each in value] if isinstance(value, tuple) else value
 
 
 def _column(results: Sequence[Mapping[str, float | str]], name: str) -> np.ndarray:

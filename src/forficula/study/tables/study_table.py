@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import xarray
 
-from forficula.displayed import Displayed
 from forficula.errors import InputError
+from forficula.results import Result
 from forficula.study.study import Study
 
 
-class StudyTable(Displayed, xarray.Dataset):  # type: ignore[no-untyped-call]
+class StudyTable(Result, xarray.Dataset):  # type: ignore[no-untyped-call]
     """An `xarray.Dataset` that displays its maps above its numbers.
 
     Attributes:
