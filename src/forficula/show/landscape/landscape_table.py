@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator
 
 from rich.console import Console, Group, RenderableType
@@ -21,11 +22,11 @@ from forficula.analysis.simulated_snap import (
 )
 from forficula.dynamics import Record
 from forficula.quantities import show_value
+from forficula.show.landscape.headline import headline
 from forficula.show.landscape.landscape_marks import (
     course_words,
     held_words,
     reading_words,
-    rest_name,
     rounding_torque,
     show_angle,
     show_angles,
@@ -51,13 +52,19 @@ _NONE = "none"
 _NOTHING = 1e-9  # m, below which a distance is rounding
 
 
+def print_headline(landscape: EnergyLandscape) -> None:
+    """Print the first line of a landscape, at once."""
+    Console(width=110, highlight=False).print(Text(headline(landscape), style="bold"), soft_wrap=True)
+    sys.stdout.flush()
+
+
 def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
-    """Print a landscape, and a run of the same design beside its prediction; args are those of `landscape_table`."""
-    Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon))
+    """Print the tables of a landscape, and a run beside its prediction; args are those of `landscape_table`."""
+    Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon, first_line=False))
 
 
 def landscape_table(
-    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
+    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None, *, first_line: bool = True
 ) -> RenderableType:
     """Lay out stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
 
@@ -67,6 +74,7 @@ def landscape_table(
         landscape: what to show.
         record: a run of its design.
         tendon: number of the one whose hinge stands for all; an inner one if not given.
+        first_line: whether it begins with the headline.
     """
     shown = inner_hinge(landscape, tendon)
     tables = (
@@ -79,7 +87,7 @@ def landscape_table(
         _table("Stiffness at every tip", _tips(landscape.tips)),
         *_snap(landscape, record, shown),
     )
-    parts: list[RenderableType] = [Text(_verdict(landscape), style="bold")]
+    parts: list[RenderableType] = [Text(headline(landscape), style="bold")] if first_line else []
     for table in tables:
         if table.row_count:
             parts += [Text(), table]
@@ -87,20 +95,6 @@ def landscape_table(
     if remarks:
         parts += [Text(), *(Text(_sentence(remark)) for remark in remarks)]
     return Group(*parts)
-
-
-def _verdict(landscape: EnergyLandscape) -> str:
-    folds, names = landscape.partial_folds, [state.name for state in landscape.states]
-    if landscape.net is not None:
-        found = f"{len(names)} stable states were found" if len(names) != 1 else "one stable state was found"
-    elif landscape.fold_path is not None:
-        found = "stable along its fold" if names else "no stable state along its fold"
-    else:
-        names = [rest_name(each) for each in landscape.rests if each.stable]
-        found = "rests stably" if names else "rests nowhere stably"
-    stable = sum(fold.stable for fold in folds)
-    partly = f"; {stable} of {len(folds)} states with some hinges folded stay" if len(folds) > 2 else ""
-    return f"{landscape.design.name}: {found}{': ' * bool(names)}{', '.join(names)}{partly}"
 
 
 def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:
