@@ -264,7 +264,7 @@ def finish_folder(folder: Path, kind: str, *, show: bool = False) -> None:
 
 def end_with_page(folder: Path, *, show: bool = False) -> None:
     """End the output with the folder of the results and their page; open the page if requested."""
-    page = folder / "report.html"
+    page = folder / ("parts.html" if (folder / "bill.json").is_file() else "report.html")
     end_with(f"\nwritten to {folder}; open {page}" if page.is_file() else f"\nwritten to {folder}")
     if show and page.is_file():
         import webbrowser

@@ -10,7 +10,7 @@ from typing import Any
 from forficula.quantities import show_duration
 from forficula.terminal import is_quiet
 
-_LONG = 10.0  # s; a shorter command is not announced
+LONG = 10.0  # s; a shorter command is not announced
 _MEASURED = 1.0  # s of work from which the rest is estimated
 
 
@@ -33,7 +33,7 @@ class _Estimate:
     def write(self, seconds: float, text: str) -> None:
         """Write the estimate once, where it exceeds ten seconds."""
         self._done = True
-        if seconds > _LONG and not is_quiet():
+        if seconds > LONG and not is_quiet():
             print(text, file=sys.stderr, flush=True)
 
 

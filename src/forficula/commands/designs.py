@@ -171,7 +171,8 @@ def _changed_groups(original: Design, scaled: Design) -> list[str]:
     if not pairs:
         return [f"{scaled.name} keeps all {count} dimensionless groups: over t / t* it moves identically"]
     return [
-        f"{len(pairs)} of {count} dimensionless groups of {scaled.name} change, because gravity and materials stay:",
+        f"{len(pairs)} of {count} dimensionless groups of {scaled.name} change, because gravity and materials are not"
+        " scaled:",
         *(f"  {old.label}: {old.value:.3g} -> {new.value:.3g} ({old.meaning})" for old, new in pairs),
     ]
 

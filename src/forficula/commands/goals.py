@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from forficula.commands.cost import LONG
 from forficula.errors import InputError
 from forficula.names import counted, listed
 from forficula.options import (
@@ -182,7 +183,7 @@ def tolerance(
         _print_plan(question, *estimate_tolerance(question, folder, minutes, seed, runs))
         return 0
     note_replaced(folder, "tolerance", _ROWS_KEPT)
-    if runs is None:
+    if runs is None and 60 * minutes > LONG:
         note(f"estimate: up to {minutes:.3g} min (--minutes)")
     result = _assessed(question, folder, minutes, runs, seed, share, dask)
     _write_tolerance(result, folder, keep, show=open_report)

@@ -42,7 +42,7 @@ def _barriers(landscape: EnergyLandscape) -> str:
         alone = landscape.easiest_barrier
         if alone is None:
             return ""
-        return f"barrier {show_value(alone, 'J')} until one hinge of {landscape.rests[0].name} folds"
+        return f"barrier {show_value(alone, 'J')} to fold one hinge from {landscape.rests[0].name}"
     names = _state_names(landscape)
     found = {}
     for one, other in combinations(names[:_MOST_NAMED], 2):
