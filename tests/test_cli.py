@@ -2,15 +2,19 @@ import csv
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.cli import main
+from forficula.cli import app, main
+from forficula.commands.cost import CountEstimate, RunEstimate
+from forficula.design import design_pattern
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
 from tests.assumptions import flap
@@ -1082,3 +1086,90 @@ def test_new_names_its_files_and_where_options_go(in_an_empty_folder, call, refu
     warned = call("new", "--kind", "joint", "--goal", "mine.toml").err
     assert "use: forficula new goal mine.toml --kind joint" in warned
     assert (in_an_empty_folder / "mine.toml").exists()
+
+
+@pytest.mark.parametrize("kind", ["earwig-fan", "yoshimura", "pleats"])
+def test_a_new_design_has_the_size_that_is_wanted(call, kind):
+    call("new", "design", "small.toml", "--kind", kind, "--size", "8 cm")
+    pattern = design_pattern(ff.load_design("small.toml"))
+    assert np.ptp(pattern.vertices_coords, axis=0).max() == pytest.approx(0.08, rel=1e-5)
+
+
+def test_a_size_that_cannot_be_is_refused(refusal):
+    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need > 0, got 0 cm"
+    assert refusal("new", "design", "a.toml", "--size", "8 N").startswith('--size: "N" is not a unit of the right kind')
+    assert refusal("new", "design", "a.toml", "--kind", "fold-file", "--size", "8 cm").startswith("--size: a fold-file")
+    assert refusal("new", "a.toml", "--study", "--size", "8 cm").startswith("--size: cannot be used with --study")
+
+
+def test_new_writes_sample_tests_for_the_name_of_a_table(in_an_empty_folder, call):
+    assert "forficula material mine-made-up-1.csv" in call("new", "mine.csv").out
+    assert len(list(in_an_empty_folder.glob("mine-made-up-*.csv"))) == 3
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_stages_are_addressed_by_name(in_an_empty_folder, call):
+    call(
+        "run",
+        "binder2025",
+        "--set",
+        "protocol.stages.release folded.time_limit=2.5 s",
+        "--no-confirm",
+        "--out",
+        "there",
+    )
+    stages = {
+        stage.name: stage for stage in ff.load_design(in_an_empty_folder / "there" / "design.toml").protocol.stages
+    }
+    assert stages["release folded"].time_limit == 2.5
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_the_verdict_comes_before_warnings_and_the_page_last(in_an_empty_folder, call, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    done = process(
+        "-c",
+        "import sys; sys.stderr = sys.stdout; from forficula.cli import main\n"
+        "main(['run', 'wing.toml', '--set', 'protocol.timestep=10 ms', '--no-confirm', '--tolerate'])",
+    )
+    # a slow machine says what it waits for
+    lines = [line for line in done.stdout.splitlines() if not line.endswith(" ...")]
+    assert lines[0].startswith("wing: ")
+    assert lines[1].startswith("warning: ")
+    assert lines[-1] == "written to out/wing; open out/wing/report.html"
+    call("run", "wing.toml", "--no-confirm", "--open")
+    assert opened == [(in_an_empty_folder / "out" / "wing" / "report.html").resolve().as_uri()]
+
+
+def test_every_help_page_has_two_examples_that_are_commands(call):
+    for command in app:
+        if command.startswith("-"):
+            continue
+        said = call(command, "--help").out
+        examples = re.findall(r"^  forficula (\S+)", said.partition("Examples:")[2], re.M)
+        assert examples[:2] == [command, command], command
+
+
+def test_an_estimate_is_written_once_for_what_takes_longer_than_ten_seconds(capsys, monkeypatch):
+    clock = iter([0.0, 0.0, 2.0, 3.0, 4.0])
+    monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
+    estimate = CountEstimate(most=True)
+    estimate.update(1, 20)
+    estimate.update(2, 20)
+    assert capsys.readouterr().err == "estimate: at most 38 s for at most 20 runs\n"
+    estimate.update(3, 20)
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize(("searches", "ending"), [(False, ""), (True, ", and twice as long at each finer timestep")])
+def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, ending):
+    clock = iter([0.0, 0.0, 0.5, 2.0])
+    monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
+    seen = []
+    estimate = RunEstimate(lambda *told: seen.append(told), searches=searches)
+    for time in (0.0, 0.1, 0.5):
+        estimate("fold", time, 6.5)
+    said = f"estimate: at most 24 s, less if stages reach their goals early{ending}\n"
+    assert (capsys.readouterr().err, len(seen)) == (said, 3)

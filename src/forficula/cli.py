@@ -71,7 +71,10 @@ _COMMANDS = (
     _Command(
         call=runs.run,
         group=_PREDICT,
-        examples=("run binder2025", 'run my-wing.toml --set tendon.stiffness="20 N/cm" --open'),
+        examples=(
+            "run binder2025 --open",
+            'run my-wing.toml --set tendon.stiffness="20 N/cm" --set protocol.stages.fold.time_limit="3 s"',
+        ),
         has_json=True,
     ),
     _Command(
