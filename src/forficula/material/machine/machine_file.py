@@ -13,6 +13,7 @@ from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, ColumnKind
 from forficula.material.machine.recording import RecordedColumn, Recording, at_line
 from forficula.material.machine.specimen import specimen_area, specimen_length
+from forficula.material.machine.spreadsheet import SPREADSHEETS, parse_spreadsheet
 from forficula.material.machine.zs2_file import parse_zs2
 from forficula.material.tensile.tensile_test import TensileTest, falling
 from forficula.quantities import as_written
@@ -28,7 +29,8 @@ def read_tensile_test(
     ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv and plain tables, in English or German (some
     French); encoding, delimiter, decimal sign and units are found in the file. Where it holds no travel, its strain
     times the length is taken; where it holds no force, its stress times the area; a position of the crosshead counts
-    from the first row. A .zs2 needs the extra `zs2`.
+    from the first row. Specimens may be below each other or side by side, and in several sheets of a workbook. A .zs2
+    needs the extra `zs2`, an .xlsx, .xls or .ods the extra `xlsx`.
 
     Args:
         path: the file.
@@ -79,6 +81,8 @@ def _recordings(path: Path) -> tuple[Recording, ...]:
     content = read_bytes(path, _LARGEST)
     if path.suffix.lower() == ".zs2":
         return parse_zs2(content, path.stem)
+    if path.suffix.lower() in SPREADSHEETS:
+        return parse_spreadsheet(content, path.stem)
     return parse_recordings(content, path.stem)
 
 
