@@ -2,15 +2,19 @@ import csv
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import forficula as ff
-from forficula.cli import main
+from forficula.cli import app, main
+from forficula.commands.cost import CountEstimate, RunEstimate
+from forficula.design import design_pattern
 from forficula.goals import load_goal
 from forficula.show.style import figure_files
 from tests.assumptions import flap
@@ -121,7 +125,7 @@ def test_a_run_leaves_its_files_and_names_their_folder_last(in_an_empty_folder):
     assert done.returncode == 0
     assert "Traceback" not in done.stderr
     assert done.stdout.startswith("my-wing: settled\n")
-    assert done.stdout.splitlines()[-1] == "written to out/my-wing"
+    assert done.stdout.splitlines()[-1] == "written to out/my-wing; open out/my-wing/report.html"
     folder = in_an_empty_folder / "out" / "my-wing"
     assert {"design.toml", "model.xml", "record.nc", "summary.json", "report.html"} < set(everything_in(folder))
     assert json.loads((folder / "summary.json").read_text())["status"] == "settled"
@@ -145,9 +149,9 @@ def test_a_run_of_a_wing_that_blows_up_is_carried_out(in_an_empty_folder, call):
 def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_folder, call):
     (in_an_empty_folder / "my-wing.toml").write_text(SHORT)
     output = call("landscape", "my-wing.toml", "--set", "tendon.rest_length=0 cm")
-    assert output.out.startswith("my-wing: stable along its fold: flat, folded; ")
+    assert output.out.startswith("my-wing: bistable (flat, folded); barrier ")
     assert "The simulated wing: settled." in output.out
-    assert output.out.splitlines()[-1] == "written to out/my-wing-landscape"
+    assert output.out.splitlines()[-1] == "written to out/my-wing-landscape; open out/my-wing-landscape/report.html"
     folder = in_an_empty_folder / "out" / "my-wing-landscape"
     figures = [name for kind in ("levels", "tendon", "wing") for name in figure_files(kind)]
     assert everything_in(folder) == sorted(["design.toml", "figures", "landscape.json", "report.html", *figures])
@@ -160,7 +164,7 @@ def test_a_landscape_leaves_its_files_and_names_their_folder_last(in_an_empty_fo
 
 def test_a_landscape_needs_no_simulation_and_one_of_plates_leaves_what_there_is(in_an_empty_folder, call):
     output = call("landscape", "letter-fold", "--no-simulation", "--out", "there")
-    assert output.out.startswith("letter-fold: stable states: flat, closed, opened (as flat); ")
+    assert output.out.startswith("letter-fold: bistable (flat, closed); barrier ")
     assert "simulated" not in output.out + output.err
     figures = [name for kind in ("levels", "rests", "tendon") for name in figure_files(kind)]
     found = everything_in(in_an_empty_folder / "there")
@@ -190,7 +194,9 @@ def test_a_scaled_design_is_printed_as_one_and_the_groups_that_it_cannot_keep_be
     assert small.pattern.distal_length == pytest.approx(0.01, rel=1e-15)
     assert small.protocol.gravity == 9.81
     first, *told = printed.err.splitlines()
-    assert first == "binder2025-x0.1 cannot keep 3 of 18 groups, for gravity and materials stay as they are:"
+    assert first == (
+        "3 of 18 dimensionless groups of binder2025-x0.1 change, because gravity and materials are not scaled:"
+    )
     assert [line.partition(" (")[0] for line in told] == [
         "  gravity: 0.000386 -> 3.86e-05",
         "  Reynolds number, left out: 1.69e+05 -> 1.69e+04",
@@ -203,7 +209,7 @@ def test_a_scaled_design_is_written_and_can_be_run(in_an_empty_folder, call):
     assert "small.toml" in call("scale", "wing.toml", "--length", "0.5", "--out", "small.toml").out
     call("run", "small.toml", "--out", "out/small")
     same = call("scale", "miura-sheet", "--length", "1").err
-    assert same == "miura-sheet-x1 keeps all 9 groups: in t / t* it moves alike\n"
+    assert same == "miura-sheet-x1 keeps all 9 dimensionless groups: over t / t* it moves identically\n"
 
 
 def test_the_named_designs_are_listed_with_their_sources(call):
@@ -243,12 +249,16 @@ def test_a_pattern_is_described_where_no_file_is_to_be_written(call):
     assert "No interior vertex: every crease folds on its own.\n" in strip
 
 
-def test_a_file_without_a_unit_is_read_by_the_one_given(in_an_empty_folder, call, refusal):
+def test_a_file_without_a_unit_has_the_unit_of_the_option_or_a_chosen_size(in_an_empty_folder, call, refusal):
     call("pattern", "letter-fold", "--out", "sheet.fold")
     document = json.loads((in_an_empty_folder / "sheet.fold").read_text())
     (in_an_empty_folder / "sheet.fold").write_text(json.dumps(document | {"frame_unit": "unit"}))
     assert "0.297 mm by 0.21 mm" in call("pattern", "sheet.fold", "--unit", "1 mm").out
-    assert "frame_unit: need a unit of length" in refusal("pattern", "sheet.fold")
+    without = call("pattern", "sheet.fold")
+    assert "20 cm by 14.14 cm" in without.out
+    assert without.err.startswith("warning: sheet.fold: the file states no unit of length: its largest dimension is")
+    assert "[chosen]" in without.err
+    assert "--unit" in without.err
     assert refusal("pattern", "sheet.fold", "--unit", "0 mm") == '--unit: need > 0, got "0 mm"'
     said = '--unit: a design has units of its own, got "1 mm"'
     assert refusal("pattern", "letter-fold", "--unit", "1 mm") == said
@@ -362,7 +372,7 @@ def test_json_is_all_that_stands_on_standard_output(in_an_empty_folder, call, re
     sizes = json.loads(call("size", "binder2025", "--material", "tpu-82a", "--stiffness", "10 N/cm", "--json").out)
     assert [row["length_m"] for row in sizes] == [0.06, 0.09]
     assert json.loads(call("materials", "--json").out)[0].keys() == {"name", "source"}
-    assert refusal("new", "other.toml", "--json").startswith("--json: need run, make, landscape, ")
+    assert refusal("new", "other.toml", "--json").startswith("--json: need run, landscape, converge, ")
 
 
 def test_a_study_as_json_has_a_row_for_every_point(in_an_empty_folder, call, study_file):
@@ -611,12 +621,12 @@ def test_a_name_without_letters_is_no_place_for_results(refusal, arguments):
 
 def test_a_run_says_which_run_it_replaces(in_an_empty_folder, call):
     (in_an_empty_folder / "wing.toml").write_text(SHORT)
-    said = 'there: replaces the run of wing ("settled") there\n'
+    said = 'there: replaces the run of wing ("settled")\n'
     assert "replaces" not in call("run", "wing.toml", "--no-confirm", "--out", "there").err
     assert call("run", "wing.toml", "--no-confirm", "--out", "there").err.startswith(said)
     (in_an_empty_folder / "there" / "summary.json").write_text('{"design": "a\\u001b[2J\\nb", "status": ' + "[" * 10**5)
     again = call("run", "wing.toml", "--no-confirm", "--out", "there")
-    assert "there: replaces the run of an unknown name there\n" in again.err
+    assert "there: replaces the run of an unknown name\n" in again.err
 
 
 def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an_empty_folder, call, study_file):
@@ -626,13 +636,13 @@ def test_a_landscape_a_convergence_study_and_a_study_say_what_they_replace(in_an
         (
             "a",
             ("landscape", "binder2025-joint", "--no-simulation"),
-            "a: replaces the landscape of binder2025-joint there\n",
+            "a: replaces the landscape of binder2025-joint\n",
         ),
         ("b", ("converge", "wing.toml", "--timesteps", "0.5 0.2 ms"), "b: replaces the convergence study of wing ("),
         (
             "c",
             ("study", "small.toml", "--keep", "0"),
-            "c: replaces the table, the maps and the page there; the rows stay\n",
+            "c: replaces the table, the maps and the page; the rows are kept\n",
         ),
     ):
         assert "replaces" not in call(*arguments, "--out", out).err
@@ -667,7 +677,7 @@ def test_assumptions_leave_a_table_that_a_run_of_the_same_design_then_names(in_a
     ff.save_design(quick, in_an_empty_folder / "flap.toml")
     done = call("assumptions", "flap.toml")
     assert "twice the damping of hinges" in done.out
-    assert done.out.endswith("written to out/flap-assumptions\n")
+    assert done.out.endswith("written to out/flap-assumptions; open out/flap-assumptions/report.html\n")
     told = call("run", "flap.toml", "--no-confirm").out
     assert "\nAssumptions: none of 8 changed assumptions changes the verdict (out/flap-assumptions).\n" in told
 
@@ -700,7 +710,7 @@ TENDONS = '"tendon.stiffness" = ["10 N/cm", "20 N/cm", "30 N/cm"]'
 def test_a_study_leaves_its_table_and_names_their_folder_last(in_an_empty_folder, call, study_file):
     study_file(TENDONS)
     output = call("study", "small.toml")
-    assert output.out.splitlines()[-1] == "written to out/small"
+    assert output.out.splitlines()[-1] == "written to out/small; open out/small/report.html"
     folder = in_an_empty_folder / "out" / "small"
     assert {"journal.jsonl", "table.csv", "table.nc"} < set(everything_in(folder))
     assert len((folder / "table.csv").read_text().splitlines()) == 4
@@ -713,7 +723,7 @@ def test_a_study_keeps_runs_to_be_played_in_its_page_as_many_as_asked(in_an_empt
     study_file(TENDONS)
     folder = in_an_empty_folder / "out" / "small"
     output = call("study", "small.toml", "--keep", "1")
-    assert "keeping 1 run whole" in output.err
+    assert "storing 1 run for playback" in output.err
     assert [place.name for place in (folder / "runs").iterdir()] == ["1"]
     assert everything_in(folder / "runs" / "1") == ["design.toml", "record.nc", "summary.json"]
     with_a_run = (folder / "report.html").stat().st_size
@@ -851,7 +861,7 @@ def test_a_landscape_over_two_keys_is_a_map_beside_a_study(tmp_path, write_study
         ),
         (
             ["--over", "tendon.rest_length=1..2 cm step 1", "--set", "tendon.rest_length=3 cm"],
-            "--over: tendon.rest_length is under --set, too; need it in one of them",
+            "--over: tendon.rest_length is also under --set; need it in one of them",
         ),
         (
             ["--no-simulation", "--ok-if", "stuck"],
@@ -934,7 +944,7 @@ SIZE = ("--length", "60 mm", "--area", "5 mm^2")
 def test_tensile_tests_become_a_law_that_sizes_the_papers_tendons(in_an_empty_folder, call):
     output = call("material", "tpu-*.csv", *SIZE, "--law", "linear", "--out", "out/tpu")
     assert output.out.startswith("tpu: 3 specimens, length 60 mm, area 5 mm², cycles 2 to 3\n")
-    assert output.out.splitlines()[-1] == "written to out/tpu"
+    assert output.out.splitlines()[-1] == "written to out/tpu; open out/tpu/report.html"
     folder = in_an_empty_folder / "out" / "tpu"
     assert {"material.json", "tendon_law.toml", "modulus.png"} < set(everything_in(folder))
     law = ff.material.load_law(folder / "tendon_law.toml")
@@ -1077,3 +1087,90 @@ def test_new_names_its_files_and_where_options_go(in_an_empty_folder, call, refu
     warned = call("new", "--kind", "joint", "--goal", "mine.toml").err
     assert "use: forficula new goal mine.toml --kind joint" in warned
     assert (in_an_empty_folder / "mine.toml").exists()
+
+
+@pytest.mark.parametrize("kind", ["earwig-fan", "yoshimura", "pleats"])
+def test_a_new_design_has_the_size_that_is_wanted(call, kind):
+    call("new", "design", "small.toml", "--kind", kind, "--size", "8 cm")
+    pattern = design_pattern(ff.load_design("small.toml"))
+    assert np.ptp(pattern.vertices_coords, axis=0).max() == pytest.approx(0.08, rel=1e-5)
+
+
+def test_a_size_that_cannot_be_is_refused(refusal):
+    assert refusal("new", "design", "a.toml", "--size", "0 cm") == "--size: need > 0, got 0 cm"
+    assert refusal("new", "design", "a.toml", "--size", "8 N").startswith('--size: "N" is not a unit of the right kind')
+    assert refusal("new", "design", "a.toml", "--kind", "fold-file", "--size", "8 cm").startswith("--size: a fold-file")
+    assert refusal("new", "a.toml", "--study", "--size", "8 cm").startswith("--size: cannot be used with --study")
+
+
+def test_new_writes_sample_tests_for_the_name_of_a_table(in_an_empty_folder, call):
+    assert "forficula material mine-made-up-1.csv" in call("new", "mine.csv").out
+    assert len(list(in_an_empty_folder.glob("mine-made-up-*.csv"))) == 3
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_stages_are_addressed_by_name(in_an_empty_folder, call):
+    call(
+        "run",
+        "binder2025",
+        "--set",
+        "protocol.stages.release folded.time_limit=2.5 s",
+        "--no-confirm",
+        "--out",
+        "there",
+    )
+    stages = {
+        stage.name: stage for stage in ff.load_design(in_an_empty_folder / "there" / "design.toml").protocol.stages
+    }
+    assert stages["release folded"].time_limit == 2.5
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_the_verdict_comes_before_warnings_and_the_page_last(in_an_empty_folder, call, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    (in_an_empty_folder / "wing.toml").write_text(SHORT)
+    done = process(
+        "-c",
+        "import sys; sys.stderr = sys.stdout; from forficula.cli import main\n"
+        "main(['run', 'wing.toml', '--set', 'protocol.timestep=10 ms', '--no-confirm', '--tolerate'])",
+    )
+    # a slow machine says what it waits for
+    lines = [line for line in done.stdout.splitlines() if not line.endswith(" ...")]
+    assert lines[0].startswith("wing: ")
+    assert lines[1].startswith("warning: ")
+    assert lines[-1] == "written to out/wing; open out/wing/report.html"
+    call("run", "wing.toml", "--no-confirm", "--open")
+    assert opened == [(in_an_empty_folder / "out" / "wing" / "report.html").resolve().as_uri()]
+
+
+def test_every_help_page_has_two_examples_that_are_commands(call):
+    for command in app:
+        if command.startswith("-"):
+            continue
+        said = call(command, "--help").out
+        examples = re.findall(r"^  forficula (\S+)", said.partition("Examples:")[2], re.M)
+        assert examples[:2] == [command, command], command
+
+
+def test_an_estimate_is_written_once_for_what_takes_longer_than_ten_seconds(capsys, monkeypatch):
+    clock = iter([0.0, 0.0, 2.0, 3.0, 4.0])
+    monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
+    estimate = CountEstimate(most=True)
+    estimate.update(1, 20)
+    estimate.update(2, 20)
+    assert capsys.readouterr().err == "estimate: at most 38 s for at most 20 runs\n"
+    estimate.update(3, 20)
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize(("searches", "ending"), [(False, ""), (True, ", and twice as long at each finer timestep")])
+def test_the_estimate_of_a_run_is_an_upper_limit(capsys, monkeypatch, searches, ending):
+    clock = iter([0.0, 0.0, 0.5, 2.0])
+    monkeypatch.setattr("forficula.commands.cost.monotonic", lambda: next(clock))
+    seen = []
+    estimate = RunEstimate(lambda *told: seen.append(told), searches=searches)
+    for time in (0.0, 0.1, 0.5):
+        estimate("fold", time, 6.5)
+    said = f"estimate: at most 24 s, less if stages reach their goals early{ending}\n"
+    assert (capsys.readouterr().err, len(seen)) == (said, 3)

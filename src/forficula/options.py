@@ -1,4 +1,4 @@
-"""What options of the command line mean."""
+"""Options that several commands share, and functions that read their values."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from cyclopts import Parameter, Token
 from forficula.errors import InputError, error_prefix
 from forficula.names import listed, one_of
 from forficula.quantities import as_written
-from forficula.terminal import came_to, remark
+from forficula.terminal import end_with, note, set_result
 
 if TYPE_CHECKING:
     from forficula.analysis import Verdict
@@ -28,26 +28,26 @@ _RATIO = re.compile(rf"{_NUMBER}(?:\s*/\s*{_NUMBER})?")
 
 
 def _whole_number(_type: object, tokens: Sequence[Token]) -> int:
-    """Take a whole number as one: a fraction would otherwise be rounded without a word."""
+    """Read a whole number; without this converter a fraction would be rounded silently."""
     (token,) = tokens
     if not re.fullmatch(rf"[+-]?{_WHOLE.pattern}", token.value):
-        few = " of at most 18 digits" if re.fullmatch("[+-]?[0-9]+", token.value) else ""
-        raise InputError(f"need a whole number{few}, got {as_written(token.value)}")
+        limit = " of at most 18 digits" if re.fullmatch("[+-]?[0-9]+", token.value) else ""
+        raise InputError(f"need a whole number{limit}, got {as_written(token.value)}")
     return int(token.value)
 
 
-# of every option that takes a whole number
+# parameter of every option that is a whole number
 WHOLE_NUMBER = Parameter(converter=_whole_number)
 Settings = Annotated[
     list[str] | None,
     Parameter(
-        name="--set", help='Replace a value, as in --set tendon.stiffness="20 N/cm"; may be repeated.', negative=()
+        name="--set", help='Set a value, such as --set tendon.stiffness="20 N/cm"; may be repeated.', negative=()
     ),
 ]
 
 
 def _read_out(_: object, tokens: Sequence[Token]) -> Path:
-    # as a path it would be the current folder
+    # an empty path would be the current folder
     if not tokens[0].value:
         raise InputError("need the name of a file or a folder, got an empty text")
     return Path(tokens[0].value)
@@ -56,52 +56,58 @@ def _read_out(_: object, tokens: Sequence[Token]) -> Path:
 Out = Annotated[Path, Parameter(converter=_read_out)]
 OutIfGiven = Annotated[Path | None, Parameter(converter=_read_out)]
 NoEngine = Annotated[
-    bool, Parameter(negative=(), help="Leave the simulator, 3.5 MB, out of report.html: it then only plays.")
+    bool,
+    Parameter(negative=(), help="Leave the simulator (3.5 MB) out of report.html, which then only plays."),
 ]
 Tolerate = Annotated[
     bool,
-    Parameter(help="End with status 0, not 3, where a run diverged or is not to be trusted.", negative=()),
+    Parameter(help="End with status 0 instead of 3 where a run diverged or is unreliable.", negative=()),
 ]
 OkIf = Annotated[
     list[str] | None,
     Parameter(
         name="--ok-if",
-        help="End with status 0 where this is the verdict, such as stuck, and no other; may be repeated.",
+        help="End with status 0 only where this is the verdict, such as stuck; may be repeated.",
         negative=(),
     ),
+]
+OpenReport = Annotated[
+    bool, Parameter(name="--open", help="Open report.html in the browser when it is written.", negative=())
 ]
 DesignName = Annotated[
     str, Parameter(help="A named design, or the path of a design file (.toml), a FOLD file or a drawing (.svg, .dxf).")
 ]
-Dask = Annotated[str | None, Parameter(help="Run on the Dask cluster with this scheduler, as in tcp://scheduler:8786.")]
+Dask = Annotated[
+    str | None, Parameter(help="Run on the Dask cluster with this scheduler, such as tcp://scheduler:8786.")
+]
 DrawingUnit = Annotated[
-    str | None, Parameter(help='Length of one unit of a FOLD file or a drawing that names none, as in "1 cm".')
+    str | None, Parameter(help='Length of one unit of a FOLD file or drawing that states no unit, such as "1 cm".')
 ]
 
 
 def exit_status(verdicts: Iterable[Verdict], *, tolerate: bool, ok_if: Sequence[str] | None = None) -> int:
-    """What a command ends with that was carried out, for scripts.
+    """Return the exit status of a command that ran to its end, for scripts.
 
     Args:
-        verdicts: of the runs that it was asked for.
-        tolerate: whether what diverged, is undecided or is not to be trusted counts as done.
-        ok_if: verdicts that are wanted, and no others; `Verdict.REACHED` where none are named.
+        verdicts: verdicts of the requested runs.
+        tolerate: whether to accept runs that diverged, are undecided or are unreliable.
+        ok_if: accepted verdicts; only `Verdict.REACHED` if none is named.
 
     Returns:
-        0 where every verdict is wanted, 2 where one is not, 3 where one run says nothing of its structure.
+        0 where every verdict is accepted, 2 where one is not, 3 where a run gives no information on its structure.
     """
-    silent, wanted = ("diverged", "untrusted", "undecided"), tuple(ok_if or ("reached",))
-    told = [verdict for verdict in verdicts if not (tolerate and verdict in silent)]
-    if any(verdict in silent and verdict not in wanted for verdict in told):
+    uninformative, wanted = ("diverged", "untrusted", "undecided"), tuple(ok_if or ("reached",))
+    counted = [verdict for verdict in verdicts if not (tolerate and verdict in uninformative)]
+    if any(verdict in uninformative and verdict not in wanted for verdict in counted):
         return 3
-    return 0 if all(verdict in wanted for verdict in told) else 2
+    return 0 if all(verdict in wanted for verdict in counted) else 2
 
 
 def check_verdicts(ok_if: Sequence[str] | None) -> None:
-    """Refuse what is no verdict of a run.
+    """Refuse words that are not verdicts of a run.
 
     Raises:
-        InputError: which is none, and which is near.
+        InputError: a word is not a verdict; the message names the nearest one.
     """
     from forficula.analysis import Verdict
 
@@ -112,20 +118,20 @@ def check_verdicts(ok_if: Sequence[str] | None) -> None:
 
 
 def read_option(option: str, read: Callable[[], T]) -> T:
-    """Read an option; an error begins with it.
+    """Read an option; error messages begin with its name.
 
     Raises:
-        InputError: what `read` raises.
+        InputError: `read` raises it.
     """
     with error_prefix(f"{option}: "):
         return read()
 
 
 def read_quantity(option: str, text: object, unit: Unit) -> float:
-    """The value of an option in SI.
+    """Return the value of an option in SI.
 
     Raises:
-        InputError: it is no quantity of that unit's kind.
+        InputError: the text is not a quantity of the dimension of the unit.
     """
     from forficula.quantities import parse_quantity
 
@@ -133,55 +139,55 @@ def read_quantity(option: str, text: object, unit: Unit) -> float:
 
 
 def read_size(option: str, text: str, smallest: int, largest: int) -> tuple[int, int]:
-    """Turn "1280x720" into pixels across and upwards.
+    """Read a size such as "1280x720": width and height, px.
 
     Raises:
-        InputError: it is no such text, or a number is odd, which films cannot have, or out of bounds.
+        InputError: the text is not a size, or a number is out of bounds or odd, which video codecs refuse.
     """
-    across, times, upwards = text.partition("x")
-    if times and _WHOLE.fullmatch(across) and _WHOLE.fullmatch(upwards):
-        size = int(across), int(upwards)
-        if all(smallest <= each <= largest and each % 2 == 0 for each in size):
+    width, times, height = text.partition("x")
+    if times and _WHOLE.fullmatch(width) and _WHOLE.fullmatch(height):
+        size = int(width), int(height)
+        if all(smallest <= pixels <= largest and pixels % 2 == 0 for pixels in size):
             return size
     rule = f"two even numbers from {smallest} to {largest} such as 1280x720"
     raise InputError(f'{option}: need {rule}, got "{text}"')
 
 
 def read_ratio(option: str, text: str) -> float:
-    """Turn "1/10", "0.1" or "10" into a number.
+    """Read a ratio such as "1/10", "0.1" or "10".
 
     Raises:
-        InputError: it is no such text, or not > 0 and finite.
+        InputError: the text is not a ratio, or the ratio is not > 0 and finite.
     """
-    found = _RATIO.fullmatch(text.strip())
-    over, under = (float(found[1]), float(found[2] or 1)) if found else (0.0, 1.0)
-    ratio = over / under if under else 0.0
+    match = _RATIO.fullmatch(text.strip())
+    numerator, denominator = (float(match[1]), float(match[2] or 1)) if match else (0.0, 1.0)
+    ratio = numerator / denominator if denominator else 0.0
     if not 0 < ratio < math.inf:
         raise InputError(f"{option}: need a number > 0 such as 1/10, 0.1 or 10, got {as_written(text)}")
     return ratio
 
 
 def read_stiffnesses(option: str, text: str) -> list[float]:
-    """Turn "10 N/cm" or "10..60 N/cm step 10" into N/m.
+    """Read stiffnesses such as "10 N/cm" or "10..60 N/cm step 10", N/m.
 
     Raises:
-        InputError: it is neither, or not > 0.
+        InputError: the text is neither a value nor a range, or a value is not > 0.
     """
     from forficula.design.section import STIFFNESS
     from forficula.study.factors import range_values
 
     texts = range_values(option, text) if ".." in text else (text,)
-    values = [read_quantity(option, each, STIFFNESS) for each in texts]
+    values = [read_quantity(option, value, STIFFNESS) for value in texts]
     if min(values) <= 0:
         raise InputError(f'{option}: need > 0, got "{text}"')
     return values
 
 
 def read_shard(text: str) -> tuple[int, int]:
-    """Turn "2/8" into (2, 8).
+    """Read a shard such as "2/8": its number, from 1, and the number of shards.
 
     Raises:
-        InputError: it is no such text.
+        InputError: the text is not a shard.
     """
     number, slash, count = text.partition("/")
     if slash and _WHOLE.fullmatch(number) and _WHOLE.fullmatch(count) and 1 <= int(number) <= int(count):
@@ -190,76 +196,87 @@ def read_shard(text: str) -> tuple[int, int]:
 
 
 def check_apart(option: str, given: bool, others: Mapping[str, bool]) -> None:
-    """Refuse options beside one that leaves them without a meaning.
+    """Refuse options that have no meaning together with another option.
 
     Args:
-        option: the one.
-        given: whether it is given.
-        others: the options that mean nothing beside it, and whether each of them is given.
+        option: name of the option.
+        given: whether the option is used.
+        others: options that have no meaning with it, and whether each is used.
 
     Raises:
-        InputError: one of them is given with it, and which.
+        InputError: one of the others is used with the option.
     """
-    if given and (beside := [other for other, there in others.items() if there]):
-        raise InputError(f"{option}: cannot be used with {listed(beside)}; leave one of them out")
+    if given and (conflicting := [other for other, used in others.items() if used]):
+        raise InputError(f"{option}: cannot be used with {listed(conflicting)}; leave one of them out")
 
 
-def check_folder(folder: Path, own: str) -> None:
-    """Refuse a folder for results before a run that takes a while, and restore what a killed one left of it.
+def check_folder(folder: Path, kind: str) -> None:
+    """Refuse an unusable output folder before the work starts, and restore a folder whose command was killed.
 
     Args:
-        folder: where a command will write.
-        own: kind of its results, of `forficula.results`.
+        folder: output folder of a command.
+        kind: kind of its results, a name of `forficula.results`.
 
     Raises:
-        InputError: it cannot be made or written, or holds results of another kind, of which some would be replaced.
+        InputError: the folder cannot be made or written, or contains results of another kind that would be replaced.
     """
     from forficula.files import check_writable, clear_leftovers
     from forficula.results import check_own_kind
 
     try:
-        there = next(place for place in (folder, *folder.parents, Path()) if place.exists())
+        existing = next(path for path in (folder, *folder.parents, Path()) if path.exists())
     except OSError as error:
         raise InputError(f"--out: {folder}: {error.strerror}") from None
-    if not there.is_dir():
-        raise InputError(f"--out: need a folder, got the file {there}")
+    if not existing.is_dir():
+        raise InputError(f"--out: need a folder, got the file {existing}")
     read_option("--out", lambda: check_writable(folder))
     clear_leftovers(folder)
-    read_option("--out", lambda: check_own_kind(folder, own))
+    read_option("--out", lambda: check_own_kind(folder, kind))
 
 
-def tell_replaced(folder: Path, what: str, left: str = "") -> None:
-    """Say on stderr which earlier results a command is about to replace, where there are any.
+def note_replaced(folder: Path, kind: str, remaining: str = "") -> None:
+    """Report on standard error which earlier results a command will replace.
 
     Args:
-        folder: where it will write.
-        what: kind of these results, of `forficula.results`.
-        left: what stays, such as "; the rows stay".
+        folder: output folder.
+        kind: kind of the new results, a name of `forficula.results`.
+        remaining: what is kept, such as "; the rows are kept".
     """
     from forficula.results import replaced_text
 
-    if replaced := replaced_text(folder, what):
-        remark(f"{folder}: replaces {replaced} there{left}")
+    if replaced := replaced_text(folder, kind):
+        note(f"{folder}: replaces {replaced}{remaining}")
 
 
-def tell_written(folder: Path, kind: str) -> None:
-    """Say where results were written, and hand their JSON on.
+def finish_folder(folder: Path, kind: str, *, show: bool = False) -> None:
+    """Report where the results are, set their JSON as the result of the command, and open their page if requested.
 
     Args:
-        folder: of the results.
-        kind: of them, of `forficula.results`.
+        folder: folder of the results.
+        kind: kind of the results, a name of `forficula.results`.
+        show: whether to open the page.
     """
     from forficula.results import json_file
 
-    came_to(folder / json_file(kind))
-    print(f"\nwritten to {folder}")
+    set_result(folder / json_file(kind))
+    end_with_page(folder, show=show)
+
+
+def end_with_page(folder: Path, *, show: bool = False) -> None:
+    """End the output with the folder of the results and their page; open the page if requested."""
+    page = folder / ("parts.html" if (folder / "bill.json").is_file() else "report.html")
+    end_with(f"\nwritten to {folder}; open {page}" if page.is_file() else f"\nwritten to {folder}")
+    if show and page.is_file():
+        import webbrowser
+
+        webbrowser.open(page.resolve().as_uri())
 
 
 def read_unit(unit: str | None) -> float | None:
-    """The length of one unit of a drawing, m; None where it is not given.
+    """Return the length of one unit of a drawing, m; None without the option.
 
     Raises:
-        InputError: no length.
+        InputError: the text is not a length.
     """
     from forficula.design.section import LENGTH
 
@@ -267,24 +284,32 @@ def read_unit(unit: str | None) -> float | None:
 
 
 def read_design(name: str, settings: Sequence[str] | None, unit: str | None) -> Design:
-    """The design of a name or a path, with the values of `--set` and the unit of a drawing.
+    """Return the design of a name or path, with the values of `--set` and the unit of a drawing.
 
     Raises:
-        InputError: no such design, or one of its values is none.
+        InputError: the design does not exist, or a value is not allowed.
     """
     from forficula.design import load_design
+    from forficula.pattern.files.pattern_file import PATTERN_FILES, read_pattern
 
     length = read_unit(unit)
-    return load_design(name, read_settings(settings), unit=length)
+    chosen = load_design(name, read_settings(settings), unit=length)
+    if Path(name).suffix.lower() in PATTERN_FILES:
+        from forficula.pattern.files.fold_frame import CHOSEN_UNIT
+
+        for remark in read_pattern(name, length, choose_unit=True)[1]:
+            if remark != CHOSEN_UNIT:  # a warning
+                note(f"{name}: {remark}")
+    return chosen
 
 
 def read_settings(
     settings: Sequence[str] | None, option: str = "--set", example: str = 'tendon.stiffness="20 N/cm"'
 ) -> dict[str, object]:
-    """Turn key=value texts into values by dotted key: TOML where they are TOML, text with a unit otherwise.
+    """Read KEY=VALUE texts into values by dotted key: TOML where the value is TOML, else text with a unit.
 
     Raises:
-        InputError: one is no such text.
+        InputError: a text is not of this form, or a key is repeated.
     """
     import tomllib
 
@@ -292,7 +317,7 @@ def read_settings(
     for key, text in setting_texts(settings, option, example).items():
         try:
             values[key] = tomllib.loads(f"value = {text}")["value"]
-        except (ValueError, RecursionError):  # not TOML, or too long a number or too deep a list for it
+        except (ValueError, RecursionError):  # not TOML, or a number too long or a list too deep for the parser
             values[key] = text
     return values
 
@@ -300,10 +325,10 @@ def read_settings(
 def setting_texts(
     settings: Sequence[str] | None, option: str = "--set", example: str = 'tendon.stiffness="20 N/cm"'
 ) -> dict[str, str]:
-    """Turn key=value texts into texts by dotted key.
+    """Read KEY=VALUE texts into texts by dotted key.
 
     Raises:
-        InputError: one is no such text, or a key is given twice.
+        InputError: a text is not of this form, or a key is repeated.
     """
     texts: dict[str, str] = {}
     for setting in settings or ():

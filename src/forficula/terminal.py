@@ -1,4 +1,4 @@
-"""What the command line writes to, and how much: letters that it lacks spelled, warnings on one line, data or words."""
+"""Output of the command line: text or JSON, warnings on one line, and letters that the encoding of a terminal lacks."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ import os
 import sys
 import unicodedata
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stdout, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
-# letters of ours, and units above all, that must not turn into another one
+from forficula.errors import InputError
+
+# spellings of letters that the package writes; units above all must not turn into other units
 _SPELLED = {
     **{"µ": "u", "μ": "u", "°": " deg", "·": "*", "×": "x", "²": "^2", "³": "^3", "⁴": "^4", "±": "+-", "∞": "inf"},
     **{"−": "-", "–": "-", "—": "-", "…": "...", "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "“": '"', "”": '"'},
@@ -26,61 +28,117 @@ _HANDLER = "forficula-spelled"
 
 
 @dataclass(kw_only=True)
-class _Manner:
-    """How a command speaks: whether of what it is doing, and what it came to, as plain data, once it has said so."""
+class _Output:
+    """Output of the command that is running.
+
+    Attributes:
+        quiet: whether to write warnings and errors only.
+        data: result as plain data, which --json writes.
+        last: line that ends the output; empty without one.
+        held: messages on standard error that are held back until the result is written; None while none is held back.
+    """
 
     quiet: bool = False
     data: Any = None
+    last: str = ""
+    held: list[str] | None = None
 
 
-_manner: ContextVar[_Manner] = ContextVar("manner", default=_Manner())  # noqa: B039
+_output: ContextVar[_Output] = ContextVar("output", default=_Output())  # noqa: B039
 
 
 @contextmanager
-def speaking(*, quiet: bool, as_json: bool) -> Iterator[None]:
-    """Let a command write its words, nothing but warnings, or what it came to as JSON and nothing else.
+def command_output(*, quiet: bool, as_json: bool) -> Iterator[None]:
+    """Let a command write text, warnings only, or its result as JSON.
 
     Args:
-        quiet: leave out what is no warning and no error.
-        as_json: on standard output write only what the command hands to `came_to`.
+        quiet: whether to leave out all text except warnings and errors.
+        as_json: whether to write only the data of `set_result` to standard output.
     """
-    before = _manner.set(manner := _Manner(quiet=quiet))
+    before = _output.set(output := _Output(quiet=quiet))
     try:
-        if not (quiet or as_json):
+        if quiet or as_json:
+            with redirect_stdout(io.StringIO()):
+                yield
+        else:
             yield
-            return
-        with redirect_stdout(io.StringIO()):
-            yield
+            if output.last:
+                print(output.last)
     finally:
-        _manner.reset(before)
+        _output.reset(before)
     if as_json:
-        print(json.dumps(manner.data, indent=2, ensure_ascii=False, allow_nan=False))
+        print(json.dumps(output.data, indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def came_to(data: Any) -> None:
-    """Say what a command came to: plain data, or the path of a JSON file that it wrote."""
-    _manner.get().data = json.loads(data.read_text("utf-8")) if isinstance(data, Path) else data
+def set_result(data: Any) -> None:
+    """Set the result that --json writes: plain data, or the path of a JSON file."""
+    _output.get().data = json.loads(data.read_text("utf-8")) if isinstance(data, Path) else data
+
+
+def end_with(line: str) -> None:
+    """Set the line that ends the output of a command."""
+    _output.get().last = line
 
 
 def is_quiet() -> bool:
-    """Whether nothing but warnings and errors is wanted."""
-    return _manner.get().quiet
+    """Return whether only warnings and errors are written."""
+    return _output.get().quiet
 
 
-def remark(text: str) -> None:
-    """Write what is no result and no warning, beside the results."""
+def note(text: str) -> None:
+    """Write a line to standard error that is neither a result nor a warning."""
     if not is_quiet():
+        _write_beside(text)
+
+
+def warn(text: str) -> None:
+    """Write a warning to standard error."""
+    _write_beside(f"warning: {text}")
+
+
+def _write_beside(text: str) -> None:
+    held = _output.get().held
+    if held is None:
         print(text, file=sys.stderr)
+    else:
+        held.append(text)
+
+
+@contextmanager
+def result_first() -> Iterator[Callable[[], None]]:
+    """Hold back notes and warnings until the first line of the result is written.
+
+    Yields:
+        A function that writes them. They are also written at the end, and where an error ends the command.
+    """
+    output = _output.get()
+    output.held = []
+
+    def release() -> None:
+        messages, output.held = output.held or [], None
+        if messages and sys.stdout is not None and not sys.stdout.closed:
+            sys.stdout.flush()
+        for message in messages:
+            print(message, file=sys.stderr)
+
+    try:
+        yield release
+    except InputError:
+        # the error is the only line of a command that was refused
+        output.held = None
+        raise
+    finally:
+        release()
 
 
 @contextmanager
 def plain_terminal() -> Iterator[None]:
-    """Write letters that an output's encoding lacks as others, and warnings of libraries as one line each."""
+    """Spell letters that the encoding of an output lacks, and write each warning of a library as one line."""
     codecs.register_error(_HANDLER, _spelled)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors=_HANDLER)
-    told: set[tuple[type[Warning], str]] = set()
+    written: set[tuple[type[Warning], str]] = set()
 
     def on_one_line(
         message: Warning | str,
@@ -91,13 +149,13 @@ def plain_terminal() -> Iterator[None]:
         line: str | None = None,  # noqa: ARG001
     ) -> None:
         text = " ".join(str(message).split())
-        # of arithmetic beyond what numbers hold: the verdict says that a run diverged, or the residual that it is off
+        # overflow: the verdict reports that the run diverged, or the residual that its energies do not balance
         if issubclass(category, RuntimeWarning) and "encountered in" in text:
             return
-        # a library may say the same of every letter or number
-        if (category, text.partition(" ")[0]) not in told:
-            told.add((category, text.partition(" ")[0]))
-            print(f"warning: {text}", file=sys.stderr)
+        # a library may repeat a warning for every letter or number
+        if (category, text.partition(" ")[0]) not in written:
+            written.add((category, text.partition(" ")[0]))
+            warn(text)
 
     with warnings.catch_warnings():
         warnings.showwarning = on_one_line
@@ -105,19 +163,19 @@ def plain_terminal() -> Iterator[None]:
 
 
 def flush_output() -> None:
-    """Write what is left of the output; raise OSError where it has no room, and nothing more of it later on."""
+    """Write the rest of the output; raises OSError where the device is full."""
     if sys.stdout is not None and not sys.stdout.closed:
         sys.stdout.flush()
 
 
 def drop_output() -> None:
-    """Leave what cannot be written, of which Python would complain once more when it closes the output."""
+    """Discard output that cannot be written; Python would report it again when it closes the output."""
     with suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:
-    """Spell the letters that an encoding lacks."""
+    """Spell letters that an encoding lacks; an error handler of `codecs`."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(_letter(letter) for letter in error.object[error.start : error.end]), error.end

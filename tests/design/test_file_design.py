@@ -49,12 +49,18 @@ def test_settings_hold_for_a_file_too():
 @pytest.mark.parametrize(
     ("name", "unit", "message"),
     [
-        ("simple.fold", None, "frame_unit"),
         ("none.fold", 0.05, "no such file"),
         ("miura-sheet", 0.05, "unit: a design has units of its own, got 0.05 m"),
     ],
 )
-def test_what_is_no_file_or_lacks_its_unit_is_refused(name, unit, message):
+def test_a_missing_file_and_a_unit_for_a_design_are_refused(name, unit, message):
     path = FILES / name if name.endswith(".fold") else name
     with pytest.raises(InputError, match=message):
         load_design(path, unit=unit)
+
+
+def test_the_largest_dimension_of_a_file_without_a_unit_is_20_cm():
+    with pytest.warns(UserWarning, match=r"simple.fold: the file states no unit .* 20 cm \[chosen\]; .* --unit"):
+        design = load_design(FILES / "simple.fold")
+    assert np.ptp(design.sheet.vertices_coords, axis=0).max() == pytest.approx(0.2)
+    assert "[chosen] its largest dimension is 20 cm" in design.source

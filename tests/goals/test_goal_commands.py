@@ -75,7 +75,7 @@ def test_dry_run_reports_its_plan_as_data(called, tmp_path, arguments, says):
 def test_result_of_another_goal_is_named_before_it_is_replaced(called):
     called("optimise", "one.toml", "--out", "there", "--keep", "0")
     said = called("optimise", "other.toml", "--out", "there", "--keep", "0").err
-    assert "there: replaces the optimisation of one there; the rows stay" in said
+    assert "there: replaces the optimisation of one; the rows are kept" in said
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -83,4 +83,4 @@ def test_result_of_other_observations_is_named_before_it_is_replaced(called, tmp
     told = called("identify", "seen-one.toml", "--out", "there", "--json").out
     assert json.loads((tmp_path / "there" / "identified.json").read_text("utf-8")) == json.loads(told)
     said = called("identify", "seen-other.toml", "--out", "there").err
-    assert "there: replaces the identification of seen-one there; the rows stay" in said
+    assert "there: replaces the identification of seen-one; the rows are kept" in said

@@ -39,7 +39,7 @@ def test_a_folder_and_a_table_are_written(call, tmp_path):
     told = call()
     assert told.out.startswith("letter-fold: 1 piece, 1 cut\n")
     assert "checks hold, 0 fail" in told.out
-    assert told.out.endswith("written to out/letter-fold-parts\n")
+    assert told.out.endswith("written to out/letter-fold-parts; open out/letter-fold-parts/parts.html\n")
     folder = tmp_path / "out" / "letter-fold-parts"
     files = {"bill.csv", "bill.json", "checks.json", "design.toml", "sheet.dxf", "sheet.svg"}
     assert {path.name for path in folder.iterdir()} >= files

@@ -262,7 +262,7 @@ def test_the_command_leaves_a_table_its_numbers_two_figures_and_a_page(tmp_path,
     main(["converge", "binder2025", "--timesteps", "0.2 0.1 ms"])
     printed = capsys.readouterr().out
     folder = tmp_path / "out" / "binder2025-converge"
-    assert printed.splitlines()[-1] == "written to out/binder2025-converge"
+    assert printed.splitlines()[-1] == "written to out/binder2025-converge; open out/binder2025-converge/report.html"
     assert {file.name for file in folder.iterdir()} == {
         "convergence.json",
         "convergence.csv",

@@ -1,4 +1,4 @@
-"""One sub-command of the command line, one library call.
+"""Commands of the command line; each one makes one call of the library.
 
-What each command needs is imported in it: help and errors come at once, without MuJoCo and matplotlib.
+Each command imports what it needs when it runs, so that help and errors do not wait for MuJoCo and matplotlib.
 """

@@ -27,7 +27,7 @@ from forficula.options import (
     setting_texts,
 )
 from forficula.quantities import as_written
-from forficula.terminal import came_to
+from forficula.terminal import note, set_result, warn
 
 if TYPE_CHECKING:
     import numpy as np
@@ -43,18 +43,19 @@ if TYPE_CHECKING:
 
 _LAST_PORT = 65535
 _WIDTH = 130  # of tables of keys, in characters
+GLOSSARY = "docs/glossary.md"
 
 
 def keys(
-    section: Annotated[str, Parameter(help="Only this section or key, as in tendon or protocol.stages.")] = "",
+    section: Annotated[str, Parameter(help="List only this section or key, such as tendon or protocol.stages.")] = "",
     /,
     *,
     kind: Kind = USUAL_KIND,
-    study: Annotated[bool, Parameter(help="Those of a study file instead.", negative=())] = False,
-    goal: Annotated[bool, Parameter(help="Those of a goal file instead.", negative=())] = False,
-    observations: Annotated[bool, Parameter(help="Those of an observations file instead.", negative=())] = False,
+    study: Annotated[bool, Parameter(help="List the keys of a study file.", negative=())] = False,
+    goal: Annotated[bool, Parameter(help="List the keys of a goal file.", negative=())] = False,
+    observations: Annotated[bool, Parameter(help="List the keys of an observations file.", negative=())] = False,
 ) -> None:
-    """List the keys of a design file: what each may be, what counts where it is left out, and what it means."""
+    """List the keys of a design file with allowed values, defaults and meanings."""
     from forficula.design.files.key_table import key_facts
     from forficula.design.files.kinds import KINDS
     from forficula.names import one_of
@@ -63,15 +64,16 @@ def keys(
         raise InputError(f"--kind: need {one_of(KINDS, kind)}")
     if study + goal + observations > 1:
         raise InputError("keys: need one of --study, --goal and --observations, got several")
-    for option, wanted in (("--study", study), ("--goal", goal), ("--observations", observations)):
-        check_apart(option, wanted, {"--kind": kind != USUAL_KIND})
+    for option, used in (("--study", study), ("--goal", goal), ("--observations", observations)):
+        check_apart(option, used, {"--kind": kind != USUAL_KIND})
     facts = key_facts(section, _model(kind, study=study, goal=goal, observations=observations))
     print_keys(facts)
-    came_to([asdict(fact) for fact in facts])
+    print(f"\nTerms such as stage, drive, measure, goal and state: {GLOSSARY}")
+    set_result([asdict(fact) for fact in facts])
 
 
 def _model(kind: str, *, study: bool, goal: bool, observations: bool) -> type[Section]:
-    """The class of the files whose keys are listed."""
+    """Return the class of the files whose keys are listed."""
     if study:
         from forficula.study.files.study_file import StudyFile
 
@@ -96,14 +98,13 @@ def open_design(
     settings: Settings = None,
     unit: DrawingUnit = None,
     out: Annotated[
-        OutIfGiven, Parameter(help="Write one .html file instead, for the keys that change while it moves.")
+        OutIfGiven,
+        Parameter(help="Write a page (.html) instead, in which the keys that apply to a moving structure can be set."),
     ] = None,
-    port: Annotated[
-        int | None, WHOLE_NUMBER, Parameter(help="Where to serve it; any that is free if not given.")
-    ] = None,
-    no_browser: Annotated[bool, Parameter(help="Print the address only.", negative=())] = False,
+    port: Annotated[int | None, WHOLE_NUMBER, Parameter(help="Port of the server; default: any free port.")] = None,
+    no_browser: Annotated[bool, Parameter(help="Print the address, and open no browser.", negative=())] = False,
 ) -> None:
-    """Open a workbench in the browser: every key of a design to be changed, its structure live; ends with ctrl-C."""
+    """Open a workbench in the browser: set any key of a design and see its structure move; ctrl-C ends it."""
     if port is not None and not 1 <= port <= _LAST_PORT:
         raise InputError(f"--port: need 1 to {_LAST_PORT}, got {port}")
     if out is not None:
@@ -128,27 +129,27 @@ def scale(
     design: DesignName,
     /,
     *,
-    length: Annotated[str, Parameter(help="The new size by the old one: 1/10, 0.1, 10.")],
+    length: Annotated[str, Parameter(help="Ratio of the new to the old size, such as 1/10, 0.1 or 10.")],
     out: Annotated[
-        OutIfGiven, Parameter(help="Where to write it; must end with .toml and not exist. Printed if not given.")
+        OutIfGiven,
+        Parameter(help="New file (.toml); existing files are not overwritten. Default: print the design."),
     ] = None,
     unit: DrawingUnit = None,
     settings: Settings = None,
 ) -> None:
-    """Print a design at another size, of the same materials, and say which dimensionless groups it cannot keep."""
+    """Scale a design to another size of the same materials, and list the dimensionless groups that change."""
     from forficula.design import design_text, save_design, scale_design
     from forficula.files import check_new
 
     factor = read_ratio("--length", length)
     if out is not None:
         read_option("--out", lambda: check_new(out, ".toml"))
-    given = read_design(design, settings, unit)
+    original = read_design(design, settings, unit)
     try:
-        scaled = scale_design(given, factor, natural=True)
+        scaled = scale_design(original, factor, natural=True)
     except InputError as error:
-        own = str(error).removeprefix("factor: ")
-        raise InputError(f"--length: {own}") from None
-    for line in _groups_not_kept(given, scaled):
+        raise InputError(f"--length: {str(error).removeprefix('factor: ')}") from None
+    for line in _changed_groups(original, scaled):
         print(line, file=sys.stderr)
     if out is None:
         print(design_text(scaled), end="")
@@ -157,44 +158,44 @@ def scale(
     print(f"written to {out}; run it with: forficula run {out}")
 
 
-def _groups_not_kept(given: Design, scaled: Design) -> list[str]:
-    """Which groups differ, before and after, one a line."""
+def _changed_groups(original: Design, scaled: Design) -> list[str]:
+    """Return one line for each dimensionless group that differs, with both values."""
     from forficula.analysis.groups import changed, groups_of
     from forficula.structure import structure_of
 
-    before, after = (groups_of(structure_of(each), each.protocol.timestep) for each in (given, scaled))
+    before, after = (groups_of(structure_of(design), design.protocol.timestep) for design in (original, scaled))
     if before is None or after is None:
-        return [f"{scaled.name}: nothing elastic folds in it, by which groups could be measured"]
+        return [f"{scaled.name}: no dimensionless groups, because it has no elastic part that folds"]
     pairs = changed(before, after)
     count = len(before.every)
     if not pairs:
-        return [f"{scaled.name} keeps all {count} groups: in t / t* it moves alike"]
+        return [f"{scaled.name} keeps all {count} dimensionless groups: over t / t* it moves identically"]
     return [
-        f"{scaled.name} cannot keep {len(pairs)} of {count} groups, for gravity and materials stay as they are:",
+        f"{len(pairs)} of {count} dimensionless groups of {scaled.name} change, because gravity and materials are not"
+        " scaled:",
         *(f"  {old.label}: {old.value:.3g} -> {new.value:.3g} ({old.meaning})" for old, new in pairs),
     ]
 
 
 def designs() -> None:
-    """List the named designs, each with its source and what one would look at it for."""
+    """List the named designs with their sources and what each one shows."""
     from forficula.design import load_design, named_designs
 
-    told = [
+    named = [
         {"name": name, "source": source, "shows": load_design(name).shows} for name, source in named_designs().items()
     ]
-    for each in told:
-        print(f"{each['name']}\n    {each['source']}")
-        if each["shows"]:
-            print(f"    shows {each['shows']}")
-    came_to(told)
+    for facts in named:
+        print(f"{facts['name']}\n    {facts['source']}")
+        if facts["shows"]:
+            print(f"    shows {facts['shows']}")
+    set_result(named)
 
 
 def pattern(
     design: Annotated[
         str,
         Parameter(
-            help="A named design, or the path of a design file (.toml), of a FOLD file (.fold) or of a drawing "
-            "(.svg, .dxf)."
+            help="A named design, or the path of a design file (.toml), a FOLD file (.fold) or a drawing (.svg, .dxf)."
         ),
     ],
     /,
@@ -202,18 +203,22 @@ def pattern(
     out: Annotated[
         OutIfGiven,
         Parameter(
-            help="A file that ends with .fold or .svg for the pattern itself, with .png or .pdf for a picture of it "
-            "with its faults marked."
+            help="File to write instead: the pattern (.fold, .svg), or a picture with its faults marked (.png, .pdf)."
         ),
     ] = None,
     unit: Annotated[
         str | None,
-        Parameter(help='Length of one unit of a file that names none, as in --unit "1 cm".'),
+        Parameter(help='Length of one unit of a file that states no unit, such as "1 cm".'),
     ] = None,
     settings: Settings = None,
 ) -> None:
-    """Say what a crease pattern is, where it does not fold flat and how freely it moves, or write it to a file."""
+    """Analyse a crease pattern: flat-foldability, faults and degrees of freedom; or write it to a file."""
+    from forficula.pattern.files.fold_frame import CHOSEN_UNIT
+
     sheet, remarks, frames, attachments = _sheet(design, unit, settings)
+    if CHOSEN_UNIT in remarks:
+        remarks.remove(CHOSEN_UNIT)
+        warn(f"{design}: {CHOSEN_UNIT}")
     if out is None:
         from forficula.pattern import pattern_facts
         from forficula.show.structure.pattern_table import print_pattern
@@ -221,11 +226,11 @@ def pattern(
         print_pattern(pattern_facts(sheet), remarks)
         return
     for remark in remarks:
-        print(f"{design}: {remark}", file=sys.stderr)
+        note(f"{design}: {remark}")
     try:
         _write(sheet, frames, attachments, out)
     except InputError as error:
-        # what is wrong with the file that is written names it
+        # errors of the output name its file
         raise InputError(
             str(error) if str(error).startswith((f"{out}: ", "--out: ")) else f"{design}: {error}"
         ) from None
@@ -235,7 +240,7 @@ def pattern(
 def _write(
     sheet: CreasePattern, frames: Callable[[], list[Frame]], attachments: Callable[[], Array | None], out: Path
 ) -> None:
-    """Write a pattern, or a picture of it, by the ending of the file."""
+    """Write a pattern or a picture of it, depending on the ending of the file."""
     match out.suffix:
         case ".fold":
             from forficula.pattern import write_fold
@@ -258,7 +263,7 @@ def _write(
 def _sheet(
     name: str, unit: str | None, settings: list[str] | None
 ) -> tuple[CreasePattern, list[str], Callable[[], list[Frame]], Callable[[], Array | None]]:
-    """The pattern of a design or of a file, remarks on how it was read, its folded states and where tendons end."""
+    """Return the pattern of a design or file, remarks on the file, its folded states, and the ends of the tendons."""
     from forficula.design import design_frames, design_pattern, load_design
     from forficula.pattern import PATTERN_FILES, read_folded_frames, read_pattern
 
@@ -273,12 +278,17 @@ def _sheet(
     metres = read_unit(unit)
     if metres is not None and not metres > 0:
         raise InputError(f"--unit: need > 0, got {as_written(unit)}")
-    sheet, remarks = read_pattern(name, metres)
-    return sheet, remarks, lambda: read_folded_frames(name, metres) if kind == "FOLD" else [], lambda: None
+    sheet, remarks = read_pattern(name, metres, choose_unit=True)
+    return (
+        sheet,
+        remarks,
+        lambda: read_folded_frames(name, metres, choose_unit=True) if kind == "FOLD" else [],
+        lambda: None,
+    )
 
 
 def _attachments(design: Design) -> Array | None:
-    """Where the tendons of a design end in its flat pattern, m, (end, 3)."""
+    """Return the ends of the tendons of a design in its flat pattern, m, (end, 3); None without tendons."""
     from forficula.structure import built_points, structure_of
 
     structure = structure_of(design)
@@ -287,7 +297,7 @@ def _attachments(design: Design) -> Array | None:
 
 
 def print_keys(facts: Sequence[KeyFact]) -> None:
-    """Print keys table by table, each with what it may hold, what counts without it, and what it means."""
+    """Print a table of keys for each section: allowed values, default and meaning."""
     from rich.console import Console
     from rich.table import Table
 
@@ -297,7 +307,7 @@ def print_keys(facts: Sequence[KeyFact]) -> None:
         sections.setdefault(fact.key.rpartition(".")[0], []).append(fact)
     for number, (section, inside) in enumerate(sections.items()):
         table = Table(box=None, padding=(0, 2, 0, 0), show_header=number == 0)
-        for heading, width in (("key", 26), ("may be", 26), ("if left out", 12), ("meaning", None)):
+        for heading, width in (("key", 26), ("allowed", 26), ("default", 12), ("meaning", None)):
             table.add_column(heading, width=width, overflow="fold")
         for fact in inside:
             table.add_row(fact.key.rpartition(".")[2], fact.allowed, fact.default, fact.meaning)

@@ -1,4 +1,4 @@
-"""Commands about materials and the tendons made of them."""
+"""Commands about materials, and tendons made of them."""
 
 from __future__ import annotations
 
@@ -10,44 +10,45 @@ from cyclopts import Parameter
 from forficula.errors import InputError
 from forficula.options import (
     DesignName,
+    OpenReport,
     Out,
     OutIfGiven,
     Settings,
     check_folder,
+    finish_folder,
+    note_replaced,
     read_option,
     read_quantity,
     read_settings,
     read_stiffnesses,
-    tell_replaced,
-    tell_written,
 )
-from forficula.terminal import came_to
+from forficula.terminal import set_result
 
 
 def material(
-    *files: Annotated[str, Parameter(help="Exports of a testing machine, one or more specimens each.")],
+    *files: Annotated[str, Parameter(help="Files of a testing machine, each with one or more specimens.")],
     length: Annotated[
-        str | None, Parameter(help='Length of every specimen, as in "60 mm", where the files do not give it.')
+        str | None, Parameter(help='Length of every specimen, such as "60 mm", where the files do not state it.')
     ] = None,
-    area: Annotated[str | None, Parameter(help='Area of its cross-section, as in "5 mm^2", likewise.')] = None,
+    area: Annotated[
+        str | None,
+        Parameter(help='Cross-section of every specimen, such as "5 mm^2", likewise.'),
+    ] = None,
     law: Annotated[
         str | None,
         Parameter(
-            help="Fit this law only: linear, polynomial, kelvin-voigt, zener, prony or softening; by default all are"
-            " fitted, and an information criterion chooses."
+            help="Fit only this law: linear, polynomial, kelvin-voigt, zener, prony or softening. By default all are"
+            " fitted, and an information criterion selects one."
         ),
     ] = None,
     keep_first: Annotated[
-        bool, Parameter(help="Let the first cycle of every specimen count, too.", negative=())
+        bool, Parameter(help="Include the first cycle of every specimen in the fit.", negative=())
     ] = False,
-    band: Annotated[
-        str, Parameter(help="A turn back by less of the largest travel is noise, not the end of a cycle.")
-    ] = "5 %",
-    out: Annotated[Out, Parameter(help="Folder for the results; the material is named after it.")] = Path(
-        "out/material"
-    ),
+    band: Annotated[str, Parameter(help="Ignore reversals smaller than this share of the largest travel.")] = "5 %",
+    out: Annotated[Out, Parameter(help="Output folder; its name is the name of the material.")] = Path("out/material"),
+    open_report: OpenReport = False,
 ) -> None:
-    """Turn tensile tests into a material: cycles, moduli, drift, and a law that a tendon can have."""
+    """Fit a material law to tensile tests: cycles, moduli, drift, and a law for tendons."""
     from forficula.material.characterisation import AREA, BAND_SHARE, LENGTH, characterise
     from forficula.material.law.law_family import family_forms
     from forficula.material.machine.specimen_files import read_specimens
@@ -60,26 +61,26 @@ def material(
         area=None if area is None else read_quantity("--area", area, AREA),
     )
     share = read_quantity("--band", band, BAND_SHARE)
-    tell_replaced(out, "material")
-    found = characterise(
+    note_replaced(out, "material")
+    result = characterise(
         read.tests, name=out.resolve().name, source=read.source, drop_first=not keep_first, band=share, forms=forms
     )
 
     from forficula.show.folder.material_folder import write_material
     from forficula.show.material.material_table import print_material
 
-    write_material(found, out)
-    print_material(found)
-    tell_written(out, "material")
+    print_material(result)
+    write_material(result, out)
+    finish_folder(out, "material", show=open_report)
 
 
 def materials() -> None:
-    """List the named materials, each with its source."""
+    """List the named materials with their sources."""
     from forficula.material.law.law_file import named_laws
 
     for name, source in named_laws().items():
         print(f"{name}\n    {source}")
-    came_to([{"name": name, "source": source} for name, source in named_laws().items()])
+    set_result([{"name": name, "source": source} for name, source in named_laws().items()])
 
 
 def size(
@@ -87,17 +88,18 @@ def size(
     /,
     *,
     material: Annotated[str, Parameter(help="A named material, or the path of a law file (.toml).")],
-    stiffness: Annotated[str, Parameter(help='Of the tendon, as in "10 N/cm" or "10..60 N/cm step 10".')],
+    stiffness: Annotated[str, Parameter(help='Stiffness of the tendon, such as "10 N/cm" or "10..60 N/cm step 10".')],
     length: Annotated[
-        str | None, Parameter(help="Of the unstretched tendon; that of the material's specimens if not given.")
+        str | None,
+        Parameter(help="Length of the unstretched tendon; default: length of the material's specimens."),
     ] = None,
     modulus: Annotated[
-        str | None, Parameter(help='Modulus of a material that is known as a range only, as in "1 MPa".')
+        str | None, Parameter(help='Modulus to use, such as "1 MPa", for a material whose modulus is a range.')
     ] = None,
     settings: Settings = None,
-    out: Annotated[OutIfGiven, Parameter(help="A .csv file for the table.")] = None,
+    out: Annotated[OutIfGiven, Parameter(help="File for the table (.csv).")] = None,
 ) -> None:
-    """Tell how thick a tendon of a material must be to have a stiffness."""
+    """Compute the tendon thickness for a required stiffness."""
     from forficula.analysis.sizing import size_tendons
     from forficula.design import load_design
     from forficula.files import write_text
@@ -120,7 +122,7 @@ def size(
         load_design(design, read_settings(settings)), law, read_stiffnesses("--stiffness", stiffness), length=own
     )
     print_sizes(law, sizes)
-    came_to(sizes_json(sizes))
+    set_result(sizes_json(sizes))
     if out is not None:
         write_text(out, sizes_csv(sizes))
         print(f"\nwritten to {out}")

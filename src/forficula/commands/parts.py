@@ -1,4 +1,4 @@
-"""The command that turns a design into parts."""
+"""The command that makes parts of a design."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ from cyclopts import Parameter
 from forficula.options import (
     DesignName,
     DrawingUnit,
+    OpenReport,
     OutIfGiven,
     Settings,
     check_folder,
+    end_with_page,
+    note_replaced,
     read_design,
     read_option,
-    tell_replaced,
 )
 from forficula.serial import plain
-from forficula.terminal import came_to
+from forficula.terminal import set_result
 
 if TYPE_CHECKING:
     from forficula.make.checks.check import Check
@@ -32,27 +34,29 @@ def make(
     *,
     part: Annotated[
         Literal["all", "sheet", "joint", "section"],
-        Parameter(help="The sheet, the first joint, all joints with what they turn on, or all there is."),
+        Parameter(help="Parts to make: the sheet, the first joint, all joints with their bars (section), or all."),
     ] = "all",
     settings: Settings = None,
     unit: DrawingUnit = None,
-    out: Annotated[
-        OutIfGiven, Parameter(help="Folder for the files; out/<name of the design>-parts if not given.")
-    ] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-parts.")] = None,
     record: Annotated[
-        Path | None, Parameter(help="Folder of a run of this design, to see who touches whom in it.")
+        Path | None, Parameter(help="Folder of a run of this design, to check its motion for parts that collide.")
     ] = None,
     step: Annotated[
-        bool, Parameter(help='Write solids as STEP, too; needs pip install "forficula[step]".', negative=())
+        bool, Parameter(help='Also write solids as STEP; needs pip install "forficula[step]".', negative=())
     ] = False,
     simulate: Annotated[
-        bool, Parameter(help="Run the design and what the parts make of it; say what did it.", negative=())
+        bool,
+        Parameter(
+            help="Run the design and the design as made, and report which of its changes alter the result.", negative=()
+        ),
     ] = False,
     strict: Annotated[
-        bool, Parameter(help="End with status 2 where a check fails; --no-strict ends with 0 all the same.")
+        bool, Parameter(help="End with status 2 where a check fails; with --no-strict it ends with 0.")
     ] = True,
+    open_report: OpenReport = False,
 ) -> int:
-    """Turn a design into parts to print, to buy and to cut, and check them: STL, 3MF, STEP, DXF, SVG, a bill."""
+    """Make parts of a design to print, cut and buy, and check them: STL, 3MF, STEP, DXF, SVG and a bill."""
     from forficula.make.checks.check_parts import check_parts, run_of
     from forficula.make.files.step import check_step
     from forficula.make.make_parts import make_parts
@@ -72,21 +76,20 @@ def make(
         progress("checking the parts")
         checks = check_parts(parts, run)
         compared = comparison_or_why(parts, simulate, progress) if parts.joints else None
-        tell_replaced(folder, "bill of parts")
+        note_replaced(folder, "bill of parts")
         made = compared if isinstance(compared, MadeComparison) else None
         write_parts(parts, checks, folder, record=run, step=step, compared=made, progress=progress)
-    _tell(parts, checks, compared)
-    print(f"\nwritten to {folder}")
+    _print(parts, checks, compared)
+    end_with_page(folder, show=open_report)
     return 2 if strict and any(check.ok is False for check in checks) else 0
 
 
-def _tell(parts: PartSet, checks: tuple[Check, ...], compared: MadeComparison | str | None) -> None:
-    """Print parts, their checks and what the design is as made, and hand all of it on as data."""
+def _print(parts: PartSet, checks: tuple[Check, ...], compared: MadeComparison | str | None) -> None:
+    """Print parts, their checks and the design as made, and set them as the result of the command."""
     from forficula.show.folder.parts_folder import parts_json
     from forficula.show.make.made_table import print_made
     from forficula.show.make.parts_table import print_parts
 
-    # of parts that make no design there is a sentence instead
-    came_to(parts_json(parts, checks) | {"as_made": None if isinstance(compared, str) else plain(compared)})
+    set_result(parts_json(parts, checks) | {"as_made": None if isinstance(compared, str) else plain(compared)})
     print_parts(parts, checks)
     print_made(compared)

@@ -1,13 +1,13 @@
-"""Commands about one run: make it, look at it, compare it."""
+"""Commands about runs: simulate a design, draw, film and compare what was recorded."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
+from forficula.commands.cost import CountEstimate, RunEstimate, runs_estimated
 from forficula.errors import InputError, error_prefix
 from forficula.options import (
     WHOLE_NUMBER,
@@ -15,6 +15,7 @@ from forficula.options import (
     DrawingUnit,
     NoEngine,
     OkIf,
+    OpenReport,
     Out,
     OutIfGiven,
     Settings,
@@ -22,17 +23,18 @@ from forficula.options import (
     check_folder,
     check_verdicts,
     exit_status,
+    finish_folder,
+    note_replaced,
+    read_design,
     read_option,
-    read_settings,
     read_size,
-    read_unit,
-    tell_replaced,
-    tell_written,
 )
+from forficula.terminal import result_first, warn
 
 if TYPE_CHECKING:
-    from forficula.analysis import Verdict
+    from forficula.analysis import Outcome, Verdict
     from forficula.design import Design
+    from forficula.dynamics import Record
 
 
 def run(
@@ -41,17 +43,21 @@ def run(
     *,
     settings: Settings = None,
     unit: DrawingUnit = None,
-    out: Annotated[OutIfGiven, Parameter(help="Folder for the results; out/<name of the design> if not given.")] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>.")] = None,
+    open_report: OpenReport = False,
     cycles: Annotated[
         int | None,
         WHOLE_NUMBER,
-        Parameter(help="Fold and open again with the tendons as they are up to this cycle, as in 100."),
+        Parameter(
+            help="Also run the design with its tendons as they are after several numbers of load cycles, up to this"
+            " number, such as 100."
+        ),
     ] = None,
     no_confirm: Annotated[
         bool,
         Parameter(
             negative=(),
-            help="Leave out the second runs, at half the timestep and from a slightly different start, that confirm the"
+            help="Skip the second runs, at half the timestep and from a slightly different start, that confirm the"
             " verdict and give numbers their uncertainty.",
         ),
     ] = False,
@@ -59,85 +65,97 @@ def run(
     figures: Annotated[
         str | None,
         Parameter(
-            help="Also write the figures in other formats, as wide as a journal's column: svg, pdf, or svg,pdf. PNG is"
+            help="Also write the figures in these formats, as wide as a journal's column: svg, pdf, or svg,pdf. PNG is"
             " always written."
         ),
     ] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
-    """Take a design through its protocol: energies, work, times, a verdict, and pictures."""
-    from forficula.design import load_design
-    from forficula.pattern import PATTERN_FILES, read_pattern
+    """Simulate a design through its protocol: verdict, energies, work, times and figures."""
+    with result_first() as release:
+        chosen = read_design(design, settings, unit)
+        folder = out or Path("out") / chosen.name
+        check_verdicts(ok_if)
+        copies = _copies(figures)
+        check_folder(folder, "run")
+        if cycles is not None:
+            from forficula.study.cycling import check_cycles
 
-    length = read_unit(unit)
-    if Path(design).suffix.lower() in PATTERN_FILES:
-        for remark in read_pattern(design, length)[1]:
-            print(f"{design}: {remark}", file=sys.stderr)
-    chosen = load_design(design, read_settings(settings), unit=length)
-    folder = out or Path("out") / chosen.name
-    check_verdicts(ok_if)
-    copies = _copies(figures)
-    check_folder(folder, "run")
-    if cycles is not None:
-        from forficula.study.cycling import check_cycles
+            last = cycles
+            read_option("--cycles", lambda: check_cycles(chosen, last))
 
-        last = cycles
-        read_option("--cycles", lambda: check_cycles(chosen, last))
+        from forficula.analysis import measure, run_warnings
+        from forficula.show.run.outcome_table import print_verdict
 
-    from forficula.analysis import measure, run_warnings
+        note_replaced(folder, "run")
+        record = _simulated(chosen, confirm=not no_confirm)
+        outcome = measure(record)
+        for warning in run_warnings(record):
+            warn(warning)
+        # before anything is drawn
+        print_verdict(chosen.name, outcome)
+        release()
+
+    from forficula.show import write_run
+
+    _print_details(record, outcome, folder)
+    write_run(record, outcome, folder, engine=not no_engine, copies=copies)
+    verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
+    finish_folder(folder, "run", show=open_report)
+    return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
+
+
+def _simulated(design: Design, *, confirm: bool) -> Record:
+    """Simulate a design; warn of its structure and its timestep, and estimate the time."""
     from forficula.dynamics import timestep_warnings
-    from forficula.show import print_outcome, print_storage, print_strength, run_progress, write_run
+    from forficula.show import run_progress
     from forficula.show.progress import waiting
     from forficula.structure import structure_of, structure_warnings
     from forficula.study.running.runs import run as run_design
 
-    tell_replaced(folder, "run")
-    with waiting("working out the timestep that it allows"):
-        structure = structure_of(chosen)
-        warnings = structure_warnings(chosen, structure) + timestep_warnings(chosen)
+    with waiting("computing the timestep limit"):
+        structure = structure_of(design)
+        warnings = structure_warnings(design, structure) + timestep_warnings(design)
     for warning in warnings:
-        print(f"warning: {warning}", file=sys.stderr)
+        warn(warning)
     with run_progress(f"building the {structure.appearance.whole}") as progress:
-        record = run_design(chosen, progress, confirm=not no_confirm)
-    for warning in run_warnings(record):
-        print(f"warning: {warning}", file=sys.stderr)
-    outcome = measure(record)
-    write_run(record, outcome, folder, engine=not no_engine, copies=copies)
-    print_outcome(chosen.name, outcome)
+        estimate = RunEstimate(progress, searches=design.protocol.timestep == "auto")
+        return run_design(design, estimate, confirm=confirm)
+
+
+def _print_details(record: Record, outcome: Outcome, folder: Path) -> None:
+    """Print the tables of a run below its verdict, and the assumptions that decide its result, where known."""
+    from forficula.show import print_outcome, print_storage, print_strength
+    from forficula.study.assumptions.assumptions_file import known_assumptions, known_text
+
+    print_outcome(record.design.name, outcome, verdict=False)
     print_storage(record, outcome)
     print_strength(record)
-    _print_assumptions(chosen, folder)
-    verdicts = [outcome.verdict, *_cycle(chosen, cycles, folder)]
-    tell_written(folder, "run")
-    return exit_status(verdicts, tolerate=tolerate, ok_if=ok_if)
+    known = known_assumptions(record.design, folder)
+    if known is not None:
+        print(f"\n{known_text(*known)}", flush=True)
 
 
 def _copies(figures: str | None) -> list[str]:
-    """Return the endings of the formats that --figures names; PNG needs no name.
+    """Return the file endings of the formats of --figures, without PNG.
 
     Raises:
-        InputError: one is unknown.
+        InputError: a format is unknown.
     """
     known = ("png", "svg", "pdf")
-    named = [] if figures is None else [each.strip().lower() for each in figures.split(",")]
-    for each in named:
-        if each not in known:
+    named = [] if figures is None else [word.strip().lower() for word in figures.split(",")]
+    for word in named:
+        if word not in known:
             raise InputError(f'--figures: need one or more of {", ".join(known)}, with commas, got "{figures}"')
-    return [f".{each}" for each in dict.fromkeys(named) if each != "png"]
-
-
-def _print_assumptions(design: Design, folder: Path) -> None:
-    """Print which modelling assumptions decide the result of a design, where that is known."""
-    from forficula.study.assumptions.assumptions_file import known_assumptions, known_text
-
-    known = known_assumptions(design, folder)
-    if known is not None:
-        print(f"\n{known_text(*known)}")
+    return [f".{word}" for word in dict.fromkeys(named) if word != "png"]
 
 
 def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
-    """Write and print what becomes of a run's structure over cycles, where that is wanted and the tendons change."""
+    """Run a design with tendons after load cycles, write and print the results; returns the verdicts.
+
+    Returns no verdicts without --cycles, and where the tendons do not change.
+    """
     from forficula.show.folder.cycling_folder import print_cycling, write_cycling
 
     if cycles is None:
@@ -151,17 +169,17 @@ def _cycle(design: Design, cycles: int | None, folder: Path) -> list[Verdict]:
         print(f"\nCycles: {reason}")
         return []
     with study_progress() as progress:
-        cycling = run_cycles(design, cycles, progress)
+        cycling = run_cycles(design, cycles, runs_estimated(progress))
     write_cycling(cycling, folder)
     print_cycling(cycling)
     return [Verdict(run.row["verdict"]) for run in cycling.runs]
 
 
 def compare(
-    *runs: Annotated[Path, Parameter(help="Folders that forficula run wrote, two or more.")],
-    out: Annotated[Out, Parameter(help="A .html file.")],
+    *runs: Annotated[Path, Parameter(help="Two or more folders of forficula run.")],
+    out: Annotated[Out, Parameter(help="Page to write (.html).")],
 ) -> None:
-    """Show runs side by side on one clock, as a page that opens in any browser."""
+    """Show runs side by side on one clock, in a page for any browser."""
     from forficula.show.page import compare_runs
 
     compare_runs(runs, out)
@@ -169,17 +187,17 @@ def compare(
 
 
 def figure(
-    results: Annotated[Path, Parameter(help="A folder that forficula wrote: of a run, a study, a landscape, ...")],
+    results: Annotated[Path, Parameter(help="Folder of results: of a run, study, landscape, material, ...")],
     /,
     *,
-    kind: Annotated[str, Parameter(help="Which figure, by the name of its picture there, such as energy or folding.")],
-    out: Annotated[Out, Parameter(help="A .pdf, .svg or .png file.")],
+    kind: Annotated[str, Parameter(help="Name of the figure, such as energy: its file without ending.")],
+    out: Annotated[Out, Parameter(help="File to write (.pdf, .svg or .png).")],
     width: Annotated[
         Literal["column", "page"] | None,
-        Parameter(help="As wide as a journal's column, 3.5 in, which it is if not given, or as its page, 7.1 in."),
+        Parameter(help="Width of a journal's column (3.5 in, the default) or of its page (7.1 in)."),
     ] = None,
 ) -> None:
-    """Draw one figure of some results again, for a paper."""
+    """Draw one figure of results again, as PDF, SVG or PNG, at the width of a journal."""
     from forficula.show.folder.presentation import write_figure
     from forficula.show.style import COLUMN_WIDTH, PAGE_WIDTH
 
@@ -188,22 +206,20 @@ def figure(
 
 
 def film(
-    run: Annotated[Path, Parameter(help="The folder of a run.")],
+    run: Annotated[Path, Parameter(help="Folder of a run.")],
     /,
     *,
-    out: Annotated[Out, Parameter(help="An .mp4 or .gif file.")],
+    out: Annotated[Out, Parameter(help="File to write (.mp4 or .gif).")],
     size: Annotated[
-        str | None, Parameter(help="Pixels across and upwards; 1280x720, or 800x450 for .gif, if not given.")
+        str | None, Parameter(help="Width and height in pixels; default: 1280x720, for .gif 800x450.")
     ] = None,
-    fps: Annotated[
-        int | None, WHOLE_NUMBER, Parameter(help="Pictures a second; 30, or 15 for .gif, if not given.")
-    ] = None,
+    fps: Annotated[int | None, WHOLE_NUMBER, Parameter(help="Frames per second; default: 30, for .gif 15.")] = None,
     slower: Annotated[
-        float | None, Parameter(help="How many times; each move takes about 3.5 s of the film if not given.")
+        float | None, Parameter(help="Slow-motion factor; by default each transition takes about 3.5 s of the film.")
     ] = None,
-    strain: Annotated[bool, Parameter(negative=(), help="Colour the membrane by its strains.")] = False,
+    strain: Annotated[bool, Parameter(negative=(), help="Colour membranes by their strain.")] = False,
 ) -> None:
-    """Film a run: the structure, tendons coloured by their energy, held in every state and slowed between them."""
+    """Film a run: the moving structure, slowed in transitions, with tendons coloured by energy."""
     from forficula.analysis.run_files import read_run
     from forficula.show.film.film import LARGEST, SMALLEST, check_choices, check_film, write_film
     from forficula.show.progress import film_progress
@@ -213,6 +229,12 @@ def film(
     with error_prefix("--"):
         check_choices(pixels, fps, slower)
     record = read_run(run)
+    estimate = CountEstimate("frames")
     with film_progress() as progress:
-        write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=progress)
+
+        def drawn(done: int, count: int) -> None:
+            estimate.update(done, count)
+            progress(done, count)
+
+        write_film(record, out, size=pixels, rate=fps, slowed=slower, strain=strain, progress=drawn)
     print(f"written to {out}")

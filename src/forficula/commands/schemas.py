@@ -1,4 +1,4 @@
-"""Command: what the data that commands write looks like."""
+"""The command that prints the JSON schemas of results."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from forficula.errors import error_prefix
 
 
 def schema(
-    kind: Annotated[str, Parameter(help="summary (of a run), row (of a study), landscape, assumptions, ...")],
+    kind: Annotated[str, Parameter(help="Kind of result: summary (of a run), row (of a study), landscape, ...")],
     /,
 ) -> None:
-    """Print the JSON schema of what --json writes."""
+    """Print the JSON schema of a result that --json writes."""
     from forficula.results import json_schema
 
     with error_prefix("schema: "):

@@ -1,4 +1,4 @@
-"""Commands that make many runs."""
+"""Commands that run many designs, or one design with changed numerics or assumptions."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from forficula.commands.cost import runs_estimated
 from forficula.errors import InputError
 from forficula.names import counted, listed
 from forficula.options import (
@@ -16,56 +17,59 @@ from forficula.options import (
     DesignName,
     NoEngine,
     OkIf,
+    OpenReport,
     OutIfGiven,
     Settings,
     Tolerate,
     check_apart,
     check_folder,
     check_verdicts,
+    end_with_page,
     exit_status,
+    finish_folder,
+    note_replaced,
     read_option,
     read_settings,
     read_shard,
-    tell_replaced,
-    tell_written,
 )
-from forficula.terminal import came_to, remark
+from forficula.terminal import note, set_result
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
     from forficula.study import Study
 
-_ALL = "1/1"  # every point is of this shard
+_ALL = "1/1"  # the shard of all points
 
 
 def study(
     study: Annotated[str, Parameter(help="A named study, or the path of a study file (.toml).")],
     /,
     *,
-    out: Annotated[OutIfGiven, Parameter(help="Folder of the study; out/<its name> if not given.")] = None,
-    dry_run: Annotated[bool, Parameter(help="Only say how many runs there are and how long they take.")] = False,
-    shard: Annotated[str, Parameter(help="Run a part of the points, as in 2/8; then collect.")] = _ALL,
+    out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the study>.")] = None,
+    dry_run: Annotated[bool, Parameter(help="Only estimate the number of runs and their time.")] = False,
+    shard: Annotated[str, Parameter(help="Run a part of the points, such as 2/8; then --collect.")] = _ALL,
     collect: Annotated[bool, Parameter(help="Build the table from the rows of all shards.")] = False,
     slurm: Annotated[
-        int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of so many shards instead.")
+        int | None, WHOLE_NUMBER, Parameter(help="Write a SLURM job array of this number of shards, and run nothing.")
     ] = None,
     dask: Dask = None,
     keep: Annotated[
         int | None,
         WHOLE_NUMBER,
-        Parameter(help="Keep runs of so many points at most, to be played in its page; 100 if not given, 0 for none."),
+        Parameter(help="Maximum number of runs stored for playback in report.html; default: 100, 0 for none."),
     ] = None,
     no_engine: NoEngine = False,
+    open_report: OpenReport = False,
 ) -> None:
-    """Run a study, or go on with it where it stopped: a table, maps, and a page on which they open their runs."""
+    """Run a study, or resume one: a table of all runs, maps, and a page in which each point opens its run."""
     from forficula.reproduction import check_reproduction
     from forficula.show.progress import building_progress
     from forficula.study import collect as collect_study
     from forficula.study import load_study, table_json
 
-    split, drawn = {"--shard": shard != _ALL, "--dask": dask is not None}, {"--keep": keep is not None}
-    drawn["--no-engine"] = no_engine
+    split = {"--shard": shard != _ALL, "--dask": dask is not None}
+    drawn = {"--keep": keep is not None, "--no-engine": no_engine, "--open": open_report}
     check_apart("--slurm", slurm is not None, {"--collect": collect, "--dry-run": dry_run} | split | drawn)
     check_apart("--collect", collect, {"--dry-run": dry_run} | split)
     check_apart("--dry-run", dry_run, split | drawn)
@@ -91,17 +95,17 @@ def study(
 
     from forficula.show import print_study, write_study
 
-    if (folder / "table.nc").is_file():
-        remark(f"{folder}: replaces the table, the maps and the page there; the rows stay")
-    write_study(chosen, table, folder)
-    came_to(table_json(chosen, table))
-    _report(chosen, table, keep, folder, engine=not no_engine)
     print_study(chosen, table)
-    print(f"\nwritten to {folder}")
+    if (folder / "table.nc").is_file():
+        note(f"{folder}: replaces the table, the maps and the page; the rows are kept")
+    write_study(chosen, table, folder)
+    set_result(table_json(chosen, table))
+    _report(chosen, table, keep, folder, engine=not no_engine)
+    end_with_page(folder, show=open_report)
 
 
 def _write_job(study: str, folder: Path, shards: int) -> None:
-    """Write a study's SLURM job array, and say how to submit it."""
+    """Write the SLURM job array of a study, and print how to submit it."""
     from forficula.files import write_text
     from forficula.study import slurm_script
 
@@ -111,17 +115,19 @@ def _write_job(study: str, folder: Path, shards: int) -> None:
 
 
 def _print_estimate(study: Study, folder: Path) -> None:
-    """Print how many runs a study takes, and how long the rest of them."""
+    """Print the number of runs of a study, and the time of those that remain."""
     from forficula.show.progress import building_progress
     from forficula.study import estimate
 
     most, left, seconds = estimate(study, folder, building_progress())
-    came_to({"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds})
+    set_result(
+        {"name": study.name, "points": len(study.points), "most_runs": most, "runs_left": left, "time_s": seconds}
+    )
     print(f"{study.name}: {len(study.points)} points, at most {most} runs; {left} to do, about {seconds:.0f} s")
 
 
 def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | None:
-    """Run a study or a shard of it, here or on a Dask cluster; None where others of its shards are not done."""
+    """Run a study or a shard of it, on this machine or a Dask cluster; None where other shards are missing."""
     from forficula.show import study_progress
     from forficula.show.progress import building_progress
     from forficula.study import dask_cluster, run_study
@@ -132,13 +138,13 @@ def _run(study: Study, folder: Path, shard: str, dask: str | None) -> Dataset | 
             folder,
             shard=read_shard(shard),
             cluster=cluster,
-            progress=progress,
+            progress=runs_estimated(progress, most=study.search is not None),
             building=building_progress(),
         )
 
 
 def _report(study: Study, table: Dataset, keep: int | None, folder: Path, *, engine: bool) -> None:
-    """Write a study's page, and keep the runs that it plays."""
+    """Write the page of a study, and store the runs that it plays."""
     from forficula.show import study_progress
     from forficula.show.folder.study_folder import write_study_report
     from forficula.study.running.kept_runs import MOST_POINTS, kept_runs, runs_to_keep
@@ -146,59 +152,58 @@ def _report(study: Study, table: Dataset, keep: int | None, folder: Path, *, eng
     runs = runs_to_keep(study, table, MOST_POINTS if keep is None else keep)
     if runs:
         what = "1 run" if len(runs) == 1 else f"{len(runs)} runs"
-        remark(f"keeping {what} whole, to be played in report.html (--keep 0 does without)")
+        note(f"storing {what} for playback in report.html (--keep 0 stores none)")
     with study_progress() as progress:
         kept = kept_runs(runs, folder, progress=progress)
         write_study_report(study, table, kept, len(runs), folder, engine=engine)
 
 
 def studies() -> None:
-    """List the named studies, goals and observations, each with its source and what it asks."""
+    """List the named studies, goals and observations with their sources and contents."""
     from forficula.goals import load_goal, named_goals
     from forficula.goals.identify import load_observations, named_observations
     from forficula.study import load_study
     from forficula.study.files.study_file import named_studies
 
-    told: list[dict[str, object]] = []
+    listing: list[dict[str, object]] = []
     for name in named_studies():
-        found = load_study(name)
-        factors = [factor.key for factor in found.factors]
-        over = listed([*factors, *(f"grid of {each.key}" for each in found.grid)])
-        print(f"{name}\n    {found.source}\n    {len(found.points)} points of {found.base.name} over {over}")
-        of = {"name": name, "kind": "study", "source": found.source, "design": found.base.name}
-        told.append(of | {"points": len(found.points), "factors": factors, "grid": [each.key for each in found.grid]})
+        study = load_study(name)
+        factors = [factor.key for factor in study.factors]
+        over = listed([*factors, *(f"grid of {axis.key}" for axis in study.grid)])
+        print(f"{name}\n    {study.source}\n    {len(study.points)} points of {study.base.name} over {over}")
+        facts = {"name": name, "kind": "study", "source": study.source, "design": study.base.name}
+        grid = [axis.key for axis in study.grid]
+        listing.append(facts | {"points": len(study.points), "factors": factors, "grid": grid})
     for name in named_goals():
         goal = load_goal(name)
-        asked = listed(f"{each.kind} {each.quantity.name}" for each in goal.objectives)
-        keys = [each.key for each in goal.parameters]
-        print(f"{name}\n    {goal.source}\n    a goal: {asked} of {goal.base.name} over {listed(keys)}")
-        of = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
-        told.append(of | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
+        objectives = listed(f"{objective.kind} {objective.quantity.name}" for objective in goal.objectives)
+        keys = [parameter.key for parameter in goal.parameters]
+        print(f"{name}\n    {goal.source}\n    a goal: {objectives} of {goal.base.name} over {listed(keys)}")
+        facts = {"name": name, "kind": "goal", "source": goal.source, "design": goal.base.name}
+        listing.append(facts | {"objectives": [each.quantity.name for each in goal.objectives], "factors": keys})
     for name in named_observations():
-        seen = load_observations(name)
-        facts, keys = [fact.name for fact in seen.facts], [prior.key for prior in seen.priors]
-        what = f"{counted(len(facts), 'fact')} on {counted(len(keys), 'unknown value')}"
-        print(f"{name}\n    {seen.source}\n    {what} of {seen.base.name}")
-        of = {"name": name, "kind": "observations", "source": seen.source, "design": seen.base.name}
-        told.append(of | {"facts": facts, "factors": keys})
-    came_to(told)
+        observations = load_observations(name)
+        observed, keys = [fact.name for fact in observations.facts], [prior.key for prior in observations.priors]
+        what = f"{counted(len(observed), 'fact')} on {counted(len(keys), 'unknown value')}"
+        print(f"{name}\n    {observations.source}\n    {what} of {observations.base.name}")
+        facts = {"name": name, "kind": "observations", "source": observations.source, "design": observations.base.name}
+        listing.append(facts | {"facts": observed, "factors": keys})
+    set_result(listing)
 
 
 def converge(
     design: DesignName,
     /,
     *,
-    timesteps: Annotated[str | None, Parameter(help='Timesteps, as in "0.5 0.4 0.3 0.2 0.1 ms".')] = None,
-    moduli: Annotated[str | None, Parameter(help='Moduli of the membrane, as in "0.5 1 2 4 MPa".')] = None,
-    meshes: Annotated[str | None, Parameter(help='How many times finer its rows are, as in "1 2 3".')] = None,
+    timesteps: Annotated[str | None, Parameter(help='Timesteps, such as "0.5 0.4 0.3 0.2 0.1 ms".')] = None,
+    moduli: Annotated[str | None, Parameter(help='Young\'s moduli of the membrane, such as "0.5 1 2 4 MPa".')] = None,
+    meshes: Annotated[str | None, Parameter(help='Refinements of the rows of the membrane, such as "1 2 3".')] = None,
     settings: Settings = None,
-    out: Annotated[
-        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-converge if not given.")
-    ] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-converge.")] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
-    """Run a design at several timesteps, membrane moduli or meshes: do its times depend on them?"""
+    """Run a design at several timesteps, membrane moduli or meshes, and report how its times converge."""
     from forficula.design import load_design
 
     chosen = load_design(design, read_settings(settings))
@@ -214,19 +219,19 @@ def converge(
     from forficula.study.convergence.refinement import MESH, TIMESTEP, YOUNGS_MODULUS, read_values
 
     options = {"--timesteps": (TIMESTEP, timesteps), "--moduli": (YOUNGS_MODULUS, moduli), "--meshes": (MESH, meshes)}
-    given = [(option, key, text) for option, (key, text) in options.items() if text is not None]
-    if len(given) != 1:
-        named = ", ".join(option for option, _, _ in given) or "none"
+    used = [(option, key, text) for option, (key, text) in options.items() if text is not None]
+    if len(used) != 1:
+        named = ", ".join(option for option, _, _ in used) or "none"
         raise InputError(f"converge: need one of {', '.join(options)}, got {named}")
-    ((option, key, text),) = given
+    ((option, key, text),) = used
     values = read_option(option, lambda: read_values(key, text))
     hinge = shown_hinge(chosen)
-    tell_replaced(folder, "convergence study")
+    note_replaced(folder, "convergence study")
     with study_progress() as progress:
-        convergence = converge_design(chosen, key, values, hinge=hinge, progress=progress)
+        convergence = converge_design(chosen, key, values, hinge=hinge, progress=runs_estimated(progress))
     print_convergence(convergence)
     write_convergence(convergence, folder)
-    tell_written(folder, "convergence study")
+    finish_folder(folder, "convergence study")
     return exit_status([convergence.own_verdict], tolerate=tolerate, ok_if=ok_if) or 2 * (convergence.fine is False)
 
 
@@ -236,18 +241,17 @@ def assumptions(
     *,
     only: Annotated[
         list[str] | None,
-        Parameter(help='Change this assumption, such as "slow rise", and no other; may be repeated.', negative=()),
+        Parameter(help='Change only this assumption, such as "slow rise"; may be repeated.', negative=()),
     ] = None,
     settings: Settings = None,
-    out: Annotated[
-        OutIfGiven, Parameter(help="Folder for the results; out/<name of the design>-assumptions if not given.")
-    ] = None,
+    out: Annotated[OutIfGiven, Parameter(help="Output folder; default: out/<name of the design>-assumptions.")] = None,
     tolerate: Tolerate = False,
     ok_if: OkIf = None,
 ) -> int:
-    """Run a design with one modelling assumption changed at a time: which of them decide its result?
+    """Run a design with one modelling assumption changed at a time, and report which of them decide its result.
 
-    They are rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops, step and start.
+    The assumptions are: rise of drives, armature, damping, height of tendons, masses, air, gravity, contact, stops,
+    timestep and start.
     """
     from forficula.design import load_design
     from forficula.study.assumptions.assumptions_file import FOLDER_ENDING
@@ -264,10 +268,10 @@ def assumptions(
     from forficula.show.study.assumptions_table import print_assumptions
     from forficula.study.assumptions.assumptions import run_assumptions
 
-    tell_replaced(folder, "table of assumptions")
+    note_replaced(folder, "table of assumptions")
     with run_progress("building the changed designs") as progress:
-        found = run_assumptions(chosen, assumptions=to_change, progress=progress)
-    print_assumptions(found)
-    write_assumptions(found, folder)
-    tell_written(folder, "table of assumptions")
-    return exit_status([found.own.verdict], tolerate=tolerate, ok_if=ok_if)
+        result = run_assumptions(chosen, assumptions=to_change, progress=progress)
+    print_assumptions(result)
+    write_assumptions(result, folder)
+    finish_folder(folder, "table of assumptions")
+    return exit_status([result.own.verdict], tolerate=tolerate, ok_if=ok_if)

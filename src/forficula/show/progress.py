@@ -30,12 +30,13 @@ def run_progress(first: str = "building the structure") -> Iterator[Callable[[st
     """Show the progress of a run and the step before it: a bar on a terminal, a line for each stage elsewhere."""
     console = _console()
     if not console.is_terminal:
-        stages = [""]
+        stages, start = [""], monotonic()
         with waiting(first) as stop_waiting:
 
             def line(stage: str, time: float, longest: float) -> None:
                 stop_waiting()
-                if stage != stages[-1]:
+                # the verdict of a short run comes first
+                if stage != stages[-1] and monotonic() - start > _PATIENCE:
                     stages.append(stage)
                     console.print(f"{stage}: {time:.3g} s of at most {longest:.3g} s simulated", markup=False)
 
@@ -61,7 +62,14 @@ def survey_progress(
         if console.is_terminal:
             yield line, lambda step: line(f"{what}: {step}", 0.0, 0.0)
         else:
-            yield line, lambda step: console.print(f"{what}: {step}", markup=False)
+            start = monotonic()
+
+            def surveyed(step: str) -> None:
+                # the first line of a short survey comes first
+                if monotonic() - start > _PATIENCE:
+                    console.print(f"{what}: {step}", markup=False)
+
+            yield line, surveyed
 
 
 @contextmanager

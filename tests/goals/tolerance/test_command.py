@@ -37,7 +37,7 @@ def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_pa
     for name in ("tolerance.nc", "table.csv", "report.html", "design.toml", "plan.json", "runs"):
         assert (folder / name).exists()
     again = called("tolerance", "letter.toml", *FEW, "--keep", "1")
-    assert "replaces the tolerance of letter-fold there; the rows stay" in again.err
+    assert "replaces the tolerance of letter-fold; the rows are kept" in again.err
     assert "letter-fold: The design works in" in again.out
     assert json.loads((folder / "tolerance.json").read_text("utf-8")) == told
 
@@ -45,7 +45,7 @@ def test_command_writes_a_folder_with_the_probability_and_figures(called, tmp_pa
 def test_dry_run_reports_the_time_and_writes_nothing(called, tmp_path):
     told = called("tolerance", "letter.toml", *FEW, "--dry-run").out
     assert told.startswith(
-        "letter-fold: 1 value that may be off; 16 points for the probability, at most 17 runs in all, about"
+        "letter-fold: 1 value with a tolerance; 16 points for the probability, at most 17 runs in total, about"
     )
     assert not (tmp_path / "out").exists()
 
@@ -84,7 +84,7 @@ mass = "least"
 def test_a_design_runs_with_the_settings_of_the_goal_which_are_reported(called, tmp_path):
     (tmp_path / "goal.toml").write_text(GOAL, "utf-8")
     said = called("tolerance", "letter.toml", "--goal", "goal.toml", "--minutes", "0.01", "--keep", "0").err
-    assert "and tendon.left.stiffness as goal.toml has them" in said
+    assert "and tendon.left.stiffness set to the values of goal.toml" in said
     built = load_design(str(tmp_path / "out" / "letter-fold-tolerance" / "design.toml"))
     assert built.protocol.timestep == pytest.approx(4e-4)
     assert built.tendon[0].stiffness == pytest.approx(49.0)

@@ -98,8 +98,8 @@ def test_a_vein_without_a_tendon_is_skipped(surveyed):
 
 def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed):
     text = printed(surveyed("folds by itself"))
-    assert text.startswith("binder2025: stable along its fold: partly folded; ")
-    for barrier in ("flat until its weakest hinge folds alone", "flat to folded, all hinges together"):
+    assert text.startswith("binder2025: monostable (partly folded); 1 of 8 combinations ")
+    for barrier in ("flat until its easiest hinge folds alone", "flat to folded, all hinges together"):
         assert line(text, f"wing, {barrier}").split()[-1] == "none"
     assert landscape_summary(surveyed("folds by itself"))["wing"]["single_hinge_barriers_J"] is None
 
@@ -107,8 +107,9 @@ def test_no_barrier_leads_from_a_state_in_which_the_wing_does_not_rest(surveyed)
 def test_plates_are_listed_with_their_equilibria_and_torques(surveyed, letter_run):
     text = printed(surveyed("plates"), letter_run)
     assert text.startswith(
-        "letter-fold: stable states: flat, closed, opened (as flat); 4 of 4 states with some hinges folded are stable"
+        "letter-fold: bistable (flat, closed); barrier 53.17 µJ to fold one hinge from flat; a hinge"
     )
+    assert "4 of 4 combinations of folded hinges are stable" in " ".join(text.split())
     assert "fold angle −3.0°" in line(text, "structure, flat")
     assert "105.6°" in line(text, "structure, closed")
     assert line(text, "crease 0 (left) of the structure, −3.0° to straight").split()[-2:] == ["53.17", "µJ"]
@@ -125,6 +126,6 @@ def test_a_single_hinge_is_listed_once_without_levels():
     landscape = energy_landscape("binder2025-joint")
     assert landscape_kinds(landscape) == ("tendon", "rests")
     text = printed(landscape)
-    assert "binder2025-joint: stable states: flat, folded, opened (as flat)\n" in text
+    assert "binder2025-joint: bistable (flat, folded); barrier 7.025 mJ to fold one hinge from flat; " in text
     assert line(text, "hinge of the joint, overbend to").split()[-2:] == ["7.025", "mJ"]
     assert "easiest hinge" not in text

@@ -53,7 +53,8 @@ def load_design(
             for the latter, rules choose the values that the file does not contain.
         settings: values by dotted key or in nested tables, as in {"tendon.stiffness": "20 N/cm"} or
             {"tendon": {"stiffness": "20 N/cm"}}; text with units, as in a file.
-        unit: unit of length, m, of a FOLD file or a drawing that names none.
+        unit: length of the unit of a FOLD file or a drawing that states none, m; if not given, its largest dimension is
+            taken as 20 cm, with a warning.
 
     Returns:
         The checked design.

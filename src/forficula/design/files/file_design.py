@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from forficula.design.sheets.sheet_parts import Crease, FacetSection
 from forficula.design.sheets.sheet_tables import sheet_values
 from forficula.errors import InputError
 from forficula.pattern import CreasePattern, read_pattern
+from forficula.pattern.files.fold_frame import CHOSEN_UNIT
 from forficula.quantities import format_quantity
 
 # in periods of the sheet: rise time of the rest angles, slow enough that the sheet hardly swings, and time limit
@@ -30,12 +32,17 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
 
     Args:
         path: path of a file that `read_pattern` reads.
-        unit: unit of length, m, of a file that names none.
+        unit: length of its unit, m, if the file does not state it; by default, the largest dimension of such a file is
+            taken as 20 cm, with a warning.
 
     Raises:
         InputError: the file cannot be read, or contains no pattern.
     """
-    sheet, _ = read_pattern(path, unit)
+    sheet, remarks = read_pattern(path, unit, choose_unit=True)
+    size = ""
+    if CHOSEN_UNIT in remarks:
+        warnings.warn(f"{path}: {CHOSEN_UNIT}", UserWarning, stacklevel=2)
+        size = "; [chosen] its largest dimension is 20 cm, because it states no unit of length"
     try:
         period = _period(sheet)
     except InputError as error:
@@ -47,7 +54,7 @@ def file_tables(path: Path, unit: float | None = None) -> dict[str, Any]:
         stage = {"name": "settle", "drive": "none", "until": "rest", "state": "at rest"}
     return {
         "name": path.stem,
-        "source": f"{path.name}; rules chose the values that it does not contain",
+        "source": f"{path.name}; rules chose the values that it does not contain{size}",
         "pattern": sheet_values(sheet) | {"title": sheet.title or path.stem},
         "drive": [drive | {"rise": _seconds(_RISE * period)}] if targets else [],
         "protocol": {

@@ -13,6 +13,7 @@ from forficula.material.machine.machine_text import parse_recordings
 from forficula.material.machine.machine_units import FORCE, LENGTH, STRAIN, STRESS, TIME, ColumnKind
 from forficula.material.machine.recording import RecordedColumn, Recording, at_line
 from forficula.material.machine.specimen import specimen_area, specimen_length
+from forficula.material.machine.spreadsheet import SPREADSHEETS, parse_spreadsheet
 from forficula.material.machine.zs2_file import parse_zs2
 from forficula.material.tensile.tensile_test import TensileTest, falling
 from forficula.quantities import as_written
@@ -28,7 +29,8 @@ def read_tensile_test(
     Supported are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv and plain tables, in English or German
     (some French). Encoding, delimiter, decimal sign and units are detected. Without a column of travel, the strain
     times the length is used; without a column of force, the stress times the area. A position of the crosshead is
-    relative to the first row. A .zs2 file needs the extra `zs2`.
+    relative to the first row. Specimens may be below each other or side by side, and in several sheets of a workbook. A
+    .zs2 file needs the extra `zs2`, an .xlsx, .xls or .ods file the extra `xlsx`.
 
     Args:
         path: path of the file.
@@ -79,6 +81,8 @@ def _recordings(path: Path) -> tuple[Recording, ...]:
     content = read_bytes(path, _LARGEST)
     if path.suffix.lower() == ".zs2":
         return parse_zs2(content, path.stem)
+    if path.suffix.lower() in SPREADSHEETS:
+        return parse_spreadsheet(content, path.stem)
     return parse_recordings(content, path.stem)
 
 

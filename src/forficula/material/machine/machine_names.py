@@ -86,6 +86,36 @@ def choose_columns(names: Sequence[str]) -> dict[str, int]:
     return columns
 
 
+def columns_by_specimen(names: Sequence[str]) -> list[dict[str, int]]:
+    """Find the columns of every specimen in a table with specimens side by side.
+
+    Force and travel have to be repeated under the same names for every specimen. Time may be shared by all of them.
+
+    Args:
+        names: of the columns, without their units.
+
+    Returns:
+        For each specimen the columns as `choose_columns` returns them; one entry where nothing is repeated.
+
+    Raises:
+        InputError: what `choose_columns` raises, or a name is repeated less often than another.
+    """
+    keys = [name_key(name) for name in names]
+    first = choose_columns(
+        [name if keys.index(key) == place else "" for place, (name, key) in enumerate(zip(names, keys, strict=True))]
+    )
+    counts = {role: keys.count(keys[column]) for role, column in first.items()}
+    specimens = counts["force"]
+    travel = counts["travel" if "travel" in counts else "position"]
+    if specimens == 1 or travel != specimens or counts["time"] not in (1, specimens):
+        return [choose_columns(names)]
+    places = {role: [place for place, key in enumerate(keys) if key == keys[column]] for role, column in first.items()}
+    return [
+        {role: of_role[specimen if len(of_role) > 1 else 0] for role, of_role in places.items()}
+        for specimen in range(specimens)
+    ]
+
+
 def split_unit(text: str) -> tuple[str, str]:
     """Split a name and its unit: "Kraft [kN]", "Force (N)", "force_N", "Weg in mm", "F / N".
 

@@ -12,12 +12,13 @@ import csv
 import io
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from forficula.arrays import Array
 from forficula.errors import InputError
-from forficula.material.machine.machine_names import choose_columns, is_role, split_unit
+from forficula.material.machine.machine_names import columns_by_specimen, is_role, split_unit
 from forficula.material.machine.machine_units import is_unit
 from forficula.material.machine.recording import Property, RecordedColumn, Recording, at_line, travel_among
 from forficula.quantities import as_written
@@ -32,7 +33,7 @@ _LONGEST_LINE = 100_000  # characters; the csv module rejects much longer cells
 _EITHER_COMMA = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 _KNOWN = (
     "known are ZwickRoell testXpert .TXT, .TRA and .CSV, Instron Bluehill .csv, tables with units in their names, each "
-    "with tab, semicolon or comma between its columns, and .zs2"
+    "with tab, semicolon or comma between its columns, .zs2 and .xlsx"
 )
 
 
@@ -57,34 +58,76 @@ def parse_recordings(content: bytes, name: str) -> tuple[Recording, ...]:
     long = next((number for number, line in enumerate(text.splitlines(), 1) if len(line) > _LONGEST_LINE), None)
     if long is not None:
         raise InputError(at_line(long, f"need at most {_LONGEST_LINE} characters on a line, got more"))
-    delimiter = _delimiter(text)
-    rows, lines = _rows(text, delimiter)
+    return recordings_of(*_rows(text, _delimiter(text)), name)
+
+
+def recordings_of(rows: list[list[str]], lines: list[int], name: str) -> tuple[Recording, ...]:
+    """Find the tables of tensile tests among rows of cells: below each other, or side by side.
+
+    Args:
+        rows: cells of every row that is not empty.
+        lines: number of every row in the file.
+        name: of the specimen; several get a number each.
+
+    Raises:
+        InputError: as `parse_recordings` raises it.
+    """
     header = _names_row(rows)
     starts = [number for number, row in enumerate(rows) if row == rows[header] and number >= header]
-    recordings: list[Recording] = []
+    tables: list[tuple[Recording, ...]] = []
     above = 0
     for number, start in enumerate(starts, start=1):
         end = starts[number] if number < len(starts) else len(rows)
         while end < len(rows) and end > start + 1 and not _is_numeric(rows[end - 1]):
             end -= 1  # rows above the next names
-        specimen = name if len(starts) == 1 else f"{name} {number}"
-        shared = [] if start == header else recordings[0].properties
-        recordings.append(_recording(specimen, rows[above:end], lines[above:end], start - above, shared))
-        if number > 1 and recordings[-1].time.values[0] >= recordings[-2].time.values[-1]:
+        shared = [] if start == header else tables[0][0].properties
+        tables.append(_recordings(name, rows[above:end], lines[above:end], start - above, shared))
+        if number > 1 and tables[-1][0].time.values[0] >= tables[-2][0].time.values[-1]:
             raise InputError(at_line(lines[start], "the names are repeated, but time continues: join the tables"))
         above = end
-    return tuple(recordings)
+    recordings = [recording for table in tables for recording in table]
+    if len(recordings) == 1:
+        return tuple(recordings)
+    return tuple(replace(recording, name=f"{name} {number}") for number, recording in enumerate(recordings, start=1))
+
+
+def _recordings(
+    name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property]
+) -> tuple[Recording, ...]:
+    """Parse one table, of one specimen or of several side by side.
+
+    Properties are those above the table and those that it shares with the first table of the file.
+    """
+    names, units, first = _names_and_units(rows, lines, header)
+    blocks = _columns_of_roles(names, lines[header])
+    body, body_lines = rows[first:], lines[first:]
+    if len(blocks) > 1:  # shorter specimens may leave out the cells at the end
+        body = [[*row, *[""] * (len(names) - len(row))] for row in body]
+    _check_widths(body, body_lines, names, lines[header])
+    return tuple(
+        _recording(name, columns, names, units, rows[:header], body, lines, header, body_lines, shared)
+        for columns in blocks
+    )
 
 
 def _recording(
-    name: str, rows: list[list[str]], lines: list[int], header: int, shared: Sequence[Property]
+    name: str,
+    columns: dict[str, int],
+    names: Sequence[str],
+    units: Sequence[str],
+    above: list[list[str]],
+    body: list[list[str]],
+    lines: list[int],
+    header: int,
+    body_lines: list[int],
+    shared: Sequence[Property],
 ) -> Recording:
-    """Parse one table with the properties above it and those that it shares with the first table of the file."""
-    names, units, first = _names_and_units(rows, lines, header)
-    columns = _columns_of_roles(names, lines[header])
-    body, body_lines = rows[first:], lines[first:]
-    _check_widths(body, body_lines, names, lines[header])
+    """The columns of one specimen; rows below its last number belong to longer specimens beside it."""
     cells = {role: [row[column] for row in body] for role, column in columns.items()}
+    count = len(body)
+    while count > 1 and not any(column[count - 1].strip() for role, column in cells.items() if role != "time"):
+        count -= 1
+    cells = {role: column[:count] for role, column in cells.items()}
     decimal = _decimal_sign(cells, body_lines)
     recorded = {
         role: RecordedColumn(name=names[column], unit=units[column], values=_numbers(cells[role], decimal, body_lines))
@@ -95,9 +138,9 @@ def _recording(
         time=recorded["time"],
         travel=travel_among(recorded),
         force=recorded["force"],
-        properties=(*_properties(rows[:header], lines, decimal), *shared),
+        properties=(*_properties(above, lines, decimal), *shared),
         names_line=lines[header],
-        lines=np.array(body_lines, dtype=np.int64),
+        lines=np.array(body_lines[:count], dtype=np.int64),
     )
 
 
@@ -197,10 +240,10 @@ def _names_and_units(
     return names, units, below
 
 
-def _columns_of_roles(names: Sequence[str], line: int) -> dict[str, int]:
-    """Return the columns that a test needs, by role."""
+def _columns_of_roles(names: Sequence[str], line: int) -> list[dict[str, int]]:
+    """Return the columns that a test needs, by role, one entry for each specimen side by side."""
     try:
-        return choose_columns(names)
+        return columns_by_specimen(names)
     except InputError as error:
         known = "" if any(map(is_role, names)) else f"; {_KNOWN}"
         raise InputError(at_line(line, f"{error}{known}")) from None

@@ -20,7 +20,7 @@ from forficula.pattern.drawings.dxf_reader import read_dxf
 from forficula.pattern.drawings.flat_faces import faces_between, parts_of
 from forficula.pattern.drawings.line_network import LineNetwork, line_network, place_text
 from forficula.pattern.drawings.svg_reader import read_svg
-from forficula.pattern.files.fold_frame import target_angles
+from forficula.pattern.files.fold_frame import CHOSEN_UNIT, chosen_unit, target_angles
 from forficula.quantities import show_value
 
 _TOLERANCE = 1e-4  # of the drawing's size: drawing programs round to 1e-5 of it, people see 1e-3
@@ -28,7 +28,11 @@ _SMALLEST, _LARGEST = 1e-12, 1e6  # m
 
 
 def read_drawing(
-    path: str | os.PathLike[str], unit: float | None = None, tolerance: float | None = None
+    path: str | os.PathLike[str],
+    unit: float | None = None,
+    tolerance: float | None = None,
+    *,
+    choose_unit: bool = False,
 ) -> tuple[CreasePattern, list[str]]:
     """Read a crease pattern from an SVG or DXF drawing.
 
@@ -42,6 +46,7 @@ def read_drawing(
         unit: length of the drawing's unit, m, where the file does not say it; an SVG of pixels has 96 of them in an
             inch if nothing else is given.
         tolerance: how near ends and lines must be to meet, m; without it 1e-4 of the larger side of the drawing.
+        choose_unit: as for `read_pattern`.
 
     Returns:
         The pattern in metres, flat in z = 0, its lower left corner in the origin and y up, and remarks: what was
@@ -55,14 +60,14 @@ def read_drawing(
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what comes of it has no size, and is refused
             drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
-            metres, remarks = _metres(drawing, unit)
+            metres, remarks = _metres(drawing, unit, choose_unit=choose_unit)
             pattern, more = _pattern_of(drawing, metres, tolerance)
     except InputError as error:
         raise InputError(f"{shown_path(file)}: {error}") from error
     return pattern, [*drawing.remarks, *remarks, *more]
 
 
-def _metres(drawing: Drawing, unit: float | None) -> tuple[float, list[str]]:
+def _metres(drawing: Drawing, unit: float | None, *, choose_unit: bool) -> tuple[float, list[str]]:
     """Length of the drawing's unit, m."""
     if unit is not None:
         if not (math.isfinite(unit) and unit > 0):
@@ -77,6 +82,9 @@ def _metres(drawing: Drawing, unit: float | None) -> tuple[float, list[str]]:
         return drawing.unit, []
     if drawing.assumed_unit is not None:
         return drawing.assumed_unit, ["the file gives its size in pixels: taken as 96 an inch, if no unit is given"]
+    if choose_unit:
+        ends = np.array([(line.start, line.end) for line in drawing.lines])
+        return chosen_unit(float(np.ptp(ends, axis=(0, 1)).max())), [CHOSEN_UNIT]
     raise InputError(
         "unit: need the length of the drawing's unit, got none in the file; give it: in a design"
         ' pattern.unit = "1 mm", on the command line --unit "1 mm"'

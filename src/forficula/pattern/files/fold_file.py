@@ -24,10 +24,13 @@ from forficula.pattern.drawings.flat_faces import (
 )
 from forficula.pattern.files.fold_document import FoldFrame, all_frames, chosen_frame, fold_document, frame_classes
 from forficula.pattern.files.fold_frame import (
+    CHOSEN_UNIT,
+    chosen_unit,
     coords_in_metres,
     coords_of,
     edges_of,
     fold_angles_of,
+    lacks_unit,
     letters_by_angle,
     letters_of,
     target_angles,
@@ -51,6 +54,7 @@ class _Sheet:
     counts: tuple[int, int]  # of vertices and edges in the file
     plane: SheetPlane | None
     remarks: list[str]
+    unit: float | None = None  # given or chosen, m
 
 
 def read_fold(path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None) -> CreasePattern:
@@ -59,7 +63,11 @@ def read_fold(path: str | os.PathLike[str], unit: float | None = None, frame: in
 
 
 def fold_pattern(
-    path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None
+    path: str | os.PathLike[str],
+    unit: float | None = None,
+    frame: int | str | None = None,
+    *,
+    choose_unit: bool = False,
 ) -> tuple[CreasePattern, list[str]]:
     """Read a pattern from a FOLD file.
 
@@ -82,6 +90,7 @@ def fold_pattern(
         unit: length of the file's unit, m, where the file names none; if it names another, one of the two is wrong.
         frame: number (0 is the key frame), title or class of a frame; without it the key frame, or where that has no
             vertices the first crease pattern.
+        choose_unit: as for `read_pattern`.
 
     Returns:
         The pattern in metres and radians, and remarks: what was found, turned or left out.
@@ -91,14 +100,18 @@ def fold_pattern(
             message names the file and the key.
     """
     try:
-        sheet = _sheet(all_frames(fold_document(Path(path))), unit, frame)
+        sheet = _sheet(all_frames(fold_document(Path(path))), unit, frame, choose_unit=choose_unit)
     except InputError as error:
         raise InputError(f"{shown_path(Path(path))}: {error}") from error
     return sheet.pattern, sheet.remarks
 
 
 def read_folded_frames(
-    path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None
+    path: str | os.PathLike[str],
+    unit: float | None = None,
+    frame: int | str | None = None,
+    *,
+    choose_unit: bool = False,
 ) -> list[Frame]:
     """Read the folded states of a FOLD file: those of its `file_frames` whose classes have "foldedForm".
 
@@ -110,6 +123,7 @@ def read_folded_frames(
         path: the file.
         unit: as for `read_fold`.
         frame: that of the pattern, as for `read_fold`; it is no folded state of itself.
+        choose_unit: as for `read_pattern`.
 
     Returns:
         Of each state: title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,), nan
@@ -122,7 +136,8 @@ def read_folded_frames(
     states: list[Frame] = []
     try:
         frames = all_frames(fold_document(Path(path)))
-        sheet, chosen = _sheet(frames, unit, frame), chosen_frame(frames, frame)
+        sheet = _sheet(frames, unit, frame, choose_unit=choose_unit)
+        chosen, unit = chosen_frame(frames, frame), sheet.unit
         for number, each in enumerate(frames[1:], 1):
             try:
                 if number != chosen and "foldedForm" in frame_classes(each):
@@ -146,13 +161,19 @@ def _folded_state(frame: FoldFrame, unit: float | None, sheet: _Sheet) -> Frame:
     return str(frame.get("frame_title", "")), coords, fold_angles
 
 
-def _sheet(frames: Sequence[FoldFrame], unit: float | None, chosen: int | str | None) -> _Sheet:
+def _sheet(
+    frames: Sequence[FoldFrame], unit: float | None, chosen: int | str | None, *, choose_unit: bool = False
+) -> _Sheet:
     """The pattern of a frame."""
     number = chosen_frame(frames, chosen)
     try:
+        choose_unit = choose_unit and unit is None and lacks_unit(frames[number])
+        if choose_unit:
+            unit = chosen_unit(float(np.ptp(coords_of(frames[number]), axis=0).max()))
         sheet = _sheet_of(frames, number, unit)
     except InputError as error:
         raise InputError(f"file_frames[{number - 1}]: {error}" if number else str(error)) from error
+    sheet = replace(sheet, unit=unit, remarks=[*[CHOSEN_UNIT] * choose_unit, *sheet.remarks])
     if chosen is None and number:
         title = as_written(str(frames[number].get("frame_title", "")))
         remark = f"file_frames[{number - 1}]: taken, {title}, for the key frame has no vertices"

@@ -21,6 +21,23 @@ _SMALLEST_SHEET, _LARGEST_SHEET = 1e-12, 1e12  # m
 _TARGETS = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
 
+CHOSEN_SIZE = 0.2  # m; [chosen] a sheet that one holds in two hands
+CHOSEN_UNIT = (
+    "the file states no unit of length: its largest dimension is taken as 20 cm [chosen]; set the length of one unit"
+    ' with --unit, such as --unit "1 cm"'
+)
+
+
+def chosen_unit(extent: float) -> float:
+    """Return the length of one unit, m, with which a sheet of an extent in units is as large as `CHOSEN_SIZE`."""
+    return CHOSEN_SIZE / extent if extent > 0 else 1.0
+
+
+def lacks_unit(frame: FoldFrame) -> bool:
+    """Return whether a frame has no unit of length, or the unit "unit", which has no length."""
+    return frame.get("frame_unit") in (None, "unit")
+
+
 def metres_of(frame: FoldFrame, unit: float | None) -> float:
     """Take the length of the file's unit.
 

@@ -22,6 +22,7 @@ def read_pattern(
     *,
     frame: int | str | None = None,
     tolerance: float | None = None,
+    choose_unit: bool = False,
 ) -> tuple[CreasePattern, list[str]]:
     """Read a crease pattern from a FOLD file (.fold) or a drawing (.svg, .dxf).
 
@@ -30,6 +31,8 @@ def read_pattern(
         unit: length of the file's unit, m, where the file does not say it.
         frame: number, title or class of a frame of a FOLD file.
         tolerance: how near lines of a drawing must be to meet, m.
+        choose_unit: whether to take the largest dimension as 20 cm where neither the file nor `unit` gives a length;
+            a remark says so.
 
     Returns:
         The pattern, as `fold_pattern` or `read_drawing` reads it, and its remarks.
@@ -50,7 +53,7 @@ def read_pattern(
             raise InputError(
                 f"{shown_path(file)}: tolerance: need none for a FOLD file, whose edges name their vertices"
             )
-        return fold_pattern(file, unit, frame)
+        return fold_pattern(file, unit, frame, choose_unit=choose_unit)
     if frame is not None:
         raise InputError(f"{shown_path(file)}: frame: need none for a drawing, got {as_written(frame)}")
-    return read_drawing(file, unit, tolerance)
+    return read_drawing(file, unit, tolerance, choose_unit=choose_unit)

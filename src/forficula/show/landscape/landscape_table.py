@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator
 
 from rich.console import Console, Group, RenderableType
@@ -21,11 +22,11 @@ from forficula.analysis.simulated_snap import (
 )
 from forficula.dynamics import Record
 from forficula.quantities import show_value
+from forficula.show.landscape.headline import headline
 from forficula.show.landscape.landscape_marks import (
     course_words,
     held_words,
     reading_words,
-    rest_name,
     rounding_torque,
     show_angle,
     show_angles,
@@ -51,13 +52,19 @@ _NONE = "none"
 _NOTHING = 1e-9  # m, distances below this are rounding errors
 
 
+def print_headline(landscape: EnergyLandscape) -> None:
+    """Print the first line of a landscape, at once."""
+    Console(width=110, highlight=False).print(Text(headline(landscape), style="bold"), soft_wrap=True)
+    sys.stdout.flush()
+
+
 def print_landscape(landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None) -> None:
     """Print a landscape, compared with a run of the same design; args are those of `landscape_table`."""
-    Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon))
+    Console(width=110, highlight=False).print(landscape_table(landscape, record, tendon, first_line=False))
 
 
 def landscape_table(
-    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None
+    landscape: EnergyLandscape, record: Record | None = None, tendon: int | None = None, *, first_line: bool = True
 ) -> RenderableType:
     """Return tables of stable states, barriers, torques, stiffness and snap, and the remarks as sentences.
 
@@ -67,6 +74,7 @@ def landscape_table(
         landscape: the landscape.
         record: a run of the same design.
         tendon: index of the tendon whose hinge is shown as an example; an inner one by default.
+        first_line: whether the table begins with the headline.
     """
     shown = inner_hinge(landscape, tendon)
     tables = (
@@ -79,7 +87,7 @@ def landscape_table(
         _table("Stiffness at every tip", _tips(landscape.tips)),
         *_snap(landscape, record, shown),
     )
-    parts: list[RenderableType] = [Text(_verdict(landscape), style="bold")]
+    parts: list[RenderableType] = [Text(headline(landscape), style="bold")] if first_line else []
     for table in tables:
         if table.row_count:
             parts += [Text(), table]
@@ -87,20 +95,6 @@ def landscape_table(
     if remarks:
         parts += [Text(), *(Text(_sentence(remark)) for remark in remarks)]
     return Group(*parts)
-
-
-def _verdict(landscape: EnergyLandscape) -> str:
-    folds, names = landscape.partial_folds, [state.name for state in landscape.states]
-    if landscape.net is not None:
-        result = f"{len(names)} stable states were found" if len(names) != 1 else "one stable state was found"
-    elif landscape.fold_path is not None:
-        result = "stable along its fold" if names else "no stable state along its fold"
-    else:
-        names = [rest_name(each) for each in landscape.rests if each.stable]
-        result = "stable states" if names else "no stable state"
-    stable = sum(fold.stable for fold in folds)
-    partly = f"; {stable} of {len(folds)} states with some hinges folded are stable" if len(folds) > 2 else ""
-    return f"{landscape.design.name}: {result}{': ' * bool(names)}{', '.join(names)}{partly}"
 
 
 def _states(landscape: EnergyLandscape, shown: CrossedHinge | None) -> Iterator[Row]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 
 from rich.console import Console, Group, RenderableType
@@ -32,11 +33,10 @@ from forficula.structure import Structure
 _WIDTH = 100  # letters, largest width of the table of states
 
 
-def outcome_table(name: str, outcome: Outcome) -> RenderableType:
-    """Return tables of states by hinge and tendon, transitions, and the energy balance."""
+def outcome_table(name: str, outcome: Outcome, *, verdict: bool = True) -> RenderableType:
+    """Return the verdict if wanted, and tables of states by hinge and tendon, transitions, and the energy balance."""
     structure = outcome.structure
-    verdict = Text(f"{name}: {outcome.status}", style="bold")
-    parts: list[RenderableType] = [verdict]
+    parts: list[RenderableType] = [_verdict_line(name, outcome)] if verdict else []
     if outcome.confirmation is not None and outcome.confirmation.agree:
         words = confirmation_text(outcome.ending, outcome.confirmation)
         parts.append(Text(f"{words[:1].upper()}{words[1:]}; ± is the numerical uncertainty."))
@@ -50,9 +50,19 @@ def outcome_table(name: str, outcome: Outcome) -> RenderableType:
     return Group(*parts)
 
 
-def print_outcome(name: str, outcome: Outcome) -> None:
-    """Print the outcome of a run."""
-    Console(width=110, highlight=False).print(outcome_table(name, outcome))
+def _verdict_line(name: str, outcome: Outcome) -> Text:
+    return Text(f"{name}: {outcome.status}", style="bold")
+
+
+def print_verdict(name: str, outcome: Outcome) -> None:
+    """Print the verdict on one line and flush it."""
+    Console(width=110, highlight=False).print(_verdict_line(name, outcome), soft_wrap=True)
+    sys.stdout.flush()
+
+
+def print_outcome(name: str, outcome: Outcome, *, verdict: bool = True) -> None:
+    """Print the outcome of a run, with the verdict if wanted."""
+    Console(width=110, highlight=False).print(outcome_table(name, outcome, verdict=verdict))
 
 
 def print_storage(record: Record, outcome: Outcome) -> None:

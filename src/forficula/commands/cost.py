@@ -1,0 +1,95 @@
+"""Cost estimates: one line on standard error where a command will take longer than ten seconds."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from time import monotonic
+from typing import Any
+
+from forficula.quantities import show_duration
+from forficula.terminal import is_quiet
+
+LONG = 10.0  # s; a shorter command is not announced
+_MEASURED = 1.0  # s of work from which the rest is estimated
+
+
+def _rounded(seconds: float) -> str:
+    return show_duration(float(f"{seconds:.2g}"))
+
+
+class _Estimate:
+    """Time since the start, and whether the estimate was written."""
+
+    def __init__(self) -> None:
+        self._start: float | None = None
+        self._done = False
+
+    def elapsed(self) -> float:
+        """Return the time since the first call, s."""
+        self._start = monotonic() if self._start is None else self._start
+        return monotonic() - self._start
+
+    def write(self, seconds: float, text: str) -> None:
+        """Write the estimate once, where it exceeds ten seconds."""
+        self._done = True
+        if seconds > LONG and not is_quiet():
+            print(text, file=sys.stderr, flush=True)
+
+
+class RunEstimate(_Estimate):
+    """Progress of a run that also writes how long the run takes at most, from its first second of work.
+
+    Args:
+        progress: receives every call.
+        searches: whether the timestep is searched by halving.
+    """
+
+    def __init__(self, progress: Callable[[str, float, float], None], *, searches: bool) -> None:
+        super().__init__()
+        self._progress, self._searches = progress, searches
+
+    def __call__(self, stage: str, time: float, longest: float) -> None:
+        """Report a stage, the simulated time and its upper limit, s."""
+        elapsed = self.elapsed()
+        if not self._done and elapsed >= _MEASURED and time > 0:
+            left = elapsed * (longest - time) / time
+            more = ", and twice as long at each finer timestep" if self._searches else ""
+            self.write(left, f"estimate: at most {_rounded(left)}, less if stages reach their goals early{more}")
+        self._progress(stage, time, longest)
+
+
+class CountEstimate(_Estimate):
+    """Estimate of the time for many runs, from the first second of work.
+
+    Args:
+        what: that is counted, in the plural, such as "runs".
+        most: whether the count is an upper limit, as in searches.
+    """
+
+    def __init__(self, what: str = "runs", *, most: bool = False) -> None:
+        super().__init__()
+        self._what, self._most = what, most
+        self.elapsed()
+
+    def update(self, done: int, needed: int) -> None:
+        """Report the number that is done, and the number that is needed."""
+        elapsed = self.elapsed()
+        if self._done or not done or elapsed < _MEASURED:
+            return
+        left = elapsed * (needed - done) / done
+        limit = "at most " * self._most
+        self.write(left, f"estimate: {limit}{_rounded(left)} for {limit}{needed} {self._what}")
+
+
+def runs_estimated(
+    progress: Callable[[int, int, dict[str, Any]], None], *, most: bool = False
+) -> Callable[[int, int, dict[str, Any]], None]:
+    """Return the progress of many runs that also writes an estimate; `most` is as of `CountEstimate`."""
+    estimate = CountEstimate(most=most)
+
+    def update(done: int, needed: int, row: dict[str, Any]) -> None:
+        estimate.update(done, needed)
+        progress(done, needed, row)
+
+    return update

@@ -1,0 +1,84 @@
+"""First line of a landscape: number of stable states, barriers between them, and what holds them."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from itertools import combinations
+
+from forficula.errors import InputError
+from forficula.names import listed
+from forficula.quantities import show_value
+from forficula.show.landscape.landscape_marks import rest_name, shown_value
+from forficula.statics import EnergyLandscape
+from forficula.statics.landscape import barrier, fold_states, net_states
+
+_MOST_NAMED = 4  # states
+_COUNTS = ("no stable state", "monostable", "bistable")
+
+
+def headline(landscape: EnergyLandscape) -> str:
+    """Return whether a design is bistable, its barriers, and the force or torque that holds each state."""
+    names = _state_names(landscape)
+    count = _COUNTS[len(names)] if len(names) < len(_COUNTS) else f"multistable, {len(names)} stable states"
+    if landscape.net is not None and len(names) > 0:
+        count += ", as far as the search found"
+    more = ", ..." * (len(names) > _MOST_NAMED)
+    states = f" ({', '.join(names[:_MOST_NAMED])}{more})" if names else ""
+    parts = [f"{landscape.design.name}: {count}{states}"]
+    parts += [text for text in (_barriers(landscape), _holds(landscape), _partial_folds(landscape)) if text]
+    return "; ".join(parts)
+
+
+def _state_names(landscape: EnergyLandscape) -> list[str]:
+    """Return the names of different stable states."""
+    if landscape.net is not None or landscape.fold_path is not None:
+        return [state.name for state in landscape.states]
+    return [rest_name(rest) for rest in landscape.rests if rest.stable and not rest.same_as]
+
+
+def _barriers(landscape: EnergyLandscape) -> str:
+    """Return the barriers of the two-way transition whose lower barrier is the largest."""
+    if landscape.net is None and landscape.fold_path is None:
+        alone = landscape.easiest_barrier
+        if alone is None:
+            return ""
+        return f"barrier {show_value(alone, 'J')} to fold one hinge from {landscape.rests[0].name}"
+    names = _state_names(landscape)
+    found = {}
+    for one, other in combinations(names[:_MOST_NAMED], 2):
+        with suppress(InputError):  # no saddle was found between them
+            found[one, other] = barrier(landscape, one, other), barrier(landscape, other, one)
+    if not found:
+        return "no barrier was found between them" if len(names) > 1 else ""
+    one, other = max(found, key=lambda ends: min(found[ends]))
+    there, back = (show_value(value, "J") for value in found[one, other])
+    return f"barrier {there} from {one} to {other}, {back} back"
+
+
+def _holds(landscape: EnergyLandscape) -> str:
+    """Return the torque that presses each state onto a stop, or the smallest load that each state withstands."""
+    bar = landscape.structure.appearance.bar
+    texts = [
+        f"{state.name} is held by {show_value(state.holding_torque, 'N m')} per {bar}"
+        for state in fold_states(landscape)
+        if state.holding_torque
+    ]
+    for state in net_states(landscape)[:_MOST_NAMED]:
+        if state.withstands:
+            weakest = min(state.withstands, key=lambda held: abs(held.value))
+            value = shown_value(weakest.value, weakest.unit, 3)
+            lost = f"holds beyond {value}" if weakest.kind == "none" else f"is lost at {value}"
+            texts.append(f"{state.name} {lost} ({weakest.load})")
+    if not texts and landscape.fold_path is None and landscape.net is None:
+        held = [stop.holding_torque for hinge in landscape.hinges for stop in hinge.own.states if stop.holding_torque]
+        if held:
+            texts.append(f"a hinge is held by {show_value(min(held), 'N m')}")
+    return listed(texts[:2])
+
+
+def _partial_folds(landscape: EnergyLandscape) -> str:
+    folds = landscape.partial_folds
+    stable = sum(fold.stable for fold in folds)
+    if len(folds) <= 2:
+        return ""
+    return f"{stable} of {len(folds)} combinations of folded hinges are stable"
