@@ -31,6 +31,7 @@ def write_new_design(path: str | os.PathLike[str], kind: str = "earwig-fan", *, 
     Args:
         path: path of the file.
         kind: kind of pattern, one of `KINDS`; "fold-file" takes the pattern of a file sheet.fold.
+        size: largest dimension of the flat pattern to which the design is scaled, m; by default it is not scaled.
 
     Raises:
         InputError: no such kind, or the file exists already, or cannot be written.
