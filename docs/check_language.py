@@ -5,7 +5,7 @@ files: comments, docstrings, names of tests, names of variables, and in the pack
 script prints the number of faults in each folder instead of the faults.
 
 A word that is right in its place is listed in docs/language-exceptions.txt. Each line has a pattern of paths, a colon,
-a space, and the word, a piece of the line, or "*" for all words. An exception that is no longer needed is a fault, too.
+a space, and the word, a piece of the line with the word, or "*". An exception that is no longer needed is a fault, too.
 """
 
 from __future__ import annotations
@@ -136,11 +136,12 @@ def main() -> None:
     for path in files():
         source = (ROOT / path).read_text("utf-8")
         lines = source.splitlines()
-        for number, word, advice in faults(path, source):
+        for number, fault, advice in faults(path, source):
+            word, line = " ".join(fault.split()), lines[number - 1]
             allowed = {
-                exception
-                for exception in exceptions
-                if fnmatch(path, exception[0]) and (exception[1] in ("*", word) or exception[1] in lines[number - 1])
+                (paths, piece)
+                for paths, piece in exceptions
+                if fnmatch(path, paths) and (piece in ("*", word) or (word in piece and piece in line))
             }
             needed |= allowed
             if not allowed:

@@ -35,8 +35,8 @@ def quantities(part, prefix=""):
                 yield from quantities(item, f"{prefix}{name}.{index}.")
 
 
-def test_the_reference_has_the_values_of_the_design_page_in_si():
-    # DESIGN.md, "the reference design": 12, 10 and 1.5 cm, 20 deg; 5 mm, 1.27 g/cm3; 1 MPa, 0.1 mm, 1 ms, 2 cm; 3 deg
+def test_the_reference_has_its_chosen_values_in_si():
+    # chosen values: 12, 10 and 1.5 cm, 20 deg; 5 mm, 1.27 g/cm3; 1 MPa, 0.1 mm, 1 ms, 2 cm; 3 deg
     pattern, vein, membrane, hinge = REFERENCE.pattern, REFERENCE.vein, REFERENCE.membrane, REFERENCE.hinge
     assert (pattern.proximal_length, pattern.distal_length, pattern.hub_radius) == (0.12, 0.10, 0.015)
     assert (pattern.sector_angle, pattern.units) == (math.radians(20), 1)
