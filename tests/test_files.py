@@ -215,7 +215,7 @@ def test_a_file_that_cannot_be_changed_is_named_and_the_old_files_stand(tmp_path
         assert files_in(tmp_path) == OLD
     finally:
         subprocess.run([attributes, "-i", tmp_path / "b.txt"], check=True)
-    why = "Operation not permitted; what was there stands as it stood"
+    why = "Operation not permitted; the old files are unchanged"
     assert said == f"{tmp_path}/b.txt: cannot be replaced: {why}"
     write_new(tmp_path)
     assert files_in(tmp_path) == AFTER

@@ -30,7 +30,7 @@ def reading_only(allows: Callable[[Path], bool], reason: str) -> Iterator[None]:
 
     Args:
         allows: returns whether the file of a path may be read.
-        reason: of a refusal, for the error after the path.
+        reason: reason for a refusal, which follows the path in the error message.
     """
     token = _rule.set(_Rule(allows, reason))
     try:
@@ -49,7 +49,7 @@ def check_may_read(path: Path) -> None:
     """Refuse a file that the rule in force does not allow; the error is the same whether or not the file exists.
 
     Raises:
-        InputError: it may not be read.
+        InputError: the file may not be read.
     """
     rule = _rule.get()
     if rule is not None and not rule.allows(path):

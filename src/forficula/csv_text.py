@@ -1,4 +1,4 @@
-"""Tables as comma-separated text that a spreadsheet only shows."""
+"""Tables as comma-separated text without formulas that a spreadsheet would run."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ import io
 import re
 from collections.abc import Iterable, Sequence
 
-# Cells that a spreadsheet would run as a formula begin so; an apostrophe before them makes them text (OWASP, CSV
-# Injection). A number that happens to be text does no harm.
+# beginnings of cells that a spreadsheet would run as a formula; an apostrophe before them makes them text (OWASP, CSV
+# Injection). Numbers are harmless.
 _FORMULA = re.compile(r"[=+\-@\t\r]")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:
-    """Write rows of cells; a text that a spreadsheet would run as a formula gets an apostrophe before it."""
+    """Return rows of cells as text; an apostrophe precedes a text that a spreadsheet would run as a formula."""
     return "".join(f"{_line(row)}\n" for row in rows)
 
 
 def _line(row: Sequence[object]) -> str:
     text, end = io.StringIO(), "\r\n"
-    # a cell is quoted for the signs of the line's end that are in it: with both of them every break is
+    # the csv module quotes a cell with a character of the line end: with "\r\n" it quotes every cell with a line break
     csv.writer(text, lineterminator=end).writerow([_cell(cell) for cell in row])
     return text.getvalue().removesuffix(end)
 

@@ -1,19 +1,19 @@
-"""The one exception for input that cannot be used."""
+"""The exception for invalid input."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 
 class InputError(ValueError):
-    """What the user gave cannot be used; the message is one line that names the key, the rule and the value."""
+    """Invalid input of the user; the message is one line that names the key, the rule and the value."""
 
 
 @contextmanager
 def error_prefix(prefix: str) -> Iterator[None]:
-    """Put a text before the message of whatever input is refused inside, as the file or the key that it is about.
+    """Put a text, such as a file or a key, before the message of every `InputError` that is raised inside the block.
 
     Raises:
-        InputError: what is refused.
+        InputError: the error of the block, with the prefix.
     """
     try:
         yield

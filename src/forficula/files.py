@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and TOML files read."""
+"""Writing of files completely or not at all, and reading of text and TOML files."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from forficula.lock import held
 from forficula.quantities import as_written
 from forficula.toml_text import parse_toml
 
-# How files come to lie in a folder, so that whoever is killed, wherever, leaves the old ones or the new ones, and
-# nothing that stays for ever:
-# - What is unfinished lies in the folder itself, for what is beside it may be on another disk, or not ours to write to,
-#   and what is in use, mounted or the current folder cannot be renamed. Its name begins with a mark of its writer, and
-#   the writer holds a lock of that name: what nobody holds is a dead writer's, and the next writer clears it away.
-# - One file takes its place by one renaming. Several do so one after another, by one writer at a time; each file that
-#   was there is set aside first, and a file "undo" says so until all are in place. Where that fails, or was broken off
-#   by a kill, what was set aside goes back: the files that were there stand as they stood. Files of other names are
-#   never touched.
+# How files are written, so that a process that is killed at any time leaves either the old or the new files, and no
+# permanent leftovers:
+# - Unfinished files are in the target folder itself. A folder beside it might be on another disk or not writable, and a
+#   folder that is in use, mounted or the current one cannot be renamed. Their names begin with a mark of the writer,
+#   and the writer holds a lock with this name. Files with a mark whose lock nobody holds were left by a killed process,
+#   and the next writer removes them.
+# - A single file is put in place by one renaming. Several files are renamed one after another, by one writer at a time;
+#   existing files are moved aside first, and a file "undo" exists until all new files are in place. If this fails or
+#   the process is killed, the old files are moved back. Files with other names are never touched.
 _MARK = re.compile(r"(\.forficula-[0-9a-f]{12})(\.lock|-.*)")
 _TURN = ".forficula.lock"
 
-LARGEST_FILE = 2**26  # bytes: a FOLD file of a thousand frames of a thousand vertices each has this size
+LARGEST_FILE = 2**26  # bytes: the size of a FOLD file with a thousand frames of a thousand vertices each
 _PIECE = 2**20
 _HANDED_OVER = re.compile(r"/dev/stdin|(?:/dev|/proc/self)/fd/[0-9]+")
 
@@ -40,7 +40,7 @@ AnyPath = str | os.PathLike[str]
 
 
 class _UnwrittenError(InputError):
-    """A file that cannot be written, and why."""
+    """A file that cannot be written, with the reason."""
 
     def __init__(self, path: Path, reason: str) -> None:
         super().__init__(f"{path}: cannot be written: {reason}")
@@ -48,14 +48,14 @@ class _UnwrittenError(InputError):
 
 
 def as_path(path: object, what: str) -> Path:
-    """Take a path.
+    """Convert text or a path to a `Path`.
 
     Args:
         path: text, or a path.
-        what: is wanted there, as errors say it.
+        what: description of the path for error messages.
 
     Raises:
-        InputError: it is none.
+        InputError: a value of another type.
     """
     if not isinstance(path, str | os.PathLike):
         raise InputError(f"need {what}, got {as_written(path)} ({type(path).__name__})")
@@ -64,10 +64,10 @@ def as_path(path: object, what: str) -> Path:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Give a temporary name in the same folder, and put the file in place when the block ends well.
+    """Yield a temporary name in the same folder, and put the file in place when the block ends without an error.
 
     Args:
-        path: the file to write; its folder is made where it is missing. A link there is replaced, not followed.
+        path: file to write; its folder is created if it is missing. An existing link is replaced, not followed.
 
     Raises:
         InputError: the folder or the file cannot be written.
@@ -82,7 +82,7 @@ def replacing(path: Path) -> Iterator[Path]:
     temporary = path
     try:
         with _writing(path.parent) as mark:
-            # writers go by the ending
+            # libraries choose the format by the ending
             temporary = mark.with_name(f"{mark.name}-file{path.suffix}")
             try:
                 temporary.touch(exist_ok=False)
@@ -91,20 +91,20 @@ def replacing(path: Path) -> Iterator[Path]:
             finally:
                 temporary.unlink(missing_ok=True)
     except OSError as error:
-        # HDF5 gives its reason as text only, with the name that it was given
+        # HDF5 gives the reason only as text, which contains the temporary name
         raise _UnwrittenError(path, error.strerror or str(error).replace(str(temporary), str(path))) from None
 
 
 @contextmanager
 def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
-    """Give a temporary folder, and put its files into a folder when the block ends well: all of them, or none.
+    """Yield a temporary folder, and move all its files, or none, into a folder when the block ends without an error.
 
     Args:
-        folder: made where it is missing; files of the same names are replaced, others stay.
-        remove: names of files that go, where they are there and are not replaced.
+        folder: target folder, created if it is missing; files with the same names are replaced, others stay.
+        remove: names of files to remove, if they exist and are not replaced.
 
     Raises:
-        InputError: the folder or a file in it cannot be written; what was there stands as it stood.
+        InputError: the folder or a file in it cannot be written; existing files are then unchanged.
     """
     _check_name(folder)
     missing, new = _missing(folder), folder
@@ -122,7 +122,7 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
             finally:
                 if not (work / "undo").exists():
                     shutil.rmtree(work, ignore_errors=True)
-    # what is full or refuses is told of the files as they would be called
+    # errors name the files at their final places
     except _UnwrittenError as error:
         raise _UnwrittenError(_in_place(error.path, new, folder) or error.path, error.reason) from None
     except OSError as error:
@@ -130,12 +130,12 @@ def replacing_all(folder: Path, remove: Collection[str] = ()) -> Iterator[Path]:
         raise _UnwrittenError(place, str(error.strerror or error)) from None
     finally:
         for place in missing:
-            with suppress(OSError):  # it holds files
+            with suppress(OSError):  # the folder is not empty
                 place.rmdir()
 
 
 def _check_name(path: Path) -> None:
-    """Refuse a path that no file can have."""
+    """Refuse a path that is not valid for a file."""
     try:
         if "\0" not in os.fsencode(path).decode("latin-1"):
             return
@@ -146,30 +146,30 @@ def _check_name(path: Path) -> None:
 
 
 def _in_place(path: Path, new: Path, folder: Path) -> Path | None:
-    """Where a file among the new ones of a folder would come to lie; None of what is none of them."""
+    """Return the final place of one of the new files of a folder; None for another path."""
     if path.name == _TURN or _MARK.fullmatch(path.name):
         return None
     return folder / path.relative_to(new) if path.is_relative_to(new) else None
 
 
 def _missing(folder: Path) -> list[Path]:
-    """The folders that are to be made, innermost first."""
+    """Return the folders that must be created, innermost first."""
     return [place for place in (folder, *folder.parents) if not place.exists()]
 
 
 def check_writable(folder: Path) -> None:
-    """Refuse a folder to which nothing can be written, or that cannot be made; nothing stays there.
+    """Refuse a folder that is not writable or cannot be created, without leaving files.
 
-    Tried beside it, under a name of our own: another process may be making the folder.
+    The check creates a folder of another name, because another process may be creating the same folder.
 
     Raises:
-        InputError: it cannot, and why.
+        InputError: the folder is not writable; the message gives the reason.
     """
     try:
-        there = next(place for place in (folder, *folder.parents, Path()) if place.is_dir())
-        probe = Path(tempfile.mkdtemp(prefix=".forficula-probe-", dir=there))
+        existing = next(place for place in (folder, *folder.parents, Path()) if place.is_dir())
+        probe = Path(tempfile.mkdtemp(prefix=".forficula-probe-", dir=existing))
         try:
-            (probe / folder.relative_to(there) / "report.html").parent.mkdir(parents=True, exist_ok=True)
+            (probe / folder.relative_to(existing) / "report.html").parent.mkdir(parents=True, exist_ok=True)
         finally:
             shutil.rmtree(probe, ignore_errors=True)
     except OSError as error:
@@ -179,9 +179,9 @@ def check_writable(folder: Path) -> None:
 
 
 def clear_leftovers(folder: Path) -> None:
-    """Clear away what writers that were killed left in a folder, and put files back that they had set aside.
+    """Remove files that killed processes left in a folder, and move back files that they had moved aside.
 
-    What a living process is writing stays, and so does all that is not ours. Where nothing can be written, nothing is.
+    Files of running processes and all other files are not touched. Nothing happens in a folder that is not writable.
     """
     with suppress(OSError):
         if _marks(folder) or os.path.lexists(folder / _TURN):
@@ -191,7 +191,7 @@ def clear_leftovers(folder: Path) -> None:
 
 @contextmanager
 def _writing(folder: Path) -> Iterator[Path]:
-    """Give what the names of one writer's unfinished files begin with."""
+    """Yield the beginning of the names of one writer's unfinished files, and hold its lock."""
     clear_leftovers(folder)
     mark = folder / f".forficula-{secrets.token_hex(6)}"
     with held(_lock(mark)):
@@ -203,13 +203,13 @@ def _lock(mark: Path) -> Path:
 
 
 def _marks(folder: Path) -> list[Path]:
-    """The marks of all writers that are at work in a folder or died there."""
-    found = (_MARK.fullmatch(place.name) for place in folder.iterdir())
-    return [folder / name for name in sorted({each[1] for each in found if each})]
+    """Return the marks of all running or killed writers in a folder."""
+    matches = (_MARK.fullmatch(place.name) for place in folder.iterdir())
+    return [folder / name for name in sorted({match[1] for match in matches if match})]
 
 
 def _clear(folder: Path) -> None:
-    """Remove what dead writers left; it is our turn."""
+    """Remove the leftovers of killed writers; the caller holds the lock of the folder."""
     for mark in _marks(folder):
         with held(_lock(mark), wait=False) as dead:
             if not dead:
@@ -222,7 +222,7 @@ def _clear(folder: Path) -> None:
 
 
 def _exchange(folder: Path, work: Path, remove: Collection[str]) -> None:
-    """Put the new files in place, all of them or none; it is our turn."""
+    """Put all new files in place, or none; the caller holds the lock of the folder."""
     new, old, nothing, undo = (work / name for name in ("new", "old", "nothing", "undo"))
     places = _files(new)
     for place in places:
@@ -248,16 +248,16 @@ def _exchange(folder: Path, work: Path, remove: Collection[str]) -> None:
         try:
             _undo(folder, work)
         except OSError:
-            why = "; what was there is set aside, and the next run puts it back"
+            why = "; the old files are moved aside, and the next run moves them back"
         else:
-            why = "; what was there stands as it stood"
+            why = "; the old files are unchanged"
         if isinstance(error, OSError):
             raise InputError(f"{folder / place}: cannot be replaced: {error.strerror}{why}") from None
         raise
 
 
 def _undo(folder: Path, work: Path) -> None:
-    """Put back what was set aside, where not all files took their places; broken off, it can be done again."""
+    """Move back files that were moved aside, if not all new files are in place; can be repeated after a crash."""
     new, old, nothing, undo = (work / name for name in ("new", "old", "nothing", "undo"))
     if not undo.exists():
         return
@@ -265,7 +265,7 @@ def _undo(folder: Path, work: Path) -> None:
         if not (new / place).exists():
             (folder / place).unlink(missing_ok=True)
         if place.parent != Path():
-            with suppress(OSError):  # other files are there
+            with suppress(OSError):  # the folder has other files
                 (folder / place).parent.rmdir()
     for place in _files(old):
         (old / place).replace(folder / place)
@@ -273,15 +273,15 @@ def _undo(folder: Path, work: Path) -> None:
 
 
 def _files(folder: Path) -> list[Path]:
-    """Where the files in a folder lie within it; links are files, too."""
+    """Return the paths of all files in a folder, relative to it; links count as files."""
     return sorted(Path(top, name).relative_to(folder) for top, _, names in os.walk(folder) for name in names)
 
 
 def check_new(path: Path, ending: str) -> None:
-    """Refuse a path at which no new file of a kind can be written.
+    """Refuse a path at which a new file of a kind cannot be created.
 
     Raises:
-        InputError: its name has another ending, something is there, or it is no path.
+        InputError: the name has another ending, the file exists already, or the path is not valid.
     """
     if path.suffix != ending:
         raise InputError(f"{path}: need a name that ends with {ending}")
@@ -294,10 +294,11 @@ def check_new(path: Path, ending: str) -> None:
 
 
 def open_to_append(path: Path) -> IO[bytes]:
-    """Open a file to which lines are added; it is made where it is missing.
+    """Open a file to append lines; it is created if it is missing.
 
     Raises:
-        InputError: it cannot be written, or is a link, which is not followed: someone else may have planted it.
+        InputError: the file cannot be written, or is a link. Links are not followed, because an attacker may have
+            created them.
     """
     if path.is_symlink():
         raise InputError(f"{path}: need a file or nothing there, got a link to {path.readlink()}; remove it")
@@ -309,40 +310,41 @@ def open_to_append(path: Path) -> IO[bytes]:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file whole or not at all.
+    """Write a text file completely or not at all.
 
     Raises:
-        InputError: it cannot be written.
+        InputError: the file cannot be written.
     """
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
 
 
 def write_bytes(path: Path, content: bytes | memoryview) -> None:
-    """Write a file whole or not at all.
+    """Write a file completely or not at all.
 
     Raises:
-        InputError: it cannot be written.
+        InputError: the file cannot be written.
     """
     with replacing(path) as temporary:
         temporary.write_bytes(content)
 
 
 def read_bytes(path: Path, largest: float = LARGEST_FILE) -> bytes:
-    """Read a regular file that someone wrote.
+    """Read a regular file of the user.
 
-    A pipe or a device is refused, because it may never end. An exception is what a shell hands over as /dev/stdin or
-    /dev/fd/63 (process substitution).
+    A pipe or a device is refused, because it may never end, except for /dev/stdin and /dev/fd/63 and the like, which a
+    shell uses for redirection and process substitution.
 
     Args:
-        path: of the file.
-        largest: number of bytes that it may have.
+        path: path of the file.
+        largest: largest allowed number of bytes.
 
     Raises:
-        InputError: no such file, it cannot be read, is no regular file, or is larger; the caller names the file.
+        InputError: there is no such file, or it cannot be read, is not a regular file, or is too large; the caller adds
+            the name of the file.
     """
     handed_over = _HANDED_OVER.fullmatch(str(path)) is not None
-    # to open a named pipe would otherwise wait for someone who writes to it
+    # without this flag, opening a named pipe would wait for a writer
     more = 0 if handed_over else getattr(os, "O_NONBLOCK", 0)
     content = bytearray()
     try:
@@ -350,7 +352,7 @@ def read_bytes(path: Path, largest: float = LARGEST_FILE) -> bytes:
             status = os.fstat(file.fileno())
             if not (stat.S_ISREG(status.st_mode) or handed_over):
                 raise InputError(f"need a regular file, got {_kind_of(status.st_mode)}")
-            # the size of a pipe and of some regular files is unknown: read piece by piece
+            # the size of a pipe and of some regular files is unknown, so read in pieces
             while status.st_size <= largest and len(content) <= largest and (piece := file.read(_PIECE)):
                 content += piece
     except InputError:
@@ -373,17 +375,18 @@ def _kind_of(mode: int) -> str:
 
 
 def read_text(path: Path) -> str:
-    """Read a text that someone wrote.
+    """Read a text file of the user.
 
     Args:
-        path: of the file, UTF-8.
+        path: path of the file, UTF-8.
 
     Raises:
-        InputError: what `read_bytes` raises, it may not be read, or it is not UTF-8; the message names the file.
+        InputError: the errors of `read_bytes`, a file that may not be read, or a file that is not UTF-8; the message
+            names the file.
     """
     check_may_read(path)
     try:
-        # Windows' editors begin UTF-8 with a byte order mark
+        # editors on Windows write a byte order mark at the beginning of UTF-8 files
         text = read_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: not UTF-8 text from byte {error.start} on; save it as UTF-8") from None
@@ -393,7 +396,7 @@ def read_text(path: Path) -> str:
 
 
 def shown_path(path: Path) -> str:
-    """Write a path for an error: in quotes where it holds what no line of text can show."""
+    """Return a path for error messages, in quotes if it has characters that are not printable."""
     return str(path) if str(path).isprintable() else as_written(str(path))
 
 
@@ -401,11 +404,11 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
     """Read the tables of a TOML file.
 
     Args:
-        path: of the file.
-        what: it should describe, such as "a design".
+        path: path of the file.
+        what: description of the content, such as "a design", for error messages.
 
     Raises:
-        InputError: no such file, it cannot be read, or it is not UTF-8 or not TOML.
+        InputError: there is no such file, or it cannot be read, or it is not UTF-8 or not TOML.
     """
     text = read_text(path)
     with error_prefix(f"{path}: "):

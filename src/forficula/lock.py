@@ -1,4 +1,4 @@
-"""A lock between processes that dies with its owner: who is killed holds nothing."""
+"""A lock between processes, which the operating system releases when its owner ends."""
 
 from __future__ import annotations
 
@@ -14,41 +14,42 @@ if sys.platform == "win32":
 else:
     import fcntl
 
-_LOOK_SECONDS = 0.02
+_POLL_SECONDS = 0.02
 _SILENT_SECONDS = 2.0
 _REMOVED_SECONDS = 1.0
 
 
 @contextmanager
 def held(path: Path, *, wait: bool = True) -> Iterator[bool | None]:
-    """Hold a lock, which is a file that is there as long as it is held, or until the next who takes it lets it go.
+    """Hold a lock on a file, which exists while the lock is held.
 
-    Whoever waits for longer than two seconds says so on stderr.
+    After a crash the file remains until the next holder releases the lock. Waiting for longer than two seconds is
+    reported on stderr.
 
     Args:
-        path: of the lock; nothing is written to it.
-        wait: whether to wait where another process, or another block of this one, holds it.
+        path: path of the lock file; nothing is written to it.
+        wait: whether to wait while another process, or another block of this process, holds the lock.
 
     Yields:
-        True where it is held here, False where another one holds it, None where the disk knows no locks.
+        True if this block holds the lock, False if another one does, None if the file system does not support locks.
 
     Raises:
-        OSError: the file cannot be made.
+        OSError: the file cannot be created.
     """
-    start, refused, told = time.monotonic(), 0.0, False
+    start, refused, reported = time.monotonic(), 0.0, False
     while True:
         try:
-            # not through a link that someone has planted
+            # without following links, which an attacker may have created
             descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o666)
         except PermissionError:
             # Windows refuses to open a file that is being removed
             refused = refused or time.monotonic()
             if sys.platform != "win32" or time.monotonic() - refused > _REMOVED_SECONDS:
                 raise
-            time.sleep(_LOOK_SECONDS)
+            time.sleep(_POLL_SECONDS)
             continue
         taken = _take(descriptor)
-        # who held it before may have removed the file that is open here
+        # the previous holder may have removed the file after it was opened here
         if taken is None or (taken and _is_open(path, descriptor)):
             break
         os.close(descriptor)
@@ -56,14 +57,14 @@ def held(path: Path, *, wait: bool = True) -> Iterator[bool | None]:
             if not wait:
                 yield False
                 return
-            if not told and time.monotonic() - start > _SILENT_SECONDS:
+            if not reported and time.monotonic() - start > _SILENT_SECONDS:
                 print(f"waiting for another process that writes to {path.parent}", file=sys.stderr)
-                told = True
-            time.sleep(_LOOK_SECONDS)
+                reported = True
+            time.sleep(_POLL_SECONDS)
     try:
         yield taken
     finally:
-        _let_go(path, descriptor)
+        _release(path, descriptor)
 
 
 def _take(descriptor: int) -> bool | None:
@@ -74,13 +75,13 @@ def _take(descriptor: int) -> bool | None:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except (BlockingIOError, PermissionError):
         return False
-    except OSError:  # some network disks
+    except OSError:  # some network file systems
         return None
     return True
 
 
 def _is_open(path: Path, descriptor: int) -> bool:
-    """Whether an open file is the one of that name; Windows removes none that is open."""
+    """Whether an open file is still the one at a path; Windows does not remove open files."""
     if sys.platform == "win32":
         return True
     try:
@@ -89,8 +90,8 @@ def _is_open(path: Path, descriptor: int) -> bool:
         return False
 
 
-def _let_go(path: Path, descriptor: int) -> None:
-    """Remove the file, unless another one waits for it on Windows, and close it."""
+def _release(path: Path, descriptor: int) -> None:
+    """Remove the file, unless another process waits for it on Windows, and close it."""
     if sys.platform == "win32":
         os.close(descriptor)
     with suppress(OSError):

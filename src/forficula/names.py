@@ -1,4 +1,4 @@
-"""Names that a user gives to things, and how sentences list them."""
+"""Checks of names, and phrases for sentences and error messages."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from forficula.errors import InputError
 from forficula.quantities import as_written, is_whole
 
-# what moves a terminal's cursor or ends a line, and halves of characters that no file can hold
+# control characters, and lone surrogates, which no file can contain
 _NO_LETTER = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 _NOT_IN_FOLDERS = re.compile(r'[/\\<>:"|?*]')
 # names of devices on Windows, with any ending (Microsoft, "Naming Files, Paths, and Namespaces")
@@ -19,7 +19,7 @@ _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", 
 
 
 def ordinal(number: int) -> str:
-    """The place of a number that counts from 0, in words: 0 is "first"; beyond the tenth in digits, as "11th"."""
+    """Return the ordinal of an index that counts from 0: 0 is "first", 10 is "11th"."""
     if number < len(_ORDINALS):
         return _ORDINALS[number]
     place = number + 1
@@ -28,39 +28,39 @@ def ordinal(number: int) -> str:
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:
-    """Words as a sentence has them, such as "a, b and c", or "a, b or c" with another last word; "" of none."""
+    """Join words for a sentence, such as "a, b and c", or "a, b or c" with another conjunction; "" without words."""
     *most, end = [*words] or [""]
     return f"{', '.join(most)} {last} {end}" if most else end
 
 
 def counted(number: int, what: str) -> str:
-    """A number of something, such as "1 run" or "2 runs"."""
+    """Return a number with a noun, such as "1 run" or "2 runs"."""
     return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
 def unknown_key(key: str, value: object, hint: str) -> str:
-    """What errors say of a key that is none: it, the value that it was given, and what is allowed or near.
+    """Return the error message for an unknown key, with its value and a hint.
 
     Example:
         >>> unknown_key("tendon.stifness", "20 N/cm", "did you mean tendon.stiffness?")
         'tendon.stifness: unknown key, got "20 N/cm"; did you mean tendon.stiffness?'
     """
-    got = "" if value is None else f", got {as_written(value)}"  # of a key alone there is none
+    got = "" if value is None else f", got {as_written(value)}"
     return f"{key}: unknown key{got}; {hint}"
 
 
-def check_known(given: Mapping[str, object], names: Sequence[str], prefix: str) -> None:
-    """Refuse keys of a table other than some names.
+def check_known(table: Mapping[str, object], names: Sequence[str], prefix: str) -> None:
+    """Refuse unknown keys of a table.
 
     Args:
-        given: the table.
-        names: that its keys may be.
-        prefix: what is before a key in errors, such as "search.".
+        table: the table.
+        names: allowed keys.
+        prefix: text before a key in error messages, such as "search.".
 
     Raises:
-        InputError: which key is unknown, and which is near.
+        InputError: an unknown key; the message names the nearest one.
     """
-    for key, value in given.items():
+    for key, value in table.items():
         if key not in names:
             near = difflib.get_close_matches(key.lower(), names, n=1)
             hint = f"did you mean {prefix}{near[0]}?" if near else f"allowed here: {', '.join(names)}"
@@ -72,12 +72,12 @@ def check_whole(key: str, value: object, least: int) -> int:
     """Return a whole number that is not below a bound.
 
     Args:
-        key: by which errors call it.
-        value: as given.
-        least: allowed.
+        key: key in error messages.
+        value: value from the user.
+        least: least allowed value.
 
     Raises:
-        InputError: the value is no whole number, or below the bound.
+        InputError: the value is not a whole number, or below the bound.
     """
     if not is_whole(value, least):
         raise InputError(f"{key}: need a whole number >= {least}, got {as_written(value)}")
@@ -85,25 +85,32 @@ def check_whole(key: str, value: object, least: int) -> int:
 
 
 def one_of(names: Iterable[str], got: object, others: Iterable[str] = (), near_to: Iterable[str] = ()) -> str:
-    """What is allowed, names in quotes before what else is, and which of the names, or of some more, is near."""
+    """Return the end of an error message: the allowed names in quotes, other allowed values, and the nearest name.
+
+    Args:
+        names: allowed names.
+        got: value from the user.
+        others: descriptions of other allowed values.
+        near_to: further names that may be the nearest one.
+    """
     names = list(names)
     allowed = listed([*(f'"{name}"' for name in names), *others], "or")
     return f"{allowed}, got {as_written(got)}{near_name(str(got), [*names, *near_to])}"
 
 
 def near_name(got: str, names: Iterable[str]) -> str:
-    """The end of a sentence that asks for the nearest of some names; "" where none is near."""
+    """Return the end of an error message that suggests the nearest of some names; "" if none is near."""
     near = difflib.get_close_matches(got, list(names), n=1)
     return f'; did you mean "{near[0]}"?' if near else ""
 
 
 def folder_name(name: object) -> str:
-    """Return a name of outputs and of their folder, checked.
+    """Return a name for outputs and their folder, if it is valid.
 
     A folder may be copied to another system, so names that Windows cannot have are refused everywhere.
 
     Raises:
-        InputError: it is no text, or none that a folder can have; the caller knows the key.
+        InputError: the name is not text, or not a valid name of a folder; the caller adds the key.
     """
     if not isinstance(name, str) or not name.strip(" .") or _NOT_IN_FOLDERS.search(name) or _NO_LETTER.search(name):
         raise InputError(
@@ -124,10 +131,10 @@ def is_device_name(name: str) -> bool:
 
 
 def shown_name(name: str) -> str:
-    """Take a name that figures and tables show.
+    """Return a name for figures and tables, if it is valid.
 
     Raises:
-        InputError: it holds what is no letter; the caller knows the key.
+        InputError: the name is empty or has control characters; the caller adds the key.
     """
     if not name.strip() or _NO_LETTER.search(name):
         raise InputError(f"need a name on one line, without control characters, got {as_written(name)}")
@@ -135,5 +142,5 @@ def shown_name(name: str) -> str:
 
 
 def one_line(text: str) -> str:
-    """A text of someone else's file on one line, without what steers a terminal."""
+    """Return a text on one line, without characters that a terminal would interpret."""
     return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())

@@ -1,4 +1,4 @@
-"""Text with units at the border, SI floats inside: "10 N/cm" in, 1000.0 inside, "10 N/cm" out."""
+"""Conversion between text with units and SI floats: "10 N/cm" is 1000.0 inside the package."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 _NUMBER_THEN_UNIT = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf(?:inity)?))(.*)", re.I | re.S
 )
-# names with one-digit powers only: pint would work out a tower of powers for ever
+# names with one-digit powers only: pint would compute a tower of powers endlessly
 _UNIT = re.compile(
     r"[\s(]*(?:1\s*/\s*)?[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:[\s*/·()]+[^\W\d_]+(?:\s*(?:\^|\*\*)\s*-?\d)?)*[\s)]*|[°%]"
 )
 _LONGEST_UNIT = 60
 _LONGEST_SHOWN = 60
-_MOST_DIGITS = 12  # beyond, a number in the display unit shows the rounding of its factor
-# name, factor from SI, and the SI value from which on it is read in that unit; below the last, that one
+_MOST_DIGITS = 12  # with more digits, a number in the display unit shows the rounding of its factor
+# name, factor from SI, and the least SI value for this unit; smaller values have the last unit
 READING_UNITS = {
     "J": (("J", 1.0, 0.1), ("mJ", 1e3, 1e-4), ("µJ", 1e6, 1e-7), ("nJ", 1e9, 1e-10)),
     "N m": (("N cm", 1e2, 1e-3), ("mN cm", 1e5, 1e-6), ("µN cm", 1e8, 1e-9), ("nN cm", 1e11, 1e-12)),
@@ -35,7 +35,7 @@ READING_UNITS = {
     "Pa": (("GPa", 1e-9, 1e9), ("MPa", 1e-6, 1e5), ("kPa", 1e-3, 1e2), ("Pa", 1.0, 0.0)),
     "rad": (("deg", math.degrees(1.0), 0.0),),
 }
-# what pint says of units that files and pages are full of, by SI unit: pint takes half a second to be loaded
+# factors of common units by SI unit, to avoid loading pint, which takes half a second
 _USUAL = {
     "": {"%": 0.01},
     "1/s": {},
@@ -70,12 +70,12 @@ _USUAL = {
 
 @dataclass(frozen=True)
 class Unit:
-    """How one kind of quantity is written.
+    """The units of one kind of quantity.
 
     Attributes:
-        si: the coherent SI unit, such as "N/m"; its factor is exactly 1.
-        display: the unit that people use for it, such as "N/cm"; the SI unit if not given.
-        example: a right value, quoted in errors; needed only for what is read.
+        si: coherent SI unit, such as "N/m"; its factor is exactly 1.
+        display: unit for display, such as "N/cm"; the SI unit if not given.
+        example: valid value for error messages; needed only for quantities that are read.
     """
 
     si: str
@@ -88,18 +88,18 @@ class Unit:
 
 
 def parse_quantity(text: object, unit: Unit) -> float:
-    """Turn text such as "10 N/cm" into an SI float.
+    """Convert text such as "10 N/cm" to an SI float.
 
     Args:
         text: a number followed by a unit of the same dimension as `unit`.
-        unit: what is expected.
+        unit: expected unit.
 
     Returns:
         The value in `unit.si`.
 
     Raises:
-        InputError: no unit, an unknown unit, the wrong dimension, no number, or a number that is not finite. The
-            message names the value and a right example; the caller knows the key.
+        InputError: no unit, an unknown unit, a wrong dimension, no number, or a number that is not finite. The message
+            has the value and a valid example; the caller adds the key.
     """
     return _parsed_text(text, unit) if isinstance(text, str) and len(text) <= _LONGEST_KEPT else _parsed(text, unit)
 
@@ -129,20 +129,20 @@ def _parsed(text: object, unit: Unit) -> float:
 
 
 _LONGEST_KEPT = 100
-# what a file says is read again with each design that is made of it
+# texts of a file are parsed again for each design that is derived from it
 _parsed_text = lru_cache(maxsize=4096)(_parsed)
 
 
 def format_quantity(value: float, unit: Unit) -> str:
-    """Write an SI float as text that `parse_quantity` turns into the same bits.
+    """Write an SI float as text that `parse_quantity` converts to exactly the same value.
 
     Args:
-        value: in `unit.si`.
-        unit: how to write it.
+        value: value in `unit.si`.
+        unit: units for writing.
 
     Returns:
-        Text in `unit.display` with as few digits as are exact; in `unit.si` where no digits are, or where it takes
-        more than 12 of them and the other text is shorter.
+        Text in `unit.display` with the fewest digits that are exact. Text in `unit.si` if no number of digits is exact,
+        or if more than 12 digits are needed and that text is shorter.
     """
     factor, in_si = _factor(unit.display, unit, value), f"{value!r} {unit.si}"
     for digits in range(1, 18):
@@ -155,14 +155,14 @@ def format_quantity(value: float, unit: Unit) -> str:
 
 @cache
 def dimension(unit: Unit) -> tuple[int, int, int]:
-    """The exponents of length, mass and time in a unit; angles count as numbers."""
+    """Return the exponents of length, mass and time in a unit; angles count as numbers."""
     powers = _registry().parse_units(unit.si).dimensionality
     length, mass, time = (round(float(str(powers.get(name, 0)))) for name in ("[length]", "[mass]", "[time]"))
     return length, mass, time
 
 
 def round_below(most: float) -> float:
-    """The largest of 1, 2 and 5 times a power of ten that is not above a number > 0, as scale bars have.
+    """Return the largest of 1, 2 and 5 times a power of ten that does not exceed a number > 0, for scale bars.
 
     >>> round_below(0.07), round_below(430)
     (0.05, 200.0)
@@ -172,19 +172,19 @@ def round_below(most: float) -> float:
 
 
 def as_written(value: object) -> str:
-    """Write a value for an error: as a design file has it, on one short line."""
-    # nested lists and tables of more levels have more brackets than the line has letters
+    """Write a value for an error message: as in a design file, on one short line."""
+    # with more levels, nested lists and tables have more brackets than the line has characters
     return _written(value, _LONGEST_SHOWN // 2)
 
 
 def _written(value: object, levels: int) -> str:
-    """Write a value on one short line, with the lists and tables in it down to some levels."""
+    """Write a value on one short line, with nested lists and tables down to a number of levels."""
     match value:
         case bool():
             text = str(value).lower()
         case str():
             text = json.dumps(value[: 2 * _LONGEST_SHOWN], ensure_ascii=False)
-            # halves of characters, which no output can write
+            # lone surrogates, which cannot be encoded
             text = re.sub("[\ud800-\udfff]", lambda half: f"\\u{ord(half[0]):04x}", text)
         case list() | tuple() | dict() if levels == 0:
             text = "..."
@@ -202,7 +202,7 @@ def _written(value: object, levels: int) -> str:
 
 
 def _first_of(texts: Iterable[str]) -> str:
-    """Join texts by commas, as many as one line can show and one more."""
+    """Join texts by commas until they are longer than one line."""
     joined, length = [], 0
     for text in texts:
         joined.append(text)
@@ -213,26 +213,26 @@ def _first_of(texts: Iterable[str]) -> str:
 
 
 def plain_value(value: object) -> object:
-    """Turn a number of numpy, a 0-d array among them, or an array into Python's; anything else stays as it is."""
+    """Convert numbers, including 0-d arrays, and arrays of numpy to Python's; return other values unchanged."""
     if getattr(value, "shape", None) == () and hasattr(value, "item"):
         return value.item()
     return value.tolist() if hasattr(value, "tolist") and hasattr(value, "dtype") else value
 
 
 def is_whole(value: object, least: int, most: float = math.inf) -> TypeGuard[int]:
-    """Tell whether a value is a whole number between bounds; yes and no are none."""
+    """Whether a value is a whole number between bounds; True and False are not."""
     return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def reading_unit(unit: str, largest: float) -> tuple[str, float]:
-    """Choose the unit in which values read well.
+    """Choose a unit in which values are easy to read.
 
     Args:
-        unit: the SI unit of the values; there are others to choose from for "J", "N m", "m", "s", "N", "Pa" and "rad".
-        largest: of the values, in it.
+        unit: SI unit of the values; other units are chosen for "J", "N m", "m", "s", "N", "Pa" and "rad".
+        largest: largest of the values, in this unit.
 
     Returns:
-        The unit's name and its factor from SI; a torque's is in N cm, as the field has it.
+        The name of the unit and its factor from SI; torques are in N cm, as is usual in the field.
     """
     names = READING_UNITS.get(unit, ((unit, 1.0, 0.0),))
     fitting = (entry for entry in names if largest >= entry[2] or largest == 0)
@@ -240,32 +240,32 @@ def reading_unit(unit: str, largest: float) -> tuple[str, float]:
 
 
 def show_quantity(value: float, unit: Unit, digits: int = 4) -> str:
-    """Write an SI float for people: so many significant digits in the display unit."""
+    """Write an SI float as readable text, with a number of significant digits in the display unit."""
     return f"{value / _factor(unit.display, unit, value):.{digits}g} {unit.display}"
 
 
 def show_value(value: float, unit: str, digits: int = 4) -> str:
-    """Write an SI float in the unit in which it reads well, of those of `reading_unit`."""
+    """Write an SI float as readable text, in the unit that `reading_unit` chooses."""
     name, factor = reading_unit(unit, abs(value))
     return f"{factor * value:.{digits}g} {name}"
 
 
 def show_uncertain(value: float, half: float | None, unit: str, digits: int = 4) -> str:
-    """Write an SI float with its uncertainty, such as "58.4 ± 0.4 ms", both to the last digit that means something.
+    """Write an SI float with its uncertainty, such as "58.4 ± 0.4 ms", both to the last significant digit.
 
-    The uncertainty has one digit, or two where the first is a 1. What is smaller than the digits of the value show, or
-    not known (None), is left out.
+    The uncertainty has one digit, or two if the first is a 1. An uncertainty that is smaller than the last digit of the
+    value, or not known (None), is left out.
     """
     name, factor = reading_unit(unit, abs(value))
-    own, other = factor * value, factor * (half or 0.0)
-    if not other or not math.isfinite(other) or f"{own - other:.{digits}g}" == f"{own + other:.{digits}g}":
-        return f"{own:.{digits}g} {name}"
-    places = max(_digits_of_half(other), 0)
-    return f"{own:.{places}f} ± {other:.{places}f} {name}"
+    shown, width = factor * value, factor * (half or 0.0)
+    if not width or not math.isfinite(width) or f"{shown - width:.{digits}g}" == f"{shown + width:.{digits}g}":
+        return f"{shown:.{digits}g} {name}"
+    places = max(_digits_of_half(width), 0)
+    return f"{shown:.{places}f} ± {width:.{places}f} {name}"
 
 
 def uncertain_number(value: float, half: float, digits: int = 4) -> str:
-    """Write a number with its uncertainty in the same unit, where the digits of the number show the uncertainty.
+    """Write a number with its uncertainty, which is left out if it is smaller than the last digit of the number.
 
     >>> uncertain_number(0.18268, 0.0004), uncertain_number(4.112e-5, 3e-7), uncertain_number(0.18268, 4e-5)
     ('0.1827 ± 0.0004', '4.11e-05 ± 3e-07', '0.1827')
@@ -284,13 +284,13 @@ def uncertain_number(value: float, half: float, digits: int = 4) -> str:
 
 
 def _digits_of_half(half: float) -> int:
-    """Return the decimal places of an uncertainty with one digit, or two where the first is a 1."""
+    """Return the decimal places of an uncertainty with one digit, or two if the first is a 1."""
     exponent = math.floor(math.log10(half))
     return (1 if half < 2 * 10.0**exponent else 0) - exponent
 
 
 def show_duration(time: float) -> str:
-    """Write a time, s, for people: in days, hours, minutes, or as `show_value` does."""
+    """Write a time, s, as readable text: in days, hours or minutes, or as `show_value`."""
     for name, unit in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
         if time >= unit:
             return f"{time / unit:.4g} {name}"
@@ -299,11 +299,11 @@ def show_duration(time: float) -> str:
 
 @cache
 def _registry() -> UnitRegistry[float]:
-    """The pint registry, made at first use: it takes half a second."""
+    """Return the pint registry, created at the first call, because this takes half a second."""
     from pint import UnitRegistry
 
     registry: UnitRegistry[float] = UnitRegistry(cache_folder=None)
-    # pint reads "Ncm" as no unit at all; the field writes torque so.
+    # pint does not know "Ncm", which is a common notation for torque
     for definition in (
         "Ncm = newton * centimeter",
         "Nmm = newton * millimeter",
@@ -316,32 +316,32 @@ def _registry() -> UnitRegistry[float]:
 
 @cache
 def _conversion(unit_text: str, si: str) -> float | None:
-    """The factor from a unit to SI; None where the dimension differs. Raises what pint raises for no unit."""
+    """Return the factor from a unit to SI; None if the dimension differs. Raises pint's errors for an unknown unit."""
     if si in _USUAL and (usual := 1.0 if unit_text == si else _USUAL[si].get(unit_text)) is not None:
         return usual
     registry = _registry()
-    given, wanted = registry.parse_units(unit_text), registry.parse_units(si)
-    if given.dimensionality != wanted.dimensionality:
+    source, target = registry.parse_units(unit_text), registry.parse_units(si)
+    if source.dimensionality != target.dimensionality:
         return None
-    # to pint an angle is a number, so that "%" would be an angle, and "Hz" an angular speed of 1 rad/s
+    # pint treats angles as numbers, so "%" would be an angle, and "Hz" an angular speed of 1 rad/s
     angles = _angle_power(si)
     if angles > 0 and _angle_power(unit_text) != angles:
         return None
-    factor = float(registry.Quantity(1.0, given).to(wanted).magnitude)
+    factor = float(registry.Quantity(1.0, source).to(target).magnitude)
     decimal = float(f"{factor:.12g}")
-    # pint's g/cm^3 is 999.9999999999999 kg/m^3: take the decimal where it is that within rounding
+    # pint's g/cm^3 is 999.9999999999999 kg/m^3: use the decimal number if it agrees within rounding
     return decimal if abs(decimal - factor) <= 4 * math.ulp(factor) else factor
 
 
 def _angle_power(unit_text: str) -> float:
-    """The exponent of angle in a unit."""
+    """Return the exponent of angle in a unit."""
     registry = _registry()
     _, roots = registry.get_root_units(registry.parse_units(unit_text))
     return float(str(dict(roots._units.items()).get("radian", 0)))
 
 
 def _factor(unit_text: str, unit: Unit, text: object) -> float:
-    """The factor from a unit to that of SI; raises InputError, which names the text that the unit stands in."""
+    """Return the factor from a unit to SI; raise InputError with the whole text for an unknown unit."""
     if len(unit_text) > _LONGEST_UNIT or not _UNIT.fullmatch(unit_text):
         raise InputError(_no_unit(unit_text, unit, text))
     try:
@@ -358,10 +358,10 @@ def _no_unit(unit_text: str, unit: Unit, text: object, kind: str = "") -> str:
 
 
 def _pint_raises() -> tuple[type[Exception], ...]:
-    """What pint raises of text that is no unit."""
+    """Return the exceptions that pint raises for text that is not a unit."""
     from tokenize import TokenError
 
     from pint.errors import PintError
 
-    own = (ValueError, TypeError, AttributeError, ArithmeticError, LookupError, AssertionError)
-    return (PintError, TokenError, *own)
+    builtin = (ValueError, TypeError, AttributeError, ArithmeticError, LookupError, AssertionError)
+    return (PintError, TokenError, *builtin)

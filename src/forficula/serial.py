@@ -1,7 +1,7 @@
-"""JSON of results, and its schema: both follow from the annotated fields of data classes.
+"""JSON of results and its schema, both derived from the annotated fields of data classes.
 
-A field has its unit once, as in `time: Annotated[float, Unit("s")]`. In JSON the unit is the end of the key,
-`time_s`, and angles are in degrees. A number that does not exist is null.
+The unit of a field is part of its type, as in `time: Annotated[float, Unit("s")]`. In JSON the unit is the end of the
+key, `time_s`, and angles are in degrees. A number that does not exist is null.
 """
 
 from __future__ import annotations
@@ -38,32 +38,32 @@ JoulesPerCubicMetre = Annotated[float, Unit("J/m^3")]
 
 @dataclass(frozen=True)
 class Key:
-    """Key of a field in JSON, without its unit, where the key is not the name of the field."""
+    """Key of a field in JSON, without its unit, if it differs from the name of the field."""
 
     name: str
 
 
 class Written(Enum):
-    """How JSON has a field or a property, where it does not simply have its value under its key.
+    """Rule for writing a field or a property to JSON, if it is not simply its value under its key.
 
-    Properties are written only where their type has one of these, a `Key` or a `Unit`.
+    A property is written only if its type has one of these rules, a `Key` or a `Unit`.
     """
 
     ALWAYS = "always"  # a property that is written like a field
     FIRST = "first"  # a property that is written before the fields
     NEVER = "never"
-    IF_KNOWN = "if known"  # without its key where it is None
-    BESIDE = "beside"  # the entries of a mapping or a data class become keys of the whole, whose own keys have priority
+    IF_KNOWN = "if known"  # the key is left out if the value is None
+    BESIDE = "beside"  # entries of a mapping or a data class become keys of the whole, whose other keys have priority
     OR_NULL = "or null"  # an empty text is null
 
 
 @dataclass(frozen=True)
 class WithUnit:
-    """A value whose unit is known only from the value itself, under a name of its own in a mapping.
+    """A value of a mapping with its unit, which is known only at run time.
 
     Attributes:
         value: number or array in SI.
-        unit: such as "N m"; empty for a number without a unit.
+        unit: unit, such as "N m"; empty for a number without a unit.
     """
 
     value: Any
@@ -72,15 +72,15 @@ class WithUnit:
 
 @dataclass(frozen=True)
 class _Entry:
-    """A field or a property as JSON has it.
+    """A field or a property in JSON.
 
     Attributes:
-        name: of the field.
-        key: in JSON, with its unit.
-        unit: of its numbers; empty without one.
+        name: name of the field.
+        key: key in JSON, with the unit.
+        unit: unit of the numbers; empty without one.
         how: further rules.
         hint: type.
-        meaning: of the docstring; empty where it has none.
+        meaning: description from the docstring; empty without one.
     """
 
     name: str
@@ -111,11 +111,11 @@ def unit_suffix(unit: str) -> str:
 
 
 def plain(value: Any, unit: str = "") -> Any:
-    """Return a value as JSON has it: data classes and mappings as dict, arrays and tuples as list, NaN as None.
+    """Convert a value to JSON types: data classes and mappings to dict, arrays and tuples to list, NaN to None.
 
     Args:
-        value: that is written.
-        unit: of its numbers; angles are converted to degrees.
+        value: value to write.
+        unit: unit of its numbers; angles are converted to degrees.
     """
     if isinstance(value, Enum):
         return value.value
@@ -125,19 +125,19 @@ def plain(value: Any, unit: str = "") -> Any:
         number = math.degrees(value) if unit == "rad" else value
         if isinstance(number, int):
             return number
-        return float(number) if math.isfinite(number) else None  # of NumPy, too
+        return float(number) if math.isfinite(number) else None  # also converts numbers of NumPy
     if isinstance(value, Mapping):
         return {
-            key_with_unit(key, each.unit) if isinstance(each, WithUnit) else key: plain(each, unit)
-            for key, each in value.items()
+            key_with_unit(key, entry.unit) if isinstance(entry, WithUnit) else key: plain(entry, unit)
+            for key, entry in value.items()
         }
     if isinstance(value, WithUnit):
         return plain(value.value, value.unit)
     if is_dataclass(value):
         return _plain_fields(value)
-    if hasattr(value, "tolist"):  # of NumPy
+    if hasattr(value, "tolist"):  # an array of NumPy
         return plain(value.tolist(), unit)
-    return [plain(each, unit) for each in value]
+    return [plain(entry, unit) for entry in value]
 
 
 def json_text(value: Any) -> str:
@@ -153,18 +153,18 @@ def _plain_fields(value: Any) -> dict[str, Any]:
         content = getattr(value, entry.name)
         if Written.BESIDE in entry.how:
             others = {} if content is None else plain(content, entry.unit)
-            written |= {key: each for key, each in others.items() if key not in keys}
+            written |= {key: other for key, other in others.items() if key not in keys}
         elif content is not None or Written.IF_KNOWN not in entry.how:
             written[entry.key] = plain(None if Written.OR_NULL in entry.how and content == "" else content, entry.unit)
     return written
 
 
 def schema_of(shape: Any, name: str) -> dict[str, Any]:
-    """Return the JSON schema (draft 2020-12) of what `plain` returns of values of a type.
+    """Return the JSON schema (draft 2020-12) of the results of `plain` for values of a type.
 
     Args:
         shape: a data class, or another type.
-        name: of the schema.
+        name: name of the schema.
     """
     parts: dict[str, Any] = {}
     schema = _schema(shape, parts)
@@ -187,18 +187,18 @@ def _schema(hint: Any, parts: dict[str, Any]) -> dict[str, Any]:
     if hint is WithUnit:
         return _any_of([_NUMBER, {"type": "array", "items": _NUMBER}])
     if origin in (Union, types.UnionType):
-        return _any_of([_schema(each, parts) for each in arguments])
+        return _any_of([_schema(argument, parts) for argument in arguments])
     if origin is Literal:
         return {"enum": list(arguments)}
     if isinstance(hint, type) and issubclass(hint, Enum):
-        return {"enum": [each.value for each in hint]}
+        return {"enum": [member.value for member in hint]}
     if is_dataclass(hint):
         return _reference(hint, parts)
     if origin is not None and issubclass(origin, Mapping):
         return {"type": "object", "additionalProperties": _schema(arguments[1], parts)}
     if origin is not None and issubclass(origin, Sequence):
-        kinds = dict.fromkeys(each for each in arguments if each is not Ellipsis)
-        return {"type": "array", "items": _any_of([_schema(each, parts) for each in kinds])}
+        kinds = dict.fromkeys(argument for argument in arguments if argument is not Ellipsis)
+        return {"type": "array", "items": _any_of([_schema(kind, parts) for kind in kinds])}
     return {"type": "array", "items": {"type": ["number", "boolean", "array", "null"]}}
 
 
@@ -218,11 +218,11 @@ def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
     others: list[dict[str, Any]] = []
     for entry in _entries(shape):
         alternatives = _alternatives(entry.hint)
-        known = [each for each in alternatives if each is not type(None)]
+        known = [kind for kind in alternatives if kind is not type(None)]
         if Written.BESIDE not in entry.how:
             allowed = known if Written.IF_KNOWN in entry.how else alternatives
             null = [{"type": "null"}] if Written.OR_NULL in entry.how else []
-            schema = _any_of([*(_schema(each, parts) for each in allowed), *null])
+            schema = _any_of([*(_schema(kind, parts) for kind in allowed), *null])
             properties[entry.key] = {"description": entry.meaning, **schema} if entry.meaning else schema
             required += [entry.key] if Written.IF_KNOWN not in entry.how else []
         elif is_dataclass(known[0]):
@@ -242,7 +242,7 @@ def _object(shape: Any, parts: dict[str, Any]) -> dict[str, Any]:
 
 
 def _any_of(schemas: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """Return the schema of values that one of some schemas allows."""
+    """Return the schema of values that at least one of several schemas allows."""
     different = [schema for number, schema in enumerate(schemas) if schema not in schemas[:number]]
     if _NUMBER in different:
         different = [schema for schema in different if schema != {"type": "null"}]
@@ -258,21 +258,21 @@ def _alternatives(hint: Any) -> tuple[Any, ...]:
 
 @cache
 def _entries(shape: type) -> tuple[_Entry, ...]:
-    """Return what JSON has of a data class: its fields in their order, then its properties."""
+    """Return the entries of a data class in JSON: its fields in their order, then its properties."""
     hints = get_type_hints(shape, include_extras=True)
     meanings = {name: " ".join(text.split()) for name, text in _ATTRIBUTE.findall(shape.__doc__ or "")}
-    every = [(each.name, hints[each.name], True, meanings.get(each.name, "")) for each in fields(shape)]
+    every = [(field.name, hints[field.name], True, meanings.get(field.name, "")) for field in fields(shape)]
     for base in reversed(shape.__mro__):
         for name, member in vars(base).items():
             if isinstance(member, property | cached_property):
                 function = member.fget if isinstance(member, property) else member.func
                 every.append((name, _returned(function), False, (function.__doc__ or "").split("\n")[0]))
-    entries = [entry for each in every if (entry := _entry(*each)) is not None]
+    entries = [entry for arguments in every if (entry := _entry(*arguments)) is not None]
     return tuple(sorted(entries, key=lambda entry: Written.FIRST not in entry.how))
 
 
 def _entry(name: str, hint: Any, is_field: bool, meaning: str) -> _Entry | None:
-    """Return how JSON has a field or a property; None where it does not."""
+    """Return the entry of a field or a property in JSON; None if it is not written."""
     notes = list(_notes(hint))
     how = frozenset(note for note in notes if isinstance(note, Written))
     if Written.NEVER in how or not (is_field or notes):
@@ -283,7 +283,7 @@ def _entry(name: str, hint: Any, is_field: bool, meaning: str) -> _Entry | None:
 
 
 def _returned(function: Callable[..., Any] | None) -> Any:
-    """Return the type that a property returns; None where only a type checker imports it: JSON has no such value."""
+    """Return the type that a property returns; None if only a type checker imports it, as it is then not in JSON."""
     try:
         return get_type_hints(function, include_extras=True).get("return")
     except NameError:
@@ -291,7 +291,7 @@ def _returned(function: Callable[..., Any] | None) -> Any:
 
 
 def _notes(hint: Any) -> Iterator[Any]:
-    """Yield the units, keys and rules in a type, the outer ones first; those within data classes are not its own."""
+    """Yield the units, keys and rules in a type, the outer ones first, without those inside data classes."""
     if get_origin(hint) is Annotated:
         yield from (note for note in hint.__metadata__ if isinstance(note, Unit | Key | Written))
     for argument in get_args(hint):

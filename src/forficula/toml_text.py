@@ -1,4 +1,4 @@
-"""TOML text: read, with errors that name the line and the key, and written with remarks."""
+"""Reading of TOML text, with errors that name the line and the key, and writing with remarks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from forficula.errors import InputError
 from forficula.quantities import as_written
 
-MOST_LEVELS = 32  # parts of a key; those of forficula have at most six
+MOST_LEVELS = 32  # largest number of parts of a key; keys of forficula have at most six
 _LONG_LINE = 2000
 _KEY_START = re.compile(r"[\s\[]*[\w.\s\"'-]*")
 _LINE = re.compile(r"\(at line (\d+), ")
@@ -23,14 +23,14 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
     """Read the tables of a TOML text.
 
     Args:
-        text: to read.
-        what: it should describe, such as "a design".
+        text: TOML text.
+        what: description of the content, such as "a design", for error messages.
 
     Raises:
-        InputError: it is not TOML, or a key has too many parts; the caller knows the file.
+        InputError: the text is not TOML, or a key has too many parts; the caller adds the name of the file.
     """
     for number, line in enumerate(text.splitlines(), 1):
-        # tomllib takes seconds and gigabytes for a key of ten thousand parts
+        # tomllib needs seconds and gigabytes for a key with ten thousand parts
         if len(line) > _LONG_LINE and (start := _KEY_START.match(line)) and start[0].count(".") > _LONG_LINE // 2:
             raise InputError(f"line {number}: need a key of at most {MOST_LEVELS} parts, got {as_written(start[0])}")
     try:
@@ -42,20 +42,20 @@ def parse_toml(text: str, what: str) -> dict[str, Any]:
         raise InputError(f"not TOML: {reason}") from None
     except InputError:
         raise
-    except ValueError:  # of Python's own, which reads no number of thousands of digits
+    except ValueError:  # Python refuses to convert numbers with thousands of digits
         raise InputError("not TOML: a whole number has too many digits") from None
     except RecursionError:
         raise InputError(f"not TOML for {what}: nested too deeply") from None
 
 
 def check_levels(tables: Mapping[str, object]) -> None:
-    """Refuse tables and lists nested more deeply than any key of a file is.
+    """Refuse tables and lists that are nested more deeply than `MOST_LEVELS`.
 
     Args:
-        tables: by key, which may have parts with dots between them.
+        tables: tables by key; keys may be dotted.
 
     Raises:
-        InputError: the key that has too many parts.
+        InputError: a key with too many parts.
     """
     within: list[tuple[str, int, object]] = [("", 0, tables)]
     while within:
@@ -63,17 +63,17 @@ def check_levels(tables: Mapping[str, object]) -> None:
         if levels > MOST_LEVELS:
             raise InputError(f"{as_written(key)}: need a key of at most {MOST_LEVELS} parts; it is nested more deeply")
         if isinstance(value, Mapping):
-            within += [(key or str(part), levels + str(part).count(".") + 1, each) for part, each in value.items()]
+            within += [(key or str(part), levels + str(part).count(".") + 1, inner) for part, inner in value.items()]
         elif isinstance(value, list | tuple):
-            within += [(key, levels + 1, each) for each in value if isinstance(each, Mapping | list | tuple)]
+            within += [(key, levels + 1, entry) for entry in value if isinstance(entry, Mapping | list | tuple)]
 
 
 def with_remarks(text: str, remarks: Mapping[str, str]) -> str:
-    """Write remarks behind values of a TOML text that are on one line.
+    """Append remarks to the lines of values in a TOML text; values over several lines get none.
 
     Args:
-        text: with sections under headers, as tomli_w writes it.
-        remarks: by dotted key of the value.
+        text: TOML text with sections under headers, as tomli_w writes it.
+        remarks: remarks by the dotted key of the value.
     """
     lines, section = [], ""
     for line in text.splitlines():
@@ -86,11 +86,11 @@ def with_remarks(text: str, remarks: Mapping[str, str]) -> str:
 
 
 def _table_and_list(text: str, reason: str) -> str:
-    """Say that a section stands as a table and as a list of tables, where that is what is wrong."""
+    """Return the message for a section that is both a table and a list of tables; "" for other errors."""
     line = _LINE.search(reason)
     if line is None:
         return ""
-    *headers, last = (_HEADER.fullmatch(each) for each in text.splitlines()[: int(line[1])])
+    *headers, last = (_HEADER.fullmatch(above) for above in text.splitlines()[: int(line[1])])
     for above in headers:
         if above and last and above[1] != last[1] and f"{above[2]}.".startswith(f"{last[2]}."):
             table, tables = sorted((above, last), key=lambda header: header[1])
@@ -99,15 +99,15 @@ def _table_and_list(text: str, reason: str) -> str:
 
 
 def _given_twice(text: str, reason: str) -> str:
-    """Name the key or the table that stands twice, where that is what is wrong."""
+    """Return the name of a key or a table that is given twice; "" for other errors."""
     if table := _TABLE_TWICE.search(reason):
-        return f"; the table [{table[1].replace(', ', '.').replace(chr(39), '')}] stands twice"
+        return f"; the table [{table[1].replace(', ', '.').replace(chr(39), '')}] is given twice"
     line = _LINE.search(reason)
     if line is None or not reason.startswith(("Cannot overwrite a value", "Cannot mutate immutable")):
         return ""
-    # the place is a header, or the end of a value, which may have begun on a line above
+    # the line of the error has a header, or the end of a value that may begin on a line above
     above = text.splitlines()[: int(line[1])][::-1]
     if header := _HEADER.fullmatch(above[0]):
-        return f"; the key {header[2]} stands twice"
-    key = next((match[1] for each in above if (match := _KEY.match(each))), None)
-    return f"; the key {key} stands twice" if key else ""
+        return f"; the key {header[2]} is given twice"
+    key = next((match[1] for previous in above if (match := _KEY.match(previous))), None)
+    return f"; the key {key} is given twice" if key else ""

@@ -425,7 +425,10 @@ def test_hostile_text_in_a_file_is_refused_at_once(refusal, unit):
     ("content", "message"),
     [
         ("x =", "not TOML: Invalid value (at end of document)"),
-        (f"{BASED}{BASED}", "not TOML: Cannot overwrite a value (at line 2, column 24); the key based_on stands twice"),
+        (
+            f"{BASED}{BASED}",
+            "not TOML: Cannot overwrite a value (at line 2, column 24); the key based_on is given twice",
+        ),
         (b"\x00\x01", "not TOML: Invalid statement (at line 1, column 1)"),
         ('source = "Käfer"'.encode("latin-1"), "not UTF-8 text from byte 11 on; save it as UTF-8"),
         (BASED.encode("utf-16"), "not UTF-8 text from byte 0 on; save it as UTF-8"),

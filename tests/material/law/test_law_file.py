@@ -80,7 +80,7 @@ def test_the_paper_s_tpu_is_its_secant_modulus():
     assert law.largest_strain == 1.0
     # 10 mm/min by 60 mm
     assert law.lowest_strain_rate == law.highest_strain_rate == pytest.approx(0.01 / 60 / 0.06, rel=1e-3)
-    with pytest.raises(InputError, match="tpu-82a: viscosity: is unknown: the paper shows hysteresis at one speed"):
+    with pytest.raises(InputError, match="tpu-82a: viscosity: is unknown: the paper shows hysteresis at a single"):
         require(law, "viscosity")
 
 
