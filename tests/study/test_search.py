@@ -51,9 +51,7 @@ ENDINGS = {
     "stuck at -134.6 deg": Ending(verdict=Verdict.STUCK, transition=FOLD, reading=math.radians(-134.6), residual=1e-3),
     "did not stay folded": Ending(verdict=Verdict.NOT_HELD, transition=FOLD, residual=1e-3),
     "diverged at t = 0.2 s": Ending(verdict=Verdict.DIVERGED, transition=FOLD, time=0.2),
-    "unreliable: the energy balance misses 12 %": Ending(
-        verdict=Verdict.UNTRUSTED, transition=FOLD, residual=0.12
-    ),
+    "unreliable: the energy balance misses 12 %": Ending(verdict=Verdict.UNTRUSTED, transition=FOLD, residual=0.12),
 }
 
 

@@ -40,7 +40,7 @@ def test_each_vertex_of_a_flat_sheet_removes_two_degrees_of_freedom_and_adds_one
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 3), (5, 4)])
 def test_a_folded_sheet_has_the_degrees_of_freedom_of_the_loops_around_its_vertices(agree, columns, rows):
-    """Mechanisms: creases minus the rank of the loops' derivatives; self-stresses: 3 per vertex minus it, Tachi 2009."""
+    """Mechanisms: creases minus the rank of the loops' derivatives; self-stresses: 3 per vertex minus it."""
     pattern = sheet(columns, rows)
     angles = folded_as_assigned(pattern)
     around = vertex_creases(pattern)
