@@ -46,7 +46,8 @@ def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches
     by_hinge = sum(hinge.energy(-path.ring_angle) for hinge in hinges)
     assert path.tendon_energy == pytest.approx(by_hinge, rel=1e-9, abs=1e-12)
     assert (path.sheet_energy >= -1e-15).all()
-    # at camber every hinge is at its overbend, flat at straight, at the end folded: docs/model/theory.md, Fan pattern
+    # at camber every hinge is at its overbend, flat at straight, at the end folded
+    # (docs/model/theory.md, section Fan pattern)
     for place, angle in ((0, wing.hinge.overbend), (np.flatnonzero(path.pleat_angle == 0)[0], 0.0), (-1, -math.pi)):
         expected = sum(hinge.energy(angle) for hinge in hinges)
         assert path.energy[place] - path.sheet_energy[place] == pytest.approx(expected, rel=1e-9, abs=1e-12)
