@@ -30,7 +30,7 @@ def test_every_crease_of_a_vertex_that_folds_flat_arrives():
     assert missed_targets(folded((70, 80, 110, 100))) == []
 
 
-def test_a_vertex_that_lacks_an_angle_says_which_creases_did_not_arrive():
+def test_a_vertex_with_a_missing_angle_names_the_creases_that_missed_their_targets():
     record = folded((60, 120, 90, 90))
     missed = missed_targets(record)
     assert missed

@@ -33,7 +33,7 @@ def test_a_drive_to_the_assignment_folds_every_crease_as_assigned():
     assert branch.decided_by == ('the rest angles of drive "fold"',)
 
 
-def test_a_sheet_that_nothing_drives_out_of_its_flat_state_says_that_rounding_decides():
+def test_the_branch_of_an_undriven_flat_sheet_is_decided_by_rounding():
     branch = branch_taken(ff.run(flat(), confirm=False))
     assert (branch.flat, branch.decided_by) == (4, ("rounding alone",))
     assert "rounding alone: set imperfection.size and imperfection.seed" in branch_text(branch)
@@ -52,7 +52,7 @@ def test_a_seed_chooses_an_imperfection_and_the_same_one_chooses_the_same():
     assert branch_taken(record).decided_by == ("an imperfection of 0.1 mm, seed 2",)
 
 
-def test_a_sheet_that_is_built_folded_took_no_branch():
+def test_a_sheet_that_is_built_folded_has_no_branch():
     assert branch_taken(ff.run(flat(**{"pattern.fold": 0.5}), confirm=False)) is None
     # however it is built beside its drawing
     shifted = {"pattern.fold": 0.5, "imperfection.size": 1e-4}

@@ -33,7 +33,7 @@ def check(timestep, **values):
     )
 
 
-def test_an_error_of_first_order_is_found_whole_from_half_the_timestep():
+def test_half_the_timestep_gives_the_whole_first_order_error():
     """Of a planted v(h) = v(0) + C h the uncertainty at h is C h, from h / 2 and from 2 h alike."""
     limit, slope, h = 3.0, 40.0, 1e-3
     value = {name: (limit + slope * step,) for name, step in (("own", h), ("half", h / 2), ("twice", 2 * h))}
@@ -48,7 +48,7 @@ def test_another_start_counts_once_and_a_time_is_known_to_a_timestep_at_best():
     assert (found["fold.time"], found["x"]) == ((1e-3,), (0.5,))
 
 
-def test_what_a_second_run_did_not_reach_has_no_uncertainty():
+def test_values_missing_in_a_second_run_have_no_uncertainty():
     assert uncertainties({"fold.time": (0.5,)}, 1e-3, [check(5e-4)]) == {}
 
 
@@ -56,7 +56,7 @@ def test_what_a_second_run_did_not_reach_has_no_uncertainty():
     ("half", "text"),
     [(4e-4, "58.4 ± 0.4 ms"), (1.6e-4, "58.40 ± 0.16 ms"), (3e-9, "58.4 ms"), (None, "58.4 ms"), (5.5e-3, "58 ± 6 ms")],
 )
-def test_an_uncertainty_has_the_digits_that_mean_something(half, text):
+def test_an_uncertainty_is_shown_with_significant_digits_only(half, text):
     assert show_uncertain(58.4e-3, half, "s") == text
 
 
@@ -93,7 +93,7 @@ def test_the_run_itself_has_the_same_bits_whether_it_is_confirmed_or_not(confirm
     assert all((alone.series[name] == confirmed.series[name]).all() for name in alone.series)
 
 
-def test_a_saved_run_keeps_what_confirms_it(confirmed, tmp_path):
+def test_a_saved_run_keeps_its_confirmation(confirmed, tmp_path):
     save_record(confirmed, tmp_path / "record.nc")
     assert load_record(tmp_path / "record.nc").checks == confirmed.checks
 
@@ -113,7 +113,7 @@ def by_hand():
         ("membrane_energy", "J", "membrane_energy"),
     ],
 )
-def test_a_length_and_an_energy_of_a_state_differ_by_their_uncertainty_between_runs_by_hand(
+def test_uncertainties_of_a_length_and_an_energy_are_differences_between_separate_runs(
     confirmed, by_hand, key, unit, attribute
 ):
     """Return the larger of twice the difference to half the timestep and the difference to the other start."""
@@ -168,7 +168,7 @@ def lost(record):
     return replace(record, checks=(replace(first, **other), second))
 
 
-def test_where_half_the_timestep_has_another_verdict_the_run_is_undecided_and_says_both(confirmed):
+def test_a_run_with_another_verdict_at_half_the_timestep_is_undecided_and_reports_both(confirmed):
     outcome = measure(lost(confirmed))
     assert outcome.verdict is Verdict.UNDECIDED
     assert outcome.status == "undecided: folded and opened at 0.1 ms, but did not stay open at half the timestep"
@@ -185,12 +185,12 @@ def test_a_wing_that_creeps_is_as_short_of_its_goal_as_one_that_is_stuck(confirm
     assert not same_ending(slow, stuck)
 
 
-def test_a_study_repeats_what_was_released_and_says_whether_the_verdict_was_the_same():
+def test_a_study_repeats_released_runs_and_reports_whether_the_verdict_changed():
     (row,) = evaluate([JOINT])
     assert (row["verdict"], row["confirmed"]) == ("reached", True)
 
 
-def test_a_study_does_not_repeat_what_fails_by_far():
+def test_a_study_does_not_repeat_runs_that_fail_clearly():
     weak = with_values(JOINT, {"protocol.fold_torque": "1 N cm"})
     (row,) = evaluate([weak])
     assert row["verdict"] == "stuck"

@@ -122,7 +122,7 @@ def test_a_facet_whose_corner_goes_through_another_facet_is_named(sheet):
     assert ("facet 0", "facet 5") in [*others, *crossing_facets(structure, moved)]
 
 
-def test_many_facets_over_many_rows_are_looked_at_in_seconds():
+def test_many_facets_over_many_rows_are_checked_in_seconds():
     design = load_design("miura-sheet", {"pattern.columns": 16, "pattern.rows": 16, "measure": []})
     structure = structure_of(design)
     places = np.repeat(built_points(structure)[None], 400, axis=0)

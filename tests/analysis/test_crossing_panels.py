@@ -42,7 +42,7 @@ def depth(one, here, other, there, turn=None):
 
 @settings(max_examples=25)
 @given(st.floats(1e-3, 0.9), turns, st.integers(1, 5))
-def test_a_blade_has_cut_as_deep_as_it_has_gone(far, turn, strips):
+def test_the_crossing_depth_of_a_blade_is_its_travel(far, turn, strips):
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2], across=strips)
     # nodes that lie in the other panel are on neither side of it, and their edges do not go through
@@ -52,7 +52,7 @@ def test_a_blade_has_cut_as_deep_as_it_has_gone(far, turn, strips):
 
 @settings(max_examples=25)
 @given(st.floats(1e-3, 1.0), turns)
-def test_what_does_not_meet_does_not_cross(gap, turn):
+def test_separate_panels_do_not_cross(gap, turn):
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     blade, upright = sheet([1.1, 0.2, 0], [0, 0, 2])
     assert depth(floor, flat, blade, moved(upright, [1.3, 1.1, gap]), turn) == 0
@@ -80,7 +80,7 @@ def test_plates_that_cross_in_the_middle_have_passed_by_the_part_that_reaches_le
     assert found == pytest.approx(0.5 - abs(height), rel=1e-9)
 
 
-def test_the_finer_mesh_tells_the_same():
+def test_a_finer_mesh_gives_the_same_depth():
     found = []
     for fine in (1, 3, 8):
         floor, flat = sheet([4, 0, 0], [0, 3, 0], across=fine, along=fine)
@@ -89,7 +89,7 @@ def test_the_finer_mesh_tells_the_same():
     assert found == pytest.approx([0.37] * 3, rel=1e-9)
 
 
-def test_nodes_of_panels_go_with_their_bodies(reference_run):
+def test_nodes_of_panels_move_with_their_bodies(reference_run):
     """Those at the edges of margins and on the next vein's axis are nodes of the membrane, too."""
     row = int(np.argmin(reference_run.angles("ring")[:, 1]))
     proximal = panel_places(reference_run, [row])[0][0]
@@ -99,7 +99,7 @@ def test_nodes_of_panels_go_with_their_bodies(reference_run):
     np.testing.assert_allclose(sides, 0.12 * 0.7 / 3, rtol=1e-9)
 
 
-def test_the_reference_wing_passes_through_itself_and_says_so(reference_run, reference_outcome):
+def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_run, reference_outcome):
     found = panel_crossing(reference_run)
     # the paper's has no contact either, and its authors say that it penetrates itself
     assert 0.01 < found.depth < 0.03
@@ -111,21 +111,21 @@ def test_the_reference_wing_passes_through_itself_and_says_so(reference_run, ref
     ]
 
 
-def test_thick_panels_that_contact_lets_through_say_so_however_thick(reference_run):
+def test_thick_panels_that_contact_lets_through_give_a_warning(reference_run):
     """Their middles cross: they are deeper in each other, the thicker they are."""
     thick = replace(reference_run.structure, contact=Contact(thickness=0.03, stops=Stops(time_constant=4e-4)))
     (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
     assert "more than contact should allow" in told
 
 
-def test_what_has_no_panels_and_what_blew_up_has_no_crossing():
+def test_structures_without_panels_and_diverged_runs_have_no_crossing():
     short = {"protocol.timestep": "5 ms"}
     record = ff.run(ff.load_design("binder2025", short), confirm=False)
     assert record.diverged_at is not None
     assert panel_crossing(record) is None
 
 
-def test_the_deepest_crossing_of_a_run_is_found_between_the_rows_that_are_looked_at_first(reference_run):
+def test_the_deepest_crossing_is_found_between_the_rows_of_the_first_search(reference_run):
     found = panel_crossing(reference_run)
     near = np.flatnonzero(np.abs(reference_run.time - found.time) < 5e-3)
     assert found.depth == panel_crossing(reference_run, near.tolist()).depth

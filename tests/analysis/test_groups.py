@@ -42,7 +42,7 @@ def values(design):
     return {} if found is None else {group.name: group.value for group in found.every}
 
 
-def test_the_reference_has_the_groups_that_its_numbers_give_by_hand():
+def test_the_groups_of_the_reference_equal_a_calculation_by_hand():
     expected = {
         "torque_fold": 0.5 / MOMENT,
         "torque_unfold": 1.0 / MOMENT,
@@ -66,7 +66,7 @@ def test_the_reference_has_the_groups_that_its_numbers_give_by_hand():
     assert values(REFERENCE) == pytest.approx(expected, rel=ROUNDING)
 
 
-def test_the_reference_meets_the_groups_known_of_it():
+def test_the_groups_of_the_reference_equal_published_values():
     known = {
         "torque_fold": 0.165,
         "torque_unfold": 0.331,
@@ -166,14 +166,14 @@ def test_corners_of_a_crease_turn_against_each_other():
     assert scale_of(two_flaps(held=(2, 3))).time == 0
 
 
-def test_what_nothing_elastic_folds_has_no_groups():
+def test_structures_without_elastic_parts_have_no_groups():
     soft = with_values(REFERENCE, {"tendon.stiffness": 0.0})
     assert groups(soft) is None
     assert plain(None) is None
 
 
 @pytest.mark.parametrize("stiffness", [1e-300, 1e300])
-def test_numbers_that_cannot_be_computed_with_give_no_groups(stiffness):
+def test_values_that_overflow_give_no_groups(stiffness):
     assert groups(with_values(REFERENCE, {"tendon.stiffness": stiffness})) is None
 
 
@@ -195,7 +195,7 @@ def test_tendons_across_two_ring_folds_have_no_groups():
     factor=st.floats(1e-3, 1e3),
     name=st.sampled_from(["binder2025", "binder2025-built", "letter-fold", "bistable-clasp", "miura-sheet"]),
 )
-def test_scaling_keeps_all_groups_but_what_nature_weighs(factor, name):
+def test_scaling_changes_only_groups_of_natural_constants(factor, name):
     given_one = load_design(name)
     before, after = values(given_one), values(scale_design(given_one, factor))
     weight = before.pop("gravity_left_out"), after.pop("gravity_left_out")
@@ -219,7 +219,7 @@ def test_a_wing_of_the_same_material_in_the_same_air_under_the_same_gravity_keep
     assert ratios == pytest.approx(expected, rel=1e-9)
 
 
-def test_what_comes_first_is_told_by_the_values_alone():
+def test_the_sentence_on_groups_lists_the_largest_resistance_first():
     assert dominance(groups(REFERENCE)) == (
         "The largest resistance is the armature (1.2), followed by the inertia of the part that turns (1), the hinge's"
         " damping (0.2) and the tendon's damping (0.06); the strongest drive has 0.33 times the tendon's moment;"
@@ -233,7 +233,7 @@ def test_what_comes_first_is_told_by_the_values_alone():
     assert "stretch of the membrane is far stiffer than the tendon (7.6e+02)" in told
 
 
-def test_a_run_tells_its_groups_in_its_summary():
+def test_the_summary_of_a_run_contains_its_groups():
     short = with_values(
         REFERENCE,
         {

@@ -55,7 +55,7 @@ KEPT = {
 
 
 @pytest.mark.parametrize(("kind", "case"), [(kind, case) for kind, cases in KEPT.items() for case in cases])
-def test_what_commands_wrote_before_is_valid_today(kind, case):
+def test_earlier_outputs_of_commands_satisfy_the_present_schemas(kind, case):
     left_out = {"versions": {}} if "versions" in json_schema(kind)["properties"] else {}
     valid(kind, kept(case) | left_out)
 
@@ -104,7 +104,7 @@ def test_a_row_of_a_study_is_valid(tmp_path):
         lambda told: told["states"]["flat"].update(time_s="soon"),
     ],
 )
-def test_what_is_wrong_is_refused(letter, wrong):
+def test_invalid_data_is_rejected(letter, wrong):
     told = json.loads(json.dumps(letter))
     wrong(told)
     with pytest.raises(jsonschema.ValidationError):

@@ -75,7 +75,7 @@ def planted(
 FOLDS_AND_OPENS = {"times": (0.3, 0.4, 0.7, 0.8), "angles": (3, -170, -170, 3)}
 
 
-def test_a_wing_that_folds_and_opens_is_said_to():
+def test_a_wing_that_folds_and_opens_is_reported_as_such():
     outcome = measure(planted(**FOLDS_AND_OPENS))
     assert (outcome.status, outcome.advice) == ("folded and opened", "")
     assert outcome.holds["folded"]
@@ -215,7 +215,7 @@ def test_a_wing_that_never_opens_did_not_open():
     assert outcome.transitions["unfold"].time is None
 
 
-def test_a_wing_that_opens_under_torque_only_is_told_to_hold_it_longer():
+def test_a_wing_that_opens_only_under_torque_gets_the_advice_to_hold_longer():
     outcome = measure(planted((0.3, 0.4, 0.7, 0.8, 0.9, 1.0), (0, -170, -170, 3, 3, -170)))
     assert outcome.status == "did not stay open"
     assert "hold" in outcome.advice
@@ -246,7 +246,7 @@ def protocol(*drives):
     return with_values(REFERENCE, {"protocol.stages": [stage | {"drive": drive} for drive in drives]})
 
 
-def test_a_wing_that_was_only_let_go_settled():
+def test_a_wing_without_drives_is_reported_as_settled():
     outcome = measure(planted(ends=(0.3,), design=protocol("none")))
     assert (outcome.status, outcome.advice) == ("settled", "")
     assert outcome.states["flat"] is not None
@@ -281,7 +281,7 @@ energies = st.floats(-10, 10)
 
 @settings(deadline=None)
 @given(energies, energies, energies, energies, st.tuples(energies, energies, energies), st.floats(-0.1, 0.1))
-def test_the_balance_finds_what_is_missing(tendon, membrane, kinetic, gravitational, taken, missing):
+def test_the_energy_balance_detects_missing_energy(tendon, membrane, kinetic, gravitational, taken, missing):
     hinges, elastic, stops = taken
     put_in = 3 * tendon + membrane + kinetic + gravitational + sum(taken) + missing
     span = (0.0, 1.2)
@@ -306,7 +306,7 @@ def test_the_balance_finds_what_is_missing(tendon, membrane, kinetic, gravitatio
         assert balance.residual == pytest.approx(abs(missing) / exchanged, abs=1000 * ROUNDING)
 
 
-def test_without_work_the_residual_is_a_share_of_what_the_tendons_gave():
+def test_without_work_the_residual_is_relative_to_the_energy_of_the_tendons():
     span = (0.0, 0.3)
     record = planted(ends=(0.3,), tendon_energy=(span, (1, 0)), hinge_damping_work=(span, (0, -2.4)))
     assert measure(record).energy_balance.residual == pytest.approx(0.6 / 3, rel=ROUNDING)
@@ -335,7 +335,7 @@ def test_the_summary_has_the_keys_that_others_read():
     assert (plain["design_hash"], plain["versions"]) == (REFERENCE.hash, {"forficula": "1"})
 
 
-def test_the_summary_has_null_for_what_did_not_take_place():
+def test_the_summary_has_null_for_missing_states_and_transitions():
     record = planted((0.3, 0.4), (0, 0), ends=ENDS[:2], goals=(None, None))
     plain = summary(record, measure(record), {})
     assert plain["fold"]["time_s"] is None
@@ -343,7 +343,7 @@ def test_the_summary_has_null_for_what_did_not_take_place():
     assert plain["states"]["opened"] is None
 
 
-def test_the_outcome_of_a_wing_that_blew_up_can_still_be_written_as_json():
+def test_the_outcome_of_a_diverged_wing_can_be_written_as_json():
     design = with_values(REFERENCE, {"protocol.timestep": 0.01, "protocol.fold_torque": 5.0})
     record = ff.run(design, confirm=False)
     outcome = measure(record)
@@ -351,7 +351,7 @@ def test_the_outcome_of_a_wing_that_blew_up_can_still_be_written_as_json():
     json.dumps(summary(record, outcome, {}), allow_nan=False)
 
 
-def test_a_goal_missed_is_no_success_whatever_the_angles_are():
+def test_a_missed_goal_is_not_a_success_whatever_the_angles():
     record = planted(**FOLDS_AND_OPENS)
     missed = replace(record, stages=tuple(replace(end, goal_time=None) for end in record.stages))
     outcome = measure(missed)
@@ -360,7 +360,7 @@ def test_a_goal_missed_is_no_success_whatever_the_angles_are():
 
 
 @pytest.mark.parametrize(("until", "status"), [("folded", "moving"), ("ring < -150 deg", "moving")])
-def test_a_bound_that_was_missed_is_missed_in_its_own_words_as_by_its_name(until, status):
+def test_a_missed_goal_given_as_text_is_reported_as_one_given_by_name(until, status):
     """A hinge's weak push goes nowhere, and its stage runs out of time: no state is held, however it is written."""
     design = with_values(REFERENCE, {"protocol.fold_torque": 0.01, "protocol.stages.1.until": until})
     outcome = measure(ff.run(design, confirm=False))
@@ -368,7 +368,7 @@ def test_a_bound_that_was_missed_is_missed_in_its_own_words_as_by_its_name(until
     assert not outcome.holds["folded"]
 
 
-def test_a_goal_in_its_own_words_tells_the_same_of_a_wing_as_by_its_name():
+def test_a_goal_given_as_text_has_the_same_outcome_as_one_given_by_name():
     named, written = (
         measure(ff.run(with_values(REFERENCE, {"protocol.stages.1.until": until}), confirm=False))
         for until in ("folded", f"ring < {-math.degrees(REFERENCE.protocol.folded_angle)!r} deg")

@@ -23,7 +23,7 @@ def box(lengths):
 
 
 @given(sides, turns, st.floats(0, 0.1))
-def test_a_box_takes_the_room_of_a_box_however_it_lies(lengths, turn, radius):
+def test_the_packaged_size_of_a_box_does_not_depend_on_its_orientation(lengths, turn, radius):
     found = package_of(box(lengths) @ turn.T, radius)
     low, middle, high = lengths
     assert (found.height, found.width) == pytest.approx((low + 2 * radius, middle + 2 * radius), rel=1e-9)
@@ -47,7 +47,7 @@ def test_a_flat_sheet_is_as_high_as_its_bars():
     assert (found.width, found.length) == pytest.approx((1.02, 2.02))
 
 
-def test_the_folded_wing_takes_least_room_and_its_summary_says_so(reference_run, reference_outcome):
+def test_the_folded_wing_has_the_smallest_packaged_size_in_its_summary(reference_run, reference_outcome):
     name, time, package = smallest_package(reference_run)
     assert name == "folded"
     assert time == pytest.approx(reference_outcome.states["folded"].time, abs=2e-3)
@@ -75,7 +75,7 @@ def test_a_flat_wing_is_as_high_as_its_veins_are_thick(diameter):
     assert open_package(wing_of({"vein.diameter": diameter})).height == pytest.approx(diameter, rel=1e-9)
 
 
-def test_two_plates_folded_by_a_right_angle_take_the_room_of_their_sides_and_thickness():
+def test_two_plates_at_a_right_angle_have_the_packaged_size_of_their_sides_and_thickness():
     """3 and 4 cm long, 2 cm wide and 2 mm thick: thinnest across the width, which a margin of 1 mm adds to twice."""
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 4e-5}
     design = with_values(
@@ -92,7 +92,7 @@ def test_two_plates_folded_by_a_right_angle_take_the_room_of_their_sides_and_thi
     assert height == pytest.approx(0.02 + 0.002, rel=1e-6)
 
 
-def test_a_wing_that_did_not_fold_takes_no_room_as_a_folded_one(reference_run):
+def test_a_wing_that_did_not_fold_has_no_packaged_size_of_the_folded_state(reference_run):
     assert set(packages(reference_run)) == {"flat", "folded", "opened"}
     stuck = with_values(reference_run.design, {"protocol.fold_torque": 0.01, "protocol.stages.1.time_limit": 0.1})
     assert "folded" not in packages(simulate([compile_model(stuck)])[0])

@@ -42,7 +42,7 @@ def tables(wing):
 
 
 @pytest.mark.parametrize("speed", [1.2, -1.2])
-def test_tendons_a_hundred_times_faster_than_the_tests_are_warned_of_with_both_numbers(speed):
+def test_tendons_a_hundred_times_faster_than_the_tests_give_a_warning_with_both_rates(speed):
     # 1.2 m/s by 6 cm is 20 1/s
     (warning,) = run_warnings(moving(speed))
     assert warning.startswith(
@@ -62,7 +62,7 @@ def test_tendons_a_hundred_times_faster_than_the_tests_are_warned_of_with_both_n
     ],
     ids=["not that fast", "slack", "unknown rates", "no law", "diverged", "one row"],
 )
-def test_nothing_is_said_where_there_is_nothing_to_say(record):
+def test_a_run_without_problems_has_no_warnings(record):
     assert run_warnings(record) == []
 
 
@@ -82,7 +82,7 @@ def test_tendons_are_named_where_others_are_of_another_material():
     assert run_warnings(replace(record, design=untested, structure=structure_of(untested))) == []
 
 
-def test_a_goal_that_holds_before_its_stage_begins_is_said_to_and_not_that_it_was_lost():
+def test_a_goal_that_is_met_before_its_stage_is_reported_as_such_and_not_as_lost():
     steps = [start + 2e-4 for start in ENDS[:-1]]
     record = planted(goals=(None, *steps))
     outcome = measure(record)
@@ -124,7 +124,7 @@ def test_the_rate_of_strain_does_not_depend_on_how_often_the_record_is_sampled(t
     assert load_record(tmp_path / "record.nc").strain_rates == rates[0]
 
 
-def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():
+def test_energy_supplied_by_contacts_gives_a_warning_and_counts_as_missing():
     stage = {"name": "settle", "drive": "none", "until": "time", "hold": "0 s", "time_limit": "4 ms"}
     wing = load_design("binder2025", {"protocol.contact": True, "protocol.stages": [stage]})
     record = run(wing)
@@ -137,7 +137,7 @@ def test_energy_that_contacts_gave_is_warned_of_and_counts_as_missing():
     assert any(warning.startswith("contacts supplied 1 J, ") for warning in run_warnings(gifted))
 
 
-def test_membranes_beyond_linear_elasticity_are_warned_of_with_their_largest_strain(reference_run):
+def test_membranes_beyond_linear_elasticity_give_a_warning_with_their_largest_strain(reference_run):
     (warning,) = (each for each in run_warnings(reference_run) if "true strain" in each)
     peak = max(membrane_peaks(reference_run), key=lambda each: each.strain)
     stretch = np.sqrt(1 + 2 * peak.strain)

@@ -61,16 +61,16 @@ def test_a_run_that_diverged_has_no_snap(reference_run):
     assert snap_of(replace(reference_run, diverged_at=0.1)) is None
 
 
-def test_the_prediction_to_the_limit_is_the_elliptic_integral(reference):
+def test_the_predicted_time_to_the_fold_limit_is_the_elliptic_integral(reference):
     structure = structure_of(ff.load_design("binder2025", {"tendon.rest_length": "0 cm"}))
     ideal = crossed_hinges(structure, 2)[0].ideal
     scale = math.sqrt(ideal.hinge.inertia / (1000 * 0.055**2))
-    # t* K(m), m = cos^2(start / 2) (docs/model/theory.md, section "Snap of a hinge")
+    # docs/model/theory.md, section Snap of a hinge: t* K(m), m = cos^2(start / 2)
     assert ideal.fold_time == pytest.approx(scale * ellipk(math.cos(math.radians(0.5)) ** 2), rel=1e-9)
     assert 0 < ideal.time_to(reference.protocol.folded_angle) < ideal.fold_time
 
 
-def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
+def test_a_shorter_sample_interval_does_not_change_the_motion(reference, reference_run):
     fine = ff.run(finely_sampled(reference), confirm=False)
     assert len(fine.time) > 4 * len(reference_run.time)
     rows = np.searchsorted(fine.time, reference_run.time - 1e-9)
@@ -78,7 +78,7 @@ def test_finer_rows_leave_the_motion_as_it_is(reference, reference_run):
     assert same.all()
 
 
-def test_the_tendon_that_stands_for_all_is_an_inner_one_and_its_hinge_has_a_name(reference):
+def test_the_representative_tendon_is_an_inner_one_and_its_hinge_has_a_name(reference):
     fan, letter = structure_of(reference), structure_of(ff.load_design("letter-fold"))
     assert (inner_tendon(fan), hinge_name(fan, 1)) == (1, "second hinge")
     # of two none is between others
@@ -86,7 +86,7 @@ def test_the_tendon_that_stands_for_all_is_an_inner_one_and_its_hinge_has_a_name
     assert inner_tendon(replace(fan, tendons=())) is None
 
 
-def test_a_hinge_that_folds_to_positive_angles_is_timed_alike():
+def test_a_hinge_that_folds_to_positive_angles_is_timed_in_the_same_way():
     record = ff.run(ff.load_design("letter-fold"), confirm=False).record
     time = np.linspace(0, 0.2, 2001)
     fold = np.minimum(10 * time, 1.7)

@@ -31,7 +31,7 @@ def test_a_given_length_comes_first_and_says_when_the_flat_wing_stretches_it_too
     assert short.beyond
     assert not own.beyond
     # the bars turn by 2 asin(r / R) at the ring fold, so the open tendon is about 11 cm
-    # (docs/model/theory.md, section "Values from the paper")
+    # (docs/model/theory.md, section Values from the paper)
     assert short.flat_strain == pytest.approx(0.11 / 0.03 - 1, rel=0.02)
 
 
@@ -65,7 +65,7 @@ def test_without_any_length_there_is_no_strain():
 
 
 @pytest.mark.parametrize("length", [1e-302, 1e298])
-def test_a_length_beyond_any_world_is_refused(reference, length):
+def test_an_extreme_length_is_rejected(reference, length):
     with pytest.raises(InputError, match=r"^length: need >= 1e-09 mm and <= 1e\+15 mm, got "):
         size_tendons(reference, load_law("tpu-82a"), [1000.0], length=length)
 

@@ -66,7 +66,7 @@ def test_the_time_of_a_stage_is_until_its_goal_and_not_until_its_end():
     assert [stage.time for stage in outcome.stages] == pytest.approx([0.3, 0.05, 0.2, 0.1, 0.2])
 
 
-def test_nothing_is_said_of_goals_where_nothing_is_to_be_trusted():
+def test_an_unreliable_run_reports_no_goals():
     doubtful = replace(planted(**FOLDS_AND_OPENS), doubt="its outcome still changes with the timestep")
     assert [stage.reached for stage in measure(doubtful).stages] == [None] * 5
 
@@ -84,7 +84,7 @@ def test_a_stage_with_a_list_of_drives_says_all_of_them():
 
 
 @pytest.mark.parametrize("torque", ["5 N cm", "500 N cm"])
-def test_works_add_up_where_not_all_goes_as_planned(torque):
+def test_works_of_stages_add_up_in_failed_runs(torque):
     values = {"protocol.fold_torque": torque, "protocol.stages.1.time_limit": "0.1 s", "protocol.timestep": "0.1 ms"}
     outcome = measure(ff.run(with_values(REFERENCE, values), confirm=False))
     works = [stage.work for stage in outcome.stages]

@@ -87,13 +87,13 @@ def test_the_crease_that_folds_furthest_is_named_and_no_bend_is():
     assert np.degrees(peak.angle) == pytest.approx(-50)
 
 
-def test_a_run_that_diverged_tells_nothing():
+def test_a_diverged_run_has_no_strains():
     record = replace(planted("bars"), diverged_at=0.15)
     assert strain_peaks(record) == ()
     assert fold_peak(record) is None
 
 
-def test_a_bar_that_bears_more_than_its_material_withstands_is_said():
+def test_a_bar_with_a_stress_above_its_strength_gives_a_warning():
     """The same run beside a strength above and below its largest stress."""
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
     values = {"pattern.columns": 1, "pattern.rows": 2, "measure": [], "support": []}

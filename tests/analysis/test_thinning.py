@@ -26,7 +26,7 @@ def test_a_thinned_record_has_the_outcome_of_the_whole_one_to_the_bit(reference_
     assert same(ff.measure(thinned), reference_outcome)
 
 
-def test_it_still_has_it_when_it_comes_back_from_a_file(tmp_path, reference_outcome, thinned):
+def test_a_thinned_record_read_from_a_file_has_the_same_outcome(tmp_path, reference_outcome, thinned):
     save_record(thinned, tmp_path / "record.nc")
     assert same(ff.measure(load_record(tmp_path / "record.nc")), reference_outcome)
 
@@ -38,7 +38,7 @@ def test_every_row_that_stays_is_one_of_the_whole_record(reference_run, thinned)
         assert np.array_equal(rows, reference_run.series[name][places])
 
 
-def test_it_has_at_most_two_thirds_of_the_rows(reference_run, thinned):
+def test_a_thinned_record_has_at_most_two_thirds_of_the_rows(reference_run, thinned):
     assert len(thinned.time) < 2 / 3 * len(reference_run.time)
 
 
@@ -55,7 +55,7 @@ def test_between_two_rows_no_point_moves_far_and_little_time_passes(reference_ru
     assert moved[apart].max() < 0.005 * size + fastest
 
 
-def test_the_whole_fold_stays(reference_run, thinned):
+def test_a_thinned_record_keeps_the_whole_fold(reference_run, thinned):
     fold = reference_run.stages[1]
     inside = [(rows.time >= fold.start) & (rows.time <= fold.end) for rows in (reference_run, thinned)]
     assert inside[0].sum() == inside[1].sum() > 10

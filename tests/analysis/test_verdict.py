@@ -128,7 +128,7 @@ WORKED = planted(**FOLDS_AND_OPENS, proximal_work=((0.3, 0.4), (0, 2)), hinge_da
         ),
     ],
 )
-def test_what_a_run_came_to_its_sentence_its_word_and_the_advice(record, verdict, goal, text, word, advice):
+def test_every_verdict_has_its_sentence_its_word_and_its_advice(record, verdict, goal, text, word, advice):
     outcome = measure(record)
     ending = outcome.ending
     assert outcome.verdict is ending.verdict is Verdict(verdict)
@@ -149,7 +149,7 @@ def test_a_wing_that_cannot_be_built_says_why_and_has_no_advice():
     assert (ending_word(ending), run_advice(WORKED, ending)) == ("cannot be built", NOTHING)
 
 
-def test_the_limit_of_what_may_be_missing_is_a_setting_and_holds_to_the_number():
+def test_the_limit_of_the_residual_is_a_setting():
     for share, limit, trusted in ((0.0049, 0.005, True), (0.0051, 0.005, False), (0.0051, 0.01, True)):
         design = with_values(REFERENCE, {"protocol.residual_limit": limit})
         outcome = measure(missing(replace(WORKED, design=design), share * 2))
@@ -157,11 +157,11 @@ def test_the_limit_of_what_may_be_missing_is_a_setting_and_holds_to_the_number()
         assert outcome.verdict.tells is trusted
 
 
-def test_a_balance_of_no_number_is_not_to_be_trusted():
+def test_a_run_with_a_residual_of_nan_is_unreliable():
     assert measure(missing(WORKED, math.nan)).verdict is Verdict.UNTRUSTED
 
 
-def test_the_advised_timestep_falls_with_what_is_missing():
+def test_the_advised_timestep_decreases_with_the_residual():
     assert "about 0.1 ms instead of 0.2 ms" in measure(missing(WORKED, 0.02)).advice
     assert "about 20 µs instead of 0.2 ms" in measure(missing(WORKED, 0.1)).advice
 
@@ -169,7 +169,7 @@ def test_the_advised_timestep_falls_with_what_is_missing():
 # ---- real runs
 
 
-def test_a_wing_whose_time_is_over_before_it_folds_is_still_on_its_way():
+def test_a_wing_that_reaches_its_time_limit_before_it_folds_is_still_moving():
     # the reference folds in 58.8 ms
     outcome = measure(ff.run(short(protocol__stages__1__time_limit="30 ms"), confirm=False))
     assert outcome.verdict is Verdict.MOVING
@@ -246,7 +246,7 @@ def texts(figure):
     return " ".join(found)
 
 
-def test_a_state_with_a_hinge_at_79_deg_is_not_called_flat_anywhere(bent, capsys):
+def test_a_state_with_a_hinge_at_79_deg_is_never_called_flat(bent, capsys):
     record, outcome = bent
     assert np.degrees(outcome.states["flat"].readings["distal_angle"].mean).max() < -70
     assert outcome.state_names["flat"] == "not flat"
@@ -279,7 +279,7 @@ def test_an_unreliable_run_is_marked_wherever_it_is_shown(doubtful, capsys):
 
 
 @pytest.mark.parametrize("changed", [{"protocol.timestep": "5 ms"}, {"crease.stiffness": "1 kN m/rad/m"}])
-def test_a_sheet_that_diverges_says_so_without_warnings_of_arithmetic(changed):
+def test_a_diverging_sheet_gives_no_arithmetic_warnings(changed):
     # warnings are errors in tests
     record = ff.run(ff.load_design("miura-sheet", changed), confirm=False)
     outcome = measure(record)
@@ -288,7 +288,7 @@ def test_a_sheet_that_diverges_says_so_without_warnings_of_arithmetic(changed):
     assert outcome.verdict is Verdict.DIVERGED
 
 
-def test_a_run_that_diverged_says_so_on_its_figures(capsys):
+def test_figures_of_a_diverged_run_are_marked(capsys):
     record = ff.run(with_values(REFERENCE, {"protocol.timestep": "5 ms"}), confirm=False)
     outcome = measure(record)
     for name, drawing in run_drawings(record, outcome).items():

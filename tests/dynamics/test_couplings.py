@@ -140,7 +140,7 @@ def test_the_work_is_that_of_the_motor_on_its_own_vein(by_one):
 
 
 @pytest.mark.parametrize("stiffness", [0.3, 3.0, "rigid"])
-def test_the_account_of_a_tied_wing_closes(stiffness):
+def test_the_energy_balance_of_a_wing_with_rigid_couplings_closes(stiffness):
     record = folded(0.3, [0], **{"coupling.stiffness": stiffness})
     balance = energy_balance(record)
     assert balance.residual < 1e-3
@@ -154,7 +154,7 @@ def test_the_account_of_a_tied_wing_closes(stiffness):
         assert record.data["coupling_energy"].dims == ("time", "coupling")
 
 
-def test_stiffer_springs_come_to_what_a_rigid_coupling_does(by_one):
+def test_stiffer_couplings_converge_to_a_rigid_coupling(by_one):
     off = []
     for stiffness in (10.0, 40.0):
         record = folded(0.3, [0], **{"coupling.stiffness": stiffness, "protocol.timestep": 5e-5})
@@ -179,7 +179,7 @@ def test_wings_with_motors_on_other_veins_run_side_by_side_as_each_alone():
         assert np.array_equal(results[number].work, ff.run(design, confirm=False).work)
 
 
-def test_what_an_elastic_tie_stores_is_told_of_every_state():
+def test_the_energy_of_elastic_couplings_is_reported_for_every_state():
     stages = [{**FOLDING[0], "state": "flat"}, {**FOLDING[1], "state": "folded"}]
     record = ff.run(
         with_values(TIED, {"protocol.stages": stages, "coupling.stiffness": 0.5, "protocol.window": 0.01}),

@@ -55,7 +55,7 @@ def moved(record, point, axis):
     return places - places[0]
 
 
-def test_a_point_goes_where_it_is_taken_and_is_let_go_again():
+def test_a_displaced_point_follows_its_target_and_is_released():
     (record,) = simulate([compile_model(sheet(stage("lift", 0.15), stage("none", 0.15)))])
     way, end = moved(record, 8, 2), record.stages[0].end
     held = (record.time > 0.1) & (record.time < end)
@@ -69,7 +69,7 @@ def test_a_point_goes_where_it_is_taken_and_is_let_go_again():
     assert work[-1] == work[np.searchsorted(record.time, end + 1e-3)]
 
 
-def test_a_point_is_taken_on_from_where_it_is():
+def test_a_displacement_starts_at_the_present_position():
     """Springs that rest further on have lifted it before: it does not go back to where it was built."""
     further = {"name": "further", "kind": "rest-angle", "of": "creases", "angle": 0.3, "rise": 0.05}
     both = sheet(stage("further", 0.1), stage(["further", "lift"], 0.15), drive=[further | {"rise": 0.0}, LIFT])
@@ -94,7 +94,7 @@ def test_a_sheet_that_is_taken_along_rests_where_it_does_by_statics():
     assert course.rest.shape.positions == pytest.approx(net.nodes, abs=1e-5)
 
 
-def test_force_over_the_way_is_work_and_in_the_end_that_of_statics():
+def test_the_work_of_a_displacement_is_force_times_travel_and_equals_that_of_statics():
     design = sheet(stage("lift", 0.3))
     structure = structure_of(design)
     net = net_of(structure)
@@ -137,6 +137,6 @@ def test_a_servo_shortens_the_longest_timestep():
         ({"drive": [LIFT | {"of": "vertex 0"}]}, r"drive\.0\.of: need a vertex that is free along"),
     ],
 )
-def test_a_displacement_that_cannot_be_is_refused(values, message):
+def test_an_impossible_displacement_is_rejected(values, message):
     with pytest.raises(InputError, match=message):
         structure_of(sheet(stage("none", 0.1), **values))

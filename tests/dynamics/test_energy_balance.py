@@ -31,20 +31,20 @@ CLOSED = {
         ({"yielding": 0.3, "letting_go": -0.1}, -0.2, 9.5),
     ],
 )
-def test_the_residual_is_what_is_missing_by_what_was_exchanged(values, missing, exchanged):
+def test_the_residual_is_missing_energy_divided_by_exchanged_energy(values, missing, exchanged):
     balance = EnergyBalance(**(CLOSED | values))
     assert balance.missing == pytest.approx(missing, abs=1e-12)
     assert balance.exchanged == pytest.approx(exchanged, rel=1e-12)
     assert balance.residual == pytest.approx(abs(missing) / exchanged, abs=1e-12)
 
 
-def test_a_slight_part_of_what_is_stored_is_told_by_that_and_no_more():
+def test_a_small_exchange_is_compared_with_a_share_of_the_stored_energy():
     step = CLOSED | dict.fromkeys(CLOSED, 0.0) | {"tendon": -3e-8, "kinetic": 2e-8}
     assert EnergyBalance(**step, stored=1.0).residual == pytest.approx(1e-3)
     assert EnergyBalance(**step, stored=1e-3).residual == pytest.approx(1 / 3)
 
 
-def test_one_step_to_a_goal_that_holds_already_is_no_reason_not_to_be_trusted():
+def test_a_single_step_to_a_goal_that_is_already_met_is_reliable():
     stage = {"name": "close", "drive": "close", "until": "mouth < 50 cm", "hold": "0 s", "time_limit": "2 s"}
     record = run(load_design("letter-fold", {"protocol.stages": [stage]}))
     balance = energy_balance(record)
@@ -52,7 +52,7 @@ def test_one_step_to_a_goal_that_holds_already_is_no_reason_not_to_be_trusted():
     assert balance.residual < 0.002
 
 
-def test_where_nothing_is_exchanged_nothing_is_missing():
+def test_without_exchanged_energy_the_residual_is_zero():
     assert EnergyBalance(**dict.fromkeys(CLOSED, 0.0)).residual == 0.0
 
 

@@ -106,11 +106,11 @@ def test_no_torque_is_advised_that_leaves_the_friction_out():
     assert needed_torque(record) is None
 
 
-def test_friction_is_no_less_than_none():
+def test_negative_friction_is_rejected():
     with pytest.raises(InputError, match=r"hinge\.friction.*-1 N cm"):
         load_design("binder2025", {"hinge.friction": "-1 N cm"})
 
 
-def test_a_landscape_says_that_it_leaves_dry_friction_out():
+def test_a_landscape_has_a_remark_that_it_ignores_dry_friction():
     remarks = energy_landscape(load_design("binder2025-joint", {"hinge.friction": "0.5 N cm"}), points=31).remarks
     assert any("ignores the dry friction of hinges of up to 0.5 N cm" in remark for remark in remarks)

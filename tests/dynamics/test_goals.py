@@ -54,7 +54,7 @@ def by_name():
     ],
     ids=["role", "measure", "a list of one", "a list with none", "states by name"],
 )
-def test_what_is_said_in_other_words_has_the_same_bits_and_comes_to_the_same(by_name, values):
+def test_goals_given_as_text_give_the_same_bits_as_named_goals(by_name, values):
     record = ff.run(with_values(SHORT, values), confirm=False)
     assert_same_bits(record, by_name)
     ours, theirs = measure(record), measure(by_name)
@@ -135,7 +135,7 @@ def watched():
     return simulate([with_gap()])[0]
 
 
-def test_a_distance_that_is_watched_is_that_of_its_two_points(watched):
+def test_a_measured_distance_is_that_of_its_two_points(watched):
     tips = places(watched, "tip")
     apart = np.linalg.norm(tips[:, -1] - tips[:, 0], axis=1)
     assert np.ptp(apart) > 0.01

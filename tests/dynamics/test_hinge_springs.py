@@ -68,7 +68,7 @@ def test_the_recorded_energy_is_that_of_the_recorded_angle(one_hinge):
     assert record.data["hinge_energy"].attrs["units"] == "J"
 
 
-def test_springs_stand_in_the_account_and_it_closes_to_the_order_of_the_integrator(one_hinge):
+def test_the_energy_balance_with_springs_closes_to_the_order_of_the_integrator(one_hinge):
     missing = []
     for timestep in (2e-4, 1e-4, 5e-5):
         _, record = pendulum(one_hinge, start=math.radians(20), timestep=timestep, duration=0.02).run()
@@ -108,7 +108,7 @@ def test_a_bar_swings_about_where_its_weight_balances_its_spring(one_hinge):
     assert balance.residual < 5e-3
 
 
-def test_a_structure_without_springs_has_no_account_of_them(one_hinge):
+def test_a_structure_without_springs_has_no_spring_terms(one_hinge):
     (record,) = simulate([one_hinge(duration=0.005).wing])
     assert "hinge_energy" not in record.series
     assert energy_balance(record).hinges is None

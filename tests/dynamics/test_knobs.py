@@ -44,7 +44,7 @@ def test_a_range_ends_where_the_design_needs_a_shorter_timestep():
     assert stable_timestep(with_values(design, {knob.key: 5 * knob.value})) < 5e-4
 
 
-def test_a_value_that_moves_masses_is_no_knob_for_inertias_follow_it_otherwise():
+def test_a_value_that_moves_masses_is_not_a_knob_because_inertias_are_not_linear_in_it():
     keys = {knob.key for knob in knobs_of(compile_model(load_design("binder2025")))}
     assert "vein.density" not in keys
 
@@ -57,5 +57,5 @@ def test_a_value_that_moves_masses_is_no_knob_for_inertias_follow_it_otherwise()
         ({"protocol.stages.2.wait": "1 h"}, "a stage waits"),
     ],
 )
-def test_what_another_engine_would_move_otherwise_is_told(settings, why):
+def test_structures_that_another_engine_moves_differently_are_named(settings, why):
     assert why in why_not_portable(compile_model(with_timestep(load_design("binder2025", settings))))

@@ -97,7 +97,7 @@ YIELDING = {"tendon.area": "12.5 mm^2", "tendon.law": "tpu-95a", "tendon.law.yie
         ("miura-sheet", {}, "layout only: creases or drag are updated outside the engine between steps"),
     ],
 )
-def test_the_model_file_says_which_viewers_show_the_same(name, keys, viewers):
+def test_the_model_file_names_the_viewers_that_show_the_same_motion(name, keys, viewers):
     spec = mujoco.MjSpec.from_string(compile_model(with_timestep(load_design(name, keys))).xml)
     assert {text.name: text.data for text in spec.texts}["viewers"].rstrip("\0") == viewers
 
@@ -110,7 +110,7 @@ def test_a_wing_a_hundredth_of_the_size_still_compiles():
     assert small.engine.body_inertia[1:].min() > 1e-9
 
 
-def test_gravity_pulls_the_flat_wing_down_and_is_in_the_account():
+def test_gravity_pulls_the_flat_wing_down_and_is_in_the_energy_balance():
     short = {
         "protocol.gravity": "9.81 m/s^2",
         "protocol.stages": [

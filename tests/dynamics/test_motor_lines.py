@@ -58,7 +58,7 @@ def turned(inertia, time):
 
 @pytest.mark.parametrize(("kind", "inertia"), [("rigid", MASS * LENGTH**2 / 3), ("bars", MASS * LENGTH**2 / 2)])
 @pytest.mark.parametrize("way", [1, -1])
-def test_a_motor_comes_up_to_its_speed_by_the_closed_form(kind, inertia, way):
+def test_a_motor_approaches_its_speed_along_the_closed_form(kind, inertia, way):
     """A plate has m L^2 / 3; nodes, with a third of each triangle, m L^2 / 2."""
     (record,) = simulate([compile_model(strip(kind, TURN | {"value": way * TORQUE}))])
     expected = way * turned(inertia, record.time)
@@ -75,7 +75,7 @@ def test_a_motor_comes_up_to_its_speed_by_the_closed_form(kind, inertia, way):
     assert 0 < power[-1] < 0.25 * power.max()
 
 
-def test_it_brakes_what_turns_faster():
+def test_a_motor_brakes_a_joint_above_its_no_load_speed():
     slow = TURN | {"no_load_speed": SPEED / 100}
     (record,) = simulate([compile_model(strip("rigid", slow))])
     speed = np.gradient(record.series["hinge_angle"][:, 0], record.time)
@@ -90,13 +90,13 @@ def test_it_brakes_what_turns_faster():
         ([{"name": "a", "kind": "rest-angle", "of": "creases", "angle": 1.0, "no_load_speed": 1.0}], "no_load_speed"),
     ],
 )
-def test_a_line_that_cannot_be_is_refused(drives, message):
+def test_an_impossible_torque_speed_line_is_rejected(drives, message):
     stage = {"name": "wait", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.1}
     with pytest.raises(InputError, match=message):
         structure_of(with_values(strip("bars"), {"drive": drives, "protocol.stages": [stage]}))
 
 
-def test_the_account_closes_where_plates_close_loops():
+def test_the_energy_balance_with_motor_lines_closes_for_plates_in_loops():
     """Steps of Runge and Kutta: what speed takes of the torque changes within them."""
     turn = TURN | {"of": "creases", "value": 1e-4, "no_load_speed": math.radians(720)}
     stage = {"name": "turn", "drive": "turn", "until": "time", "hold": 0.0, "time_limit": 0.1}
@@ -119,7 +119,7 @@ def test_a_servo_that_is_too_steep_for_the_timestep_is_named():
 
 
 @pytest.mark.parametrize("kind", ["rigid", "bars"])
-def test_the_longest_timestep_minds_a_steep_line(kind):
+def test_the_longest_timestep_accounts_for_a_steep_torque_speed_line(kind):
     """One step of a damper alone flips the speed where h T / (I w) > 2."""
     steep = TURN | {"value": 100 * TORQUE, "no_load_speed": SPEED / 100}
     longest, flipping = stable_timestep(strip(kind, steep)), 2 * MASS * LENGTH**2 / 3 * SPEED / (1e4 * TORQUE)

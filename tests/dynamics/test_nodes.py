@@ -97,7 +97,7 @@ def test_the_engine_pushes_nodes_by_the_moments_of_creases_and_in_no_other_way(s
     assert data.qfrc_passive == pytest.approx(expected, abs=1e-7 * np.abs(expected).max())
 
 
-def test_what_a_free_swing_loses_falls_in_proportion_to_the_timestep():
+def test_the_energy_loss_of_a_free_swing_is_proportional_to_the_timestep():
     worst = []
     for timestep in (8e-6, 4e-6, 2e-6):
         values = {"crease.rest_angle": 1.2, "protocol.timestep": timestep, "protocol.stages": [stage(limit=0.02)]}
@@ -116,7 +116,7 @@ def test_what_a_free_swing_loses_falls_in_proportion_to_the_timestep():
         {"kind": "force", "of": "vertex 8", "force": 0.02, "direction": (0.0, 0.6, 0.8), "rise": 0.05},
     ],
 )
-def test_the_account_of_every_drive_closes(drive):
+def test_the_energy_balance_closes_for_every_kind_of_drive(drive):
     changes = {"drive": [{"name": "fold"} | drive], "support": [{"of": "facet 0"}], "crease.damping": 1e-4}
     changes["protocol.stages"] = [stage("fold", limit=0.04)]
     balances = [
@@ -130,7 +130,7 @@ def test_the_account_of_every_drive_closes(drive):
 @pytest.mark.parametrize(
     "held", [{"crease.law": "locking", "crease.lock_angle": math.radians(60)}, {"crease.fold_limit": math.radians(60)}]
 )
-def test_the_account_closes_where_a_rest_angle_goes_on_beyond_what_locks_or_stops_the_crease(held):
+def test_the_energy_balance_closes_for_rest_angles_beyond_locking_or_stops(held):
     """Only the spring turns on: what it presses on takes no work."""
     drive = {"name": "fold", "kind": "rest-angle", "of": "creases", "angle": math.radians(150), "rise": 0.1}
     values = {"drive": [drive], "crease.damping": 1e-4, "protocol.stages": [stage("fold", limit=0.15)]}
@@ -215,7 +215,7 @@ def test_sheets_side_by_side_move_as_each_alone_to_the_bit(monkeypatch):
             assert np.array_equal(values, record.series[name]), name
 
 
-def test_a_panel_that_goes_past_180_deg_is_followed_without_a_jump():
+def test_the_angle_of_a_panel_past_180_deg_has_no_jump():
     drive = {"name": "turn", "kind": "torque", "of": "creases", "value": 5e-4}
     values = {"drive": [drive], "crease.stiffness": 0.0, "protocol.stages": [stage("turn", limit=0.2)]}
     (record,) = run(strip(**values))

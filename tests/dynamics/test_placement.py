@@ -122,7 +122,7 @@ def test_a_hinged_plate_starts_at_the_angle_at_which_it_is_built():
     assert np.abs(data.efc_pos).max() < 1e-9
 
 
-def test_sheets_that_close_loops_run_side_by_side_as_alone_and_sparse_as_whole():
+def test_sheets_with_loops_give_the_same_bits_side_by_side_and_sparse():
     """At stops, too, whose work is told apart step by step."""
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "60 deg"'

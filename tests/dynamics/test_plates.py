@@ -127,7 +127,7 @@ def test_a_tendon_across_three_creases_rests_where_the_least_energy_is():
     assert record.measured("each")[-1] == pytest.approx(least.x, abs=1e-5)
 
 
-def test_a_drive_brings_creases_to_their_goal_and_its_work_is_found_again():
+def test_a_drive_brings_creases_to_their_goal_and_its_work_is_in_the_energy_balance():
     record = run(LETTER)
     ends = {end.stage.name: end for end in record.stages}
     assert len(ends) == 5
@@ -162,7 +162,7 @@ def test_a_closed_letter_rests_where_its_springs_and_tendons_are_in_balance():
     assert record.measured("creases")[at] == pytest.approx([least.x] * 2, abs=1e-6)
 
 
-def test_work_of_a_torque_is_what_it_moves():
+def test_the_work_of_a_torque_is_the_energy_of_the_moved_plates():
     """Without anything else a constant torque gives I w^2 / 2 = T a."""
     drive = [{"name": "push", "kind": "torque", "of": "creases", "value": 1e-3}]
     record = run(strip(letters="M", drive=drive, stages=[stage("creases > 120 deg", "push")]))
@@ -322,7 +322,7 @@ def test_the_longest_timestep_of_a_spring_is_that_of_its_mode():
     assert 0.1 < chosen / (0.25 * math.sqrt(INERTIA / 0.02)) <= 1
 
 
-def test_a_strip_without_springs_tendons_or_drives_stays_where_it_is():
+def test_a_strip_without_springs_tendons_or_drives_stays_at_rest():
     record = run(strip(3, **{"crease.start": 0.5}))
     assert record.measured("creases")[-1] == pytest.approx([0.5, 0.5], abs=1e-12)
     assert energy_balance(record).residual == 0.0

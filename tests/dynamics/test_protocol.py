@@ -35,7 +35,7 @@ def pushed(one_hinge, rise, duration):
 
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 1.0, 1.5])
-def test_a_torque_that_rises_has_the_impulse_and_the_way_of_its_ramp(one_hinge, share):
+def test_a_rising_torque_gives_the_impulse_and_travel_of_its_ramp(one_hinge, share):
     """I w = T t^2 / (2 rise) up to the end of the ramp and T (t - rise / 2) after it, with w = 0 at the start."""
     rise = 0.04
     time = share * rise
@@ -173,7 +173,7 @@ def test_a_hinge_more_than_45_deg_beyond_its_stop_is_a_divergence(short, beyond,
         assert tracker.diverged_at[0] == pytest.approx(2 * float(short.protocol.timestep))
 
 
-def test_wings_that_share_their_first_stages_rise_alike(short):
+def test_wings_that_share_their_first_stages_have_the_same_rise(short):
     rising = with_values(short, {"protocol.rise": "50 ms"})
     one, other = simulate([compile_model(rising), compile_model(rising)])
     for name, values in one.series.items():

@@ -100,7 +100,7 @@ def test_every_series_says_its_unit_in_the_file(tmp_path):
     assert units["point_position"] == units["membrane_position"] == "m"
 
 
-def test_a_file_tells_by_itself_what_ran_and_what_it_ran_on(tmp_path):
+def test_a_record_file_contains_design_and_versions(tmp_path):
     save_record(planted(diverged_at=0.5), tmp_path / "record.nc")
     with xarray.open_dataset(tmp_path / "record.nc", engine="h5netcdf") as file:
         attributes = file.attrs

@@ -76,7 +76,7 @@ def test_wings_that_share_their_first_stages_give_the_same_bits_as_alone(courses
 
 
 @pytest.mark.parametrize("few", [0, 16])
-def test_every_wing_is_handed_on_once(few):
+def test_every_record_is_yielded_once(few):
     wings = [sharing(torque, 1.0, stages) for torque in (0.0, 0.5) for stages in (2, 3, 5, 5)]
     with mock.patch.object(MODULE, "_FEW", few):
         assert sorted(row for row, _ in simulate_each(wings)) == list(range(8))
@@ -85,7 +85,7 @@ def test_every_wing_is_handed_on_once(few):
 
 @pytest.mark.parametrize("few", [0, 16])
 @pytest.mark.parametrize("opens", [None, 0, 1])
-def test_wings_that_only_their_unfold_torques_tell_apart_are_tried_until_one_is_enough(few, opens):
+def test_wings_that_differ_only_in_unfold_torque_are_tried_until_one_is_enough(few, opens):
     # without a fold torque none folds, and those that wait for the first end where it does
     torques = [0.1, 0.5, 1.0]
     wings = [sharing(fold, torque) for fold in (0.0, 0.5) for torque in torques]
@@ -101,7 +101,7 @@ def test_wings_that_only_their_unfold_torques_tell_apart_are_tried_until_one_is_
         assert_same_bits(record, simulate([wings[row]])[0])
 
 
-def test_wings_that_share_stages_share_their_numbers_up_to_there_and_part_then():
+def test_wings_that_share_stages_have_the_same_numbers_up_to_the_first_difference():
     one, other = simulate([sharing(0.5, 0.2), sharing(0.5, 1.0)])
     assert one.stages[:3] == other.stages[:3]
     parting = one.stages[2].end
@@ -170,7 +170,7 @@ def test_a_sparse_record_keeps_little():
     assert not {"point_position", "membrane_position"} & set(sparse.series)
 
 
-def test_a_wing_that_blows_up_ends_those_that_follow_it_alike_and_no_others():
+def test_a_diverging_wing_ends_only_the_wings_that_follow_it():
     wild = compile_model(with_values(SHORT, {"protocol.timestep": 8e-3}))
     protocols = [wild.design.protocol.model_copy(update={"unfold_torque": torque}) for torque in (0.5, 1.0)]
     designs = [wild.design.model_copy(update={"protocol": protocol}) for protocol in protocols]
@@ -181,7 +181,7 @@ def test_a_wing_that_blows_up_ends_those_that_follow_it_alike_and_no_others():
     assert_same_bits(records[1], simulate([WING])[0])
 
 
-def test_progress_tells_of_every_stage_and_never_passes_the_longest():
+def test_progress_reports_every_stage_and_never_exceeds_the_longest_time():
     seen = []
     # told after every chunk, of 50 steps, 20 ms, but not at the end
     longer = with_values(SHORT, {f"protocol.stages.{stage}.hold": 0.03 for stage in range(1, 5)})

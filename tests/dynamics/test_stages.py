@@ -5,7 +5,7 @@ import numpy as np
 from forficula.dynamics.stepping.stages import _sound_steps
 
 
-def test_numbers_that_blow_up_end_a_wings_steps_without_a_warning():
+def test_non_finite_numbers_end_a_simulation_without_a_warning():
     time = np.arange(5.0)[None]
     position, velocity = np.zeros((1, 4, 2)), np.zeros((1, 4, 2))
     assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [4]
@@ -15,7 +15,7 @@ def test_numbers_that_blow_up_end_a_wings_steps_without_a_warning():
     assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [1]
 
 
-def test_a_clock_that_stops_ends_a_wings_steps():
+def test_a_stopped_simulation_time_ends_a_simulation():
     position, velocity = np.zeros((2, 4, 2)), np.zeros((2, 4, 2))
     time = np.array([[0.0, 1.0, 2.0, 2.0, 2.0], [0.0, 1.0, 2.0, 3.0, 4.0]])
     assert _sound_steps(time[:, 0], time[:, 1:], position, velocity).tolist() == [2, 4]

@@ -56,7 +56,7 @@ def assert_same_bits(record, other):
         assert values.tobytes() == other.series[name].tobytes(), name
 
 
-def test_the_engine_has_the_law_by_length_and_area():
+def test_the_engine_has_the_law_scaled_by_length_and_area():
     engine, units = WING.engine, WING.units
     force, length, time = units.energy / units.length, units.length, units.time
     # by hand: E A / L, and with every further power another 1 / L
@@ -72,7 +72,7 @@ def test_the_engine_has_the_law_by_length_and_area():
         assert engine.tendon_springyield[tendon] * length == pytest.approx(0.15 * 0.09, rel=1e-12)
 
 
-def test_branches_need_no_control_and_leave_the_motors_theirs():
+def test_branches_need_no_control():
     engine = WING.engine
     plain = compile_model(with_values(ff.load_design("binder2025"), {"tendon.damping": 0.0}))
     assert engine.nu == plain.engine.nu
@@ -98,7 +98,7 @@ def letting_go(**law):
 
 
 @pytest.mark.parametrize("moduli", [(1e6, 0.0), (-2e6, 1e6)])
-def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran(moduli):
+def test_the_model_file_of_pull_only_tendons_gives_the_forces_of_the_compiled_model(moduli):
     wing = compile_model(letting_go(quadratic_modulus=moduli[0], cubic_modulus=moduli[1]))
     again = mujoco.MjModel.from_xml_string(wing.xml)
     for angle in (20, -40, -120):
@@ -113,7 +113,7 @@ def test_the_model_file_of_tendons_that_let_go_pulls_as_the_model_that_ran(modul
         np.testing.assert_allclose(torques[0], torques[1], rtol=1e-3, atol=1e-6)
 
 
-def test_tendons_that_let_go_go_side_by_side_without_a_bit_of_difference():
+def test_pull_only_tendons_give_the_same_bits_side_by_side():
     wings = [compile_model(letting_go(linear_modulus=modulus)) for modulus in (4.8e6, 3e6)]
     alone = [simulate([wing], threads=1)[0] for wing in wings]
     with mock.patch.object(MODULE, "_CHUNK", 7):
@@ -176,7 +176,7 @@ def test_a_sparse_record_keeps_the_states(run_alone):
     assert ours.states["flat"].tendon_energy.tobytes() == theirs.states["flat"].tendon_energy.tobytes()
 
 
-def test_a_run_with_a_law_leaves_its_account_and_reads_it_back(tmp_path, run_alone):
+def test_energies_of_a_material_law_are_recorded_and_read_back(tmp_path, run_alone):
     save_record(run_alone, tmp_path / "record.nc")
     back = load_record(tmp_path / "record.nc")
     assert back.design == run_alone.design
@@ -195,7 +195,7 @@ def test_a_run_with_a_law_leaves_its_account_and_reads_it_back(tmp_path, run_alo
     assert balance["residual"] < 5e-3
 
 
-def test_a_record_without_branches_or_yield_has_no_account_of_them(reference_run, reference_outcome):
+def test_a_record_without_branches_and_yield_has_no_terms_for_them(reference_run, reference_outcome):
     assert not {"branch_energy", "yield_work"} & set(reference_run.series)
     balance = summary(reference_run, reference_outcome, versions())["energy_balance"]
     assert not [name for name in balance if "branch" in name or "yield" in name]

@@ -153,7 +153,7 @@ def test_numbers_of_branches_may_differ_from_tendon_to_tendon(order):
     assert balance.residual < 5e-3
 
 
-def test_only_the_tendon_that_lets_go_is_spared_the_push_of_its_branches():
+def test_only_pull_only_tendons_are_clamped():
     lets_go = of_law(branches=BRANCHES)
     linear, holds = (with_values(each, {"tendon.pushes_when_slack": True}) for each in (LINEAR, lets_go))
     models = [mixed(linear, holds, lets_go), mixed(linear, holds, holds), mixed(lets_go, lets_go, lets_go)]

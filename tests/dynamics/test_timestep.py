@@ -26,20 +26,20 @@ def changed(**values):
         ("membrane.youngs_modulus", 1e21, "1e+15 MPa"),
     ],
 )
-def test_where_no_timestep_is_short_enough_the_value_that_is_the_cause_is_named(reference, key, value, shown):
+def test_the_value_that_prevents_any_timestep_is_named(reference, key, value, shown):
     with pytest.raises(
         InputError, match=rf"no timestep is short enough: .*, because of {re.escape(f'{key} = {shown}')}$"
     ):
         stable_timestep(reference.with_values({key: value}))
 
 
-def test_a_timestep_that_was_given_stays():
+def test_a_given_timestep_is_kept():
     assert with_timestep(REFERENCE) is REFERENCE
 
 
 @settings(max_examples=10, deadline=None)  # each compiles and linearises two wings
 @given(st.floats(-1, 1).map(lambda power: 10.0**power), st.integers(1, 3))
-def test_a_timestep_that_was_left_open_is_at_most_a_quarter_of_what_is_stable_and_has_one_digit(stiffness, units):
+def test_the_automatic_timestep_is_at_most_a_quarter_of_the_stable_one_and_has_one_digit(stiffness, units):
     design = changed(
         membrane__youngs_modulus=1e6 * stiffness, pattern__units=units, vein__diameter=0.004, protocol__timestep="auto"
     )
@@ -78,7 +78,7 @@ def test_a_timestep_that_is_too_long_is_named_with_what_is_allowed_and_what_to_d
     assert 'protocol.timestep = "auto"' in warning
 
 
-def test_a_wing_stays_bounded_below_the_allowed_timestep_and_blows_up_far_above_it():
+def test_a_wing_is_bounded_below_the_allowed_timestep_and_diverges_far_above_it():
     settle = [{"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.3}]
     allowed = stable_timestep(REFERENCE)
     stable, unstable = (
@@ -137,7 +137,7 @@ def test_the_tendons_limit_is_that_of_a_hinge_that_they_hold_at_their_longest_le
         {"linear_modulus": 1e6, "branches": [{"modulus": 5e9, "time": 1e-4}]},
     ],
 )
-def test_a_stiff_or_viscous_law_asks_for_a_shorter_step_at_which_the_wing_stays_bounded(law):
+def test_a_stiff_or_viscous_law_needs_a_shorter_timestep_at_which_the_wing_is_bounded(law):
     short = {f"protocol__stages__{stage}__time_limit": 0.05 for stage in range(5)}
     design = changed(
         tendon__law=law,
@@ -160,7 +160,7 @@ def changed_step(design, timestep):
     return with_values(design, {"protocol.timestep": timestep})
 
 
-def test_a_tendon_that_nothing_keeps_from_stretching_has_a_say_in_the_timestep():
+def test_a_tendon_without_a_largest_length_affects_the_timestep():
     """Over creases that open; with a stiff tendon the step is that of its mode, which is faster than all others."""
     snap, band = ff.load_design("four-plate-snap"), {"name": "band", "from": "vertex 1", "to": "vertex 3"}
     soft, stiff = (

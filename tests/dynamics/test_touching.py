@@ -205,7 +205,7 @@ def test_a_fast_fold_lets_panels_through_by_less_than_three_millimetres(folded_b
     assert panel_crossing(folded_by_contact, rows).depth < 3e-3
 
 
-def test_the_work_of_contacts_is_booked_apart_from_that_of_stops(folded_by_contact, reference_run):
+def test_the_work_of_contacts_is_separate_from_that_of_stops(folded_by_contact, reference_run):
     series = folded_by_contact.series
     balance = ff.measure(folded_by_contact).energy_balance
     assert balance.residual < 0.005

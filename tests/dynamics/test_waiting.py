@@ -105,7 +105,7 @@ def test_under_a_load_it_creeps_as_the_quasi_static_equation_says(one_hinge, sha
     assert 5 < len(storages(record)[0].clock) < 60
 
 
-def test_leaps_that_may_be_off_by_less_are_off_by_less(one_hinge, monkeypatch):
+def test_a_smaller_allowed_error_of_leaps_gives_a_smaller_error(one_hinge, monkeypatch):
     off = []
     for allowed in (1e-2, 1e-5):
         monkeypatch.setattr(module.Waits.__init__, "__defaults__", (allowed,))
@@ -114,7 +114,7 @@ def test_leaps_that_may_be_off_by_less_are_off_by_less(one_hinge, monkeypatch):
     assert off[1] < off[0] / 4
 
 
-def test_a_short_wait_is_as_stepping_through_it(one_hinge):
+def test_a_short_wait_equals_stepping_through_it(one_hinge):
     fast = LAW | {"branches": [{"modulus": BRANCH, "time": 10.0}]}
     rest = {"protocol.rest_speed": math.radians(100)}
     waits = held(one_hinge, stage("store", wait=10.0), law=fast, **rest)
@@ -126,7 +126,7 @@ def test_a_short_wait_is_as_stepping_through_it(one_hinge):
     assert waits.series["branch_damping_work"][-1] == pytest.approx(steps.series["branch_damping_work"][-1], rel=0.03)
 
 
-def test_one_wait_and_then_another_are_both_together(one_hinge):
+def test_two_consecutive_waits_equal_one_long_wait(one_hinge):
     twice = held(one_hinge, stage("store", wait=0.5 * TIME), stage("store on", wait=1.5 * TIME))
     once = held(one_hinge, stage("store", wait=2 * TIME))
     crept = angles(once)[-1] - angles(once)[int(np.searchsorted(once.time, once.stages[1].start))]
@@ -168,7 +168,7 @@ def test_a_bar_that_its_tendon_holds_open_falls_when_that_has_relaxed(one_hinge,
     assert energy_balance(record).residual < 5e-3
 
 
-def test_one_that_creeps_faster_than_what_counts_as_rest_does_not_wait_and_says_so(one_hinge):
+def test_a_bar_that_creeps_faster_than_the_rest_speed_does_not_wait_and_is_reported(one_hinge):
     fast = LAW | {"branches": [{"modulus": BRANCH, "time": 20.0}]}
     record = held(one_hinge, stage("store", limit=0.5, wait=3600.0), stage("after", until="time"), law=fast)
     assert len(record.stages) == 2, "nothing comes after it"
@@ -219,7 +219,7 @@ def fading(time):
     return math.exp(-30 * 86400 / time)
 
 
-def test_a_month_folded_and_a_month_open_are_told(stored_run, tmp_path):
+def test_a_month_folded_and_a_month_open_are_reported(stored_run, tmp_path):
     outcome = ff.measure(stored_run)
     assert outcome.status == "folded and opened"
     folded, opened = storages(stored_run)
@@ -246,7 +246,7 @@ def test_a_month_folded_and_a_month_open_are_told(stored_run, tmp_path):
     assert np.array_equal(again.series["waited"], stored_run.series["waited"])
 
 
-def test_bars_that_wait_for_different_times_go_side_by_side_without_a_bit_of_difference(one_hinge):
+def test_bars_with_different_waits_give_the_same_bits_side_by_side(one_hinge):
     waits = [3.0 * TIME, 0.1 * TIME, 0.0]
     models = [built(one_hinge, stage("store", wait=each)) for each in waits]
     for record, model, wait in zip(simulate(models, threads=2), models, waits, strict=True):

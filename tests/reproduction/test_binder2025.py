@@ -78,7 +78,7 @@ def table():
 
 
 @pytest.mark.parametrize("outcome", ["diverged", "unreliable"])
-def test_what_is_not_to_be_trusted_counts_neither_as_folding_nor_as_sticking(table, outcome):
+def test_unreliable_runs_count_neither_as_folding_nor_as_sticking(table, outcome):
     place = STICKS
     table["least_fold_torque"][place] = table["least_unfold_torque"][place] = np.nan
     for name in ("outcome", "fold_outcome", "reference_outcome"):
@@ -163,7 +163,7 @@ def long_one_folds(table):
         ("work of unfolding and", plant("unfold_work", (0, 4), 0.1), "W_unfold > E_opened in 12 of 13"),
     ],
 )
-def test_a_table_that_differs_says_so_in_that_row(table, words, change, ours):
+def test_a_differing_table_disagrees_in_that_row(table, words, change, ours):
     change(table)
     found = row(table, words)
     assert found.agrees is False
@@ -277,7 +277,7 @@ def test_the_named_search_is_compared_and_the_choices_are_not(table):
         ({"reproduces": "bender2025"}, 'reproduces: need one of binder2025, got "bender2025"'),
     ],
 )
-def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(changes, message):
+def test_a_study_that_cannot_be_compared_with_the_paper_is_rejected_before_it_runs(changes, message):
     study = ff.load_study("binder2025-search")
     if "factors" in changes:
         changes = {"factors": study.factors[:1]}
@@ -289,7 +289,7 @@ def test_a_study_that_cannot_be_set_beside_the_paper_is_refused_before_it_runs(c
 
 
 @pytest.mark.parametrize("torque", ["20 N cm", "50 N cm"])
-def test_inertia_carries_the_long_slack_tendon_on_as_the_reason_says(torque):
+def test_inertia_folds_the_wing_with_long_slack_tendons_as_stated_in_the_reason(torque):
     """A tendon of 9 cm is slack beyond 2 acos(9 / 11) = 70.2 deg; with more damping, the hinge stays near this angle.
 
     See docs/model/theory.md, section Tendon across a hinge.

@@ -28,7 +28,7 @@ def test_what_a_design_reproduces_is_inherited_and_kept_but_no_value_of_its_own(
     assert (shown_tendon(free), shown_hinge(free)) == (1, None)
 
 
-def test_a_design_that_names_no_paper_there_is_is_refused_when_it_is_read_with_its_file(tmp_path):
+def test_a_design_that_names_an_unknown_paper_is_rejected_when_it_is_read(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text('based_on = "binder2025"\nreproduces = "nonsense"\n')
     with pytest.raises(InputError, match=r'mine\.toml: reproduces: need one of binder2025, got "nonsense"$'):
@@ -51,7 +51,7 @@ def test_a_convergence_study_shows_the_hinge_that_is_asked_for_or_the_last(refer
     assert (shown[2].angles[0] != shown[4].angles[0]).any()
 
 
-def test_a_vein_without_a_tendon_cannot_stand_for_all(tmp_path):
+def test_a_vein_without_a_tendon_is_not_shown_as_the_example(tmp_path):
     (tmp_path / "own.toml").write_text('based_on = "binder2025"\n[[tendon]]\nvein = 0\n[[tendon]]\nvein = 2\n')
     assert shown_tendon(load_design(tmp_path / "own.toml")) == 0
     assert shown_tendon(load_design("letter-fold")) == 0

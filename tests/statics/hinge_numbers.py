@@ -40,7 +40,7 @@ def closed_holding_torque(hinge):
 
 
 def closed_growth_rate(hinge):
-    """sqrt(-stiffness / inertia) at the top (docs/model/theory.md, section "Snap of a hinge")."""
+    """sqrt(-stiffness / inertia) at the top (docs/model/theory.md, section Snap of a hinge)."""
     if not hinge.pulls or hinge.nearest > 0:
         return None
     return math.sqrt(-float(hinge.stiffness(hinge.top)) / hinge.inertia)

@@ -119,7 +119,7 @@ def test_the_least_slow_torque_of_one_motor_is_that_of_all_together():
     assert one == pytest.approx(3 * all_three, rel=0.02)
 
 
-def test_ever_stiffer_ties_come_to_the_rigid_one_and_soft_ones_leave_the_wing_open():
+def test_stiffer_couplings_converge_to_the_rigid_one_and_soft_ones_leave_the_wing_open():
     rigid, stiff = least(tied("rigid")), least(tied(1e4))
     assert stiff.torque[0] == pytest.approx(rigid.torque[0], rel=1e-9)
     turns = list(hinges_of(ensemble_of([TIED]).structure, "turn"))
@@ -135,7 +135,7 @@ def test_a_tied_wing_rests_folded_with_its_veins_turned_alike():
     assert beyond.rests.all()
 
 
-def test_the_landscape_of_a_tied_wing_tells_what_its_ties_store():
+def test_the_landscape_of_a_coupled_wing_includes_the_energy_of_its_couplings():
     told = energy_landscape(tied(0.3), points=31)
     assert {"tendons", "membranes", "couplings"} == set(told.rests[0].stored)
     assert told.least_torques["fold"] == pytest.approx(least(tied(0.3)).torque[0])

@@ -261,7 +261,7 @@ def test_what_has_no_bottom_or_no_number_does_not_rest():
         assert not found.rests.any()
 
 
-def test_nothing_comes_of_no_cases():
+def test_zero_cases_give_empty_results():
     found = Truss().rest(np.zeros((0, 2)))
     assert found.position.shape == (0, 2)
 

@@ -46,8 +46,8 @@ def test_the_energy_is_that_of_the_hinges_and_what_little_the_membrane_stretches
     by_hinge = sum(hinge.energy(-path.ring_angle) for hinge in hinges)
     assert path.tendon_energy == pytest.approx(by_hinge, rel=1e-9, abs=1e-12)
     assert (path.sheet_energy >= -1e-15).all()
-    # at camber every hinge is at its overbend, flat at straight, at the end folded:
-    # docs/model/theory.md, section "Fan pattern"
+    # at camber every hinge is at its overbend, flat at straight, at the end folded
+    # (docs/model/theory.md, section Fan pattern)
     for place, angle in ((0, wing.hinge.overbend), (np.flatnonzero(path.pleat_angle == 0)[0], 0.0), (-1, -math.pi)):
         expected = sum(hinge.energy(angle) for hinge in hinges)
         assert path.energy[place] - path.sheet_energy[place] == pytest.approx(expected, rel=1e-9, abs=1e-12)
@@ -114,7 +114,7 @@ def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sect
         ({"hinge.fold_limit": 2.0, "protocol.folded_angle": 1.5}, None),
     ],
 )
-def test_what_a_path_lacks_is_said_and_nothing_is_nan(changes, sentence):
+def test_missing_values_of_a_path_have_a_remark_and_no_value_is_nan(changes, sentence):
     path = fold_path(with_values(REFERENCE, changes), 31)
     if sentence:
         assert path.remarks == (sentence,)

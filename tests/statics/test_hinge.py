@@ -192,7 +192,7 @@ def test_without_hub_the_crease_is_slanted_by_half_a_sector():
 
 @given(st.floats(1e-6, 1.5), st.floats(0.01, 1))
 def test_the_barrier_of_a_tendon_without_resting_length_is_its_energy_times_a_squared_sine(overbend, arm):
-    """docs/model/theory.md, section "Tendon across a hinge": U(0) sin^2(overbend / 2)."""
+    """docs/model/theory.md, section Tendon across a hinge: U(0) sin^2(overbend / 2)."""
     hinge = equal_arms(arm=arm, overbend=overbend)
     closed_form = float(hinge.energy(0)) * math.sin(overbend / 2) ** 2
     # rounding of the energies, of which a small overbend leaves a small difference
@@ -264,10 +264,7 @@ def test_the_peak_is_at_the_fold_limit_where_the_moment_grows_up_to_it():
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e3))
 def test_a_scaled_design_has_energy_and_torque_by_the_cube(factor):
-    """U and torque grow with the cube of the size, I with its fifth power.
-
-    See docs/model/theory.md, section "Similarity".
-    """
+    """docs/model/theory.md, section Similarity: k scales with s, U and torque with s^3, I with s^5."""
     scaled = scale_design(REFERENCE, factor)
     pairs = [
         (ideal_hinges(structure_of(REFERENCE))[0], ideal_hinges(structure_of(scaled))[0]),
@@ -292,7 +289,7 @@ def test_energy_and_torque_keep_the_shape_of_the_angles():
 
 
 @pytest.mark.parametrize("rest_length", [0.11, 0.2])
-def test_a_tendon_that_is_slack_throughout_has_nothing(rest_length):
+def test_a_tendon_that_is_always_slack_has_no_barrier_and_no_torque(rest_length):
     hinge = equal_arms(rest_length)
     assert not hinge.pulls
     for number in (top_barrier, holding_torque, peak_opening_torque, slack_angle):
@@ -311,7 +308,7 @@ def test_a_tendon_that_is_slack_throughout_has_nothing(rest_length):
         ({"fold_limit": 4.0}, "fold_limit: need >= 0 deg and <= 180 deg, got 229.183 deg"),
     ],
 )
-def test_a_hinge_that_is_none_is_refused(numbers, message):
+def test_an_impossible_hinge_is_rejected(numbers, message):
     fixed = {"proximal_arm": 0.05, "distal_arm": 0.05, "overbend": 0.05, "fold_limit": 3.0, "inertia": 1e-5}
     with pytest.raises(InputError, match=message):
         TendonHinge(law=ElasticLaw(rest_length=0.0, linear=1000.0), **{**fixed, **numbers})

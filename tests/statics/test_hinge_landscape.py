@@ -91,7 +91,7 @@ def approx_or_none(expected, **tolerance):
 def test_a_tendon_of_the_reference_is_held_open_and_free_when_folded():
     opened, folded = hinge_landscape(ideal_hinges(structure_of(REFERENCE))[0]).states
     assert (opened.kind, opened.angle) == ("stop", math.radians(3))
-    # k a sin(3 deg / 2) (2 cos(3 deg / 2) - 2 lambda) a: docs/model/theory.md, section "Tendon across a hinge"
+    # k a sin(3 deg / 2) (2 cos(3 deg / 2) - 2 lambda) a, docs/model/theory.md, section Tendon across a hinge
     torque = 1000 * 0.055**2 * 2 * math.sin(math.radians(1.5)) * (math.cos(math.radians(1.5)) - 9 / 11)
     assert opened.holding_torque == pytest.approx(torque, rel=1e-12)
     assert (folded.kind, folded.energy, folded.holding_torque) == ("neutral", 0, 0)
@@ -141,7 +141,7 @@ def test_the_tendons_of_a_wing_are_alike():
         (hinge(linear=0.0, cubic=1e6), "the law has no linear term, so there is no time scale"),
     ],
 )  # fmt: skip
-def test_what_a_hinge_lacks_is_said_in_a_sentence(surveyed, sentence):
+def test_missing_values_of_a_hinge_have_a_remark(surveyed, sentence):
     assert sentence in hinge_remarks(surveyed)
 
 
@@ -152,7 +152,7 @@ def test_what_a_hinge_lacks_is_said_in_a_sentence(surveyed, sentence):
     st.sampled_from([0.0, 1000.0]),
     st.sampled_from([0.0, 1e6]),
 )
-def test_what_is_none_has_a_remark_and_nothing_is_nan(rest_length, overbend, fold_limit, linear, cubic):
+def test_values_that_are_none_have_a_remark_and_no_value_is_nan(rest_length, overbend, fold_limit, linear, cubic):
     surveyed = hinge_landscape(hinge(rest_length, linear, cubic=cubic, overbend=overbend, fold_limit=fold_limit))
     # a spring that the hinge does not have is no number that is missing
     numbers = {name: getattr(surveyed, name) for name in surveyed.__dataclass_fields__ if name != "spring"}

@@ -87,7 +87,7 @@ def test_levels_of_independent_tendons_are_those_of_the_paper():
         ({"tendon.stiffness": "60 N/cm"}, ["no slowly growing torque up to 50 N cm folds it"]),
     ],
 )
-def test_what_does_not_exist_is_a_sentence_and_no_nan(landscape_with, settings, sentences):
+def test_missing_results_have_a_remark_and_no_nan(landscape_with, settings, sentences):
     found = landscape_with(settings)
     for sentence in sentences:
         assert any(sentence in remark for remark in found.remarks), sentence
@@ -99,7 +99,7 @@ def test_a_wing_whose_veins_stop_early_is_never_called_folded(landscape_with):
     assert names == ["flat", "partly folded"]
 
 
-def test_a_state_that_is_none_is_told_with_the_nearest(landscape):
+def test_an_unknown_state_is_rejected_with_the_nearest_name(landscape):
     with pytest.raises(InputError, match=r'need a stable state of the wing \(flat, folded\), got "foldd".*"folded"'):
         landscape.barrier("flat", "foldd")
 

@@ -39,7 +39,7 @@ def test_it_rests_flat_closed_and_opened(landscape):
     assert closed.energy < flat.energy
 
 
-def test_where_it_rests_another_minimiser_does(landscape):
+def test_the_resting_shape_equals_that_of_another_minimiser(landscape):
     structures = ensemble([structure_of(ff.load_design("letter-fold"))])
     for state in landscape.rests:
         found = minimize(
@@ -55,7 +55,7 @@ def test_where_it_rests_another_minimiser_does(landscape):
         assert state.energy <= found.fun + 1e-12
 
 
-def test_a_hinge_is_told_by_the_way_in_which_it_goes_farther(landscape):
+def test_the_folding_sense_of_a_hinge_is_that_of_its_larger_range(landscape):
     for tendon in landscape.tendons:
         assert math.degrees(tendon.hinge.overbend) == pytest.approx(3)
         assert math.degrees(tendon.hinge.fold_limit) == pytest.approx(175)
@@ -71,7 +71,7 @@ def test_a_hinge_is_told_by_the_way_in_which_it_goes_farther(landscape):
     ("stiffness", "rest_angle", "back_limit"),
     [(0.02, 0, 3), (0.12, 0, 3), (0.12, 60, 3), (0.05, 120, 3), (0.05, -60, 120), (0.02, 20, 120)],
 )
-def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffness, rest_angle, back_limit):
+def test_hinges_fold_alone_exactly_if_tendon_and_spring_give_two_equilibria(stiffness, rest_angle, back_limit):
     """The letter's tendon by the law of cosines, its arms 4.95 and 3.96 cm, and a crease 21 cm long; by brute force."""
     angles = np.radians(np.linspace(-back_limit, 175, 20001))
     length = np.sqrt(0.0495**2 + 0.0396**2 + 2 * 0.0495 * 0.0396 * np.cos(angles))
@@ -95,7 +95,7 @@ def test_hinges_fold_alone_just_where_tendon_and_spring_leave_two_places(stiffne
         assert landscape.hinge_barriers == pytest.approx(np.full(2, climb), rel=1e-5)
 
 
-def test_what_rests_at_a_goal_needs_no_torque_and_says_so():
+def test_a_transition_whose_goal_is_already_met_needs_no_torque_and_has_a_remark():
     landscape = ff.landscape(ff.load_design("letter-fold", {"crease.rest_angle": "90 deg"}), points=61)
     assert landscape.least_torques["close"] == 0
     assert (
@@ -130,7 +130,7 @@ def test_the_least_torque_that_opens_it_is_the_steepest_climb_back(landscape):
     assert steepest * (1 - 1e-6) < landscape.least_torques["open"] < 1.03 * steepest
 
 
-def test_what_needs_one_way_to_fold_is_left_out_or_says_so(landscape):
+def test_results_that_need_a_single_folding_path_are_left_out_or_rejected(landscape):
     assert (landscape.fold_path, landscape.tips, landscape.hinge) == (None, None, None)
     assert landscape.fold_barrier is None
     with pytest.raises(InputError, match="letter-fold: has no single folding path"):

@@ -40,7 +40,7 @@ def force(stiffness, height):
     return 4 * stiffness * (SIDE / np.hypot(HALF, height) - 1) * height
 
 
-def test_both_states_are_found_and_called_what_the_protocol_calls_them(landscape):
+def test_both_states_are_found_with_the_names_of_the_protocol(landscape):
     assert [state.name for state in landscape.states] == ["up", "down"]
     heights = [state.readings["height"][0] for state in landscape.states]
     assert heights[0] - heights[1] == pytest.approx(2 * RISE, rel=1e-3)
@@ -49,7 +49,7 @@ def test_both_states_are_found_and_called_what_the_protocol_calls_them(landscape
     assert all(rest.stable and rest.within for rest in landscape.rests)
 
 
-def test_energies_are_told_by_what_stores_them(landscape):
+def test_energies_are_reported_by_the_part_that_stores_them(landscape):
     up, down = landscape.states
     assert up.energy == 0
     assert set(down.stored) == {"creases", "bars"}
@@ -75,7 +75,7 @@ def test_states_and_barriers_of_a_net_are_asked_for_as_those_of_a_wing(landscape
         replace(landscape, passes=()).barrier("up", "down")
 
 
-def test_of_several_ways_the_one_with_the_lowest_top_counts(landscape):
+def test_the_barrier_is_that_of_the_path_with_the_lowest_maximum(landscape):
     up, down = landscape.states
     between = replace(up, name="between", energy=1.0)
     direct = replace(landscape.passes[0], energy=9.0)
@@ -97,7 +97,7 @@ def test_drives_snap_at_the_largest_force_of_the_bars(landscape, slanting):
         assert min(point.factor for point in course.through.points) < -0.9 * course.slow.snaps[0].factor
 
 
-def test_states_withstand_what_the_bars_do(landscape, slanting):
+def test_states_withstand_the_loads_of_the_closed_form(landscape, slanting):
     up, down = ({each.load: each for each in state.withstands} for state in landscape.states)
     largest = force(slanting, np.linspace(0, RISE, 20001)).max()
     assert up["force push"].value == pytest.approx(largest, rel=5e-3)
@@ -111,7 +111,7 @@ def test_states_withstand_what_the_bars_do(landscape, slanting):
     assert up["supports accelerated along +x"].kind == "none"
 
 
-def test_it_swings_as_its_bars_and_the_mass_of_its_apex_do(landscape, slanting):
+def test_the_frequency_follows_from_the_bars_and_the_mass_of_the_apex(landscape, slanting):
     structure = structure_of(pyramid())
     expected = np.sqrt(4 * slanting * (RISE / SIDE) ** 2 / structure.bodies[0].mass) / (2 * np.pi)
     assert landscape.states[0].frequencies[0] == pytest.approx(expected, rel=5e-3)
@@ -139,7 +139,7 @@ def test_the_summary_has_units_in_its_keys_and_plain_numbers(landscape):
     assert "net" not in landscape_summary(energy_landscape(load_design("letter-fold"), points=31))
 
 
-def test_what_a_drive_cannot_do_has_no_least_value():
+def test_a_transition_that_its_drive_cannot_make_has_no_least_value():
     """Pulled up, a pyramid gets no lower."""
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
@@ -158,7 +158,7 @@ def test_a_sheet_without_springs_in_its_creases_and_without_supports_rests_nowhe
     assert any("a part can move without any force" in remark for remark in found.remarks)
 
 
-def test_progress_is_told(landscape, told):
+def test_progress_is_reported(landscape, told):
     assert landscape.states
     assert told[0] == "resting shape and effects of the drives"
     assert "loads that it withstands: down" in told
@@ -184,7 +184,7 @@ def test_a_displaced_apex_takes_the_force_of_the_closed_form_through_the_snap(sl
     assert told["largest_force_N"] == pytest.approx(max(expected), rel=1e-2)
 
 
-def test_a_displacement_along_no_axis_is_told_and_the_states_remain():
+def test_a_displacement_along_no_axis_gives_a_remark_and_the_states_are_computed():
     landscape = pressed([0, 1, -1])
     assert len(landscape.states) == 2
     (remark,) = [remark for remark in landscape.remarks if "cannot be computed" in remark]

@@ -46,7 +46,7 @@ def standing_off(height):
         (6.0, 20.2, 14.6, -12.5),
     ],
 )
-def test_a_joint_is_that_of_the_table(height, barrier, torque, top):
+def test_the_joint_has_the_values_of_the_table(height, barrier, torque, top):
     hinge = ideal_hinges(structure_of(standing_off(height / 1000)))[0]
     # mJ, N cm and deg as written there
     assert 1e3 * top_barrier(hinge) == pytest.approx(barrier, abs=0.05 if barrier > 10 else 0.01)
@@ -166,7 +166,7 @@ def test_from_its_top_it_grows_at_its_growth_rate():
     assert (hinge.top - motion.y[0]) / start == pytest.approx(np.cosh(rate * motion.t), rel=1e-4)
 
 
-def test_a_top_beyond_the_overbend_is_said():
+def test_a_top_beyond_the_overbend_gives_a_remark():
     hinge = ideal_hinges(structure_of(standing_off(-0.003)))[0]
     assert top_barrier(hinge) is None
     assert [state.kind for state in hinge_states(hinge)] == ["neutral"]

@@ -104,7 +104,7 @@ def test_the_points_of_a_fan_are_where_the_simulator_has_them(reference_run):
 @settings(deadline=None)
 @given(st.floats(0.01, 0.03), st.floats(10, 30), st.floats(0, 179.9))
 def test_along_the_rigid_fold_a_margin_lies_on_its_vein_as_folded_paper_does(hub, sector, pleat):
-    """Distances within what a vein carries are those of rigid panels (docs/model/theory.md, section "Fan pattern")."""
+    """Distances within a vein's margin are those of rigid panels (docs/model/theory.md, section Fan pattern)."""
     changes = {"pattern.hub_radius": hub, "pattern.sector_angle": math.radians(sector), "vein.diameter": 1e-4}
     design = with_values(REFERENCE, {**changes, "membrane.margin": 0.01})
     structure, fan = structure_of(design), design.fan

@@ -29,7 +29,7 @@ FOLDING = np.array([0.1, 0.0])
 
 @settings(deadline=None, max_examples=20)
 @given(st.integers(0, 1000))
-def test_it_is_the_sheet_and_the_tendons_less_the_work_of_torques(seed):
+def test_the_potential_is_the_energy_of_sheet_and_tendons_minus_the_work_of_torques(seed):
     angles = np.random.default_rng(seed).uniform(-0.5, 0.5, (3, 12))
     torques = np.array([[0.1, 0.0], [0.2, 0.1], [0.3, -0.4]])
     energy = potential(WINGS, angles, torques)[0]
@@ -146,7 +146,7 @@ def test_gravity_bends_a_wing():
         ensemble_of([DESIGNS[0], heavy])
 
 
-def test_structures_side_by_side_do_not_touch_each_other():
+def test_structures_side_by_side_do_not_affect_each_other():
     together = rest(WINGS, start_angles(WINGS), FOLDING)
     for case in range(3):
         alone = rest(ensemble_of(DESIGNS[case : case + 1]), start_angles(WINGS)[case : case + 1], FOLDING)

@@ -76,10 +76,7 @@ def test_what_folds_and_opens_does_not_depend_on_the_steps_or_on_the_guards_stif
 
 
 def test_the_least_torque_on_the_distal_hinges_is_the_largest_moment_of_their_tendons():
-    """No panel hinders another where all hinges open identically.
-
-    The torque is then the largest moment of docs/model/theory.md, section "Tendon across a hinge".
-    """
+    """With equally opening hinges panels do not interact: the torque is the largest moment (docs/model/theory.md)."""
     wings = ensemble_of([REFERENCE])
     folded = folded_state(wings)
     peak = peak_opening_torque(tendon_hinges(structure_of(REFERENCE))[0]).torque

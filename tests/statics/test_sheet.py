@@ -96,7 +96,7 @@ def test_all_along_the_reference_the_membrane_has_the_energy_of_the_record(refer
 
 
 @given(st.floats(-math.pi, math.pi))
-def test_what_turns_as_a_whole_stores_what_it_did(angle):
+def test_rigid_rotation_does_not_change_the_energy(angle):
     """Without a hub all veins start at one point: a sweep of all is a rigid motion."""
     sheet = sheet_of(structure_of(with_values(REFERENCE, {"pattern.hub_radius": 0.0})))
     angles = np.random.default_rng(1).uniform(-0.3, 0.3, (1, 12))

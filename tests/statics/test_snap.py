@@ -53,7 +53,7 @@ def motion(hinge, start, duration):
 
 @given(st.floats(1e-4, 3.0))
 def test_without_resting_length_it_folds_in_the_time_of_a_pendulum(start):
-    """docs/model/theory.md, section "Snap of a hinge": t* K(m), m = cos^2(start / 2)."""
+    """docs/model/theory.md, section Snap of a hinge: t* K(m), m = cos^2(start / 2)."""
     ideal = hinge()
     # accuracy of the quadrature
     assert fold_time(ideal, start) == pytest.approx(time_scale(ideal) * ellipk(math.cos(start / 2) ** 2), rel=1e-9)
@@ -71,7 +71,7 @@ def test_it_folds_in_the_time_and_to_the_speed_of_the_integrated_motion(other, s
 
 @given(st.floats(0, 0.99), st.floats(1e-3, 0.1))
 def test_the_final_speed_is_two_cosines_less_the_resting_length(share, start):
-    """docs/model/theory.md, section "Snap of a hinge": (2 cos(start / 2) - l0 / a) / t* for equal arms."""
+    """docs/model/theory.md, section Snap of a hinge, equal arms: 2 cos(start / 2) - l0 / a, divided by t*."""
     ideal = hinge(0.11 * share)
     closed_form = 2 * (math.cos(start / 2) - share)
     if closed_form <= 0:
@@ -84,7 +84,7 @@ def test_the_final_speed_is_two_cosines_less_the_resting_length(share, start):
 
 @given(st.floats(0, 0.99))
 def test_the_growth_rate_is_that_of_a_taut_tendon_at_straight(share):
-    """docs/model/theory.md, section "Snap of a hinge": sqrt(1 - lambda) / t*."""
+    """docs/model/theory.md, section Snap of a hinge: sqrt(1 - lambda) / t*."""
     ideal = hinge(0.11 * share)
     assert growth_rate(ideal) * time_scale(ideal) == pytest.approx(math.sqrt(1 - share), rel=1e-12)
 
@@ -108,7 +108,7 @@ def test_the_fold_takes_longer_by_one_growth_time_for_every_e_fold_nearer_to_str
 @settings(deadline=None)
 @given(st.floats(1e-3, 1e3))
 def test_a_scaled_wing_folds_in_a_time_in_proportion_to_its_size(factor):
-    """See docs/model/theory.md, section "Similarity"."""
+    """docs/model/theory.md, section Similarity."""
     small, large = (tendon_hinges(structure_of(design))[0] for design in (REFERENCE, scale_design(REFERENCE, factor)))
     for number, power in ((time_scale, 1), (fold_time, 1), (final_speed, -1), (growth_rate, -1)):
         # rounding, and the quadrature
@@ -124,7 +124,7 @@ def test_a_scaled_wing_folds_in_a_time_in_proportion_to_its_size(factor):
         hinge(fold_limit=0.01),
     ],
 )
-def test_what_nothing_folds_has_no_time_and_no_speed(still):
+def test_a_hinge_that_does_not_fold_has_no_time_and_no_speed(still):
     assert fold_time(still) is None
     assert final_speed(still) is None
 

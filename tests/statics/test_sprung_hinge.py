@@ -16,7 +16,7 @@ def hinge():
     return ideal_hinges(structure_of(load_design("binder2025")))[0]
 
 
-def test_a_spring_that_is_hardly_there_changes_hardly_anything(hinge):
+def test_a_very_soft_spring_hardly_changes_the_landscape(hinge):
     alone = hinge_landscape(hinge)
     sprung = hinge_landscape(hinge, spring=HingeSpring(stiffness=1e-9, rest_angle=0.0))
     assert sprung.barrier == pytest.approx(alone.barrier, rel=1e-6)
@@ -47,7 +47,7 @@ def test_states_barrier_and_peak_are_those_of_the_sum(hinge):
     assert found.stored_energy(found.angle) == pytest.approx(found.energy + found.spring_energy)
 
 
-def test_a_spring_that_is_too_stiff_leaves_one_state_and_says_so(hinge):
+def test_a_too_stiff_spring_leaves_one_state_and_gives_a_remark(hinge):
     found = hinge_landscape(hinge, spring=HingeSpring(stiffness=10.0, rest_angle=0.0))
     assert (found.barrier, found.peak_opening, found.growth_rate) == (None, None, None)
     (state,) = found.states

@@ -1,4 +1,4 @@
-"""How a validation test tells the documentation what it compares."""
+"""Fixtures with which validation tests report their comparisons to the documentation."""
 
 import json
 from collections.abc import Callable
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-# what the test that is running has compared, by what is compared and with what: the worst of each
+# comparisons of the running test, by compared quantity and reference: the worst of each
 _TOLD: dict[tuple[Any, ...], dict[str, Any]] = {}
 
 
@@ -21,7 +21,7 @@ def pytest_runtest_call(item):
 
 
 def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
-    """Keep what was compared, where it is nearer to its bound than what was compared under the same words before."""
+    """Keep a comparison if it is nearer to its bound than earlier ones under the same words."""
     before = _TOLD.get(key)
     count = told["count"] + (0 if before is None else before["count"])
     if before is None or not strain <= before["strain"]:
@@ -31,11 +31,12 @@ def _tell(key: tuple[Any, ...], strain: float, told: dict[str, Any]) -> None:
 
 @pytest.fixture(scope="session")  # it keeps nothing: properties and fixtures of modules may ask for it
 def agree() -> Callable[..., None]:
-    """Hold our value to another one, and record both for the page of validation.
+    """Compare a value with a reference value, and record both for the page of validation.
 
-    Called with what is compared, ours, theirs, `by` whom theirs is, its `unit`, and what may be between them: the
-    larger of a share `rel` of theirs, and `abs`; nothing if neither is given. Of arrays, and of all that a test
-    compares under the same words, the worst is told; `over` a name and values of an axis both are drawn there.
+    Arguments are the name of the quantity, our value, the reference value, its source `by`, its `unit`, and the allowed
+    difference: the larger one of the share `rel` of the reference and of `abs`; 0 if neither is given. For arrays, and
+    for all comparisons of a test under the same words, the worst one is reported. With `over`, a name and values of an
+    axis, both curves are drawn on the page.
     """
 
     def compare(what, ours, theirs, *, by, unit="", rel=None, abs=None, over=None):
@@ -43,7 +44,7 @@ def agree() -> Callable[..., None]:
         limits = np.maximum(0.0 if rel is None else rel * np.abs(second), 0.0 if abs is None else abs)
         allowed = np.broadcast_to(limits, first.shape)
         off = np.abs(first - second)
-        # where nothing is allowed, anything is the worst
+        # if no difference is allowed, any difference is infinitely bad
         shares = np.where(allowed > 0, off / np.where(allowed > 0, allowed, 1), np.where(off == 0, 0, np.inf))
         worst = int(np.argmax(np.where(np.isnan(shares), np.inf, shares)))
         told = {
@@ -62,7 +63,7 @@ def agree() -> Callable[..., None]:
             told |= {"ours_all": first[some].tolist(), "theirs_all": second[some].tolist()}
         _tell(("agree", what, by, unit), float(shares.flat[worst]), told)
         assert np.all(off <= allowed), (
-            f"{what}: {told['ours']} beside {told['theirs']}, {by}; allowed {told['allowed']}"
+            f"{what}: got {told['ours']}, {by}: {told['theirs']}; allowed difference {told['allowed']}"
         )
 
     return compare
@@ -70,10 +71,11 @@ def agree() -> Callable[..., None]:
 
 @pytest.fixture(scope="session")
 def holds() -> Callable[..., None]:
-    """Hold a value to a bound, and record both for the page of validation.
+    """Check a value against bounds, and record both for the page of validation.
 
-    Called with what is bounded, its value, the bounds `above` and `below` which it lies, one or both, its `unit`, and
-    `by` what the bound is. Of arrays, and of all that a test bounds under the same words, the nearest is told.
+    Arguments are the name of the quantity, its value, one or both of the bounds `above` and `below`, its `unit`, and
+    the source `by` of the bound. For arrays, and for all checks of a test under the same words, the value nearest to
+    its bound is reported.
     """
 
     def hold(what, value, *, above=None, below=None, unit="", by=""):

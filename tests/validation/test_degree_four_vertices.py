@@ -1,8 +1,8 @@
 """Nets of stiff bars fold a vertex of four creases as rigid panels do.
 
-Flat-foldable vertices obey the tan-half-angle relations (Tachi 2009, J. IASS 50, 173-179; Evans, Lang,
-Magleby and Howell 2015, doi 10.1098/rsos.150067); any others the closure of four rotations (Belcastro and Hull 2002,
-doi 10.1016/S0024-3795(01)00608-5), here as a product of matrices.
+Flat-foldable vertices satisfy the half-angle tangent relations (Tachi 2009, J. IASS 50, 173-179; Evans, Lang, Magleby
+and Howell 2015, doi 10.1098/rsos.150067). At any vertex the product of four rotations is the identity (Belcastro and
+Hull 2002, doi 10.1016/S0024-3795(01)00608-5).
 """
 
 from dataclasses import replace
@@ -20,7 +20,7 @@ STIFF = 1e6  # EA over the stiffness of a crease by its length, as the issue ask
 
 
 def vertex(sectors):
-    """Four panels around the origin; crease 0 along x, angles of the creases from there."""
+    """Four panels around the origin; crease 0 is along x, and the angles of the creases count from it."""
     turns = np.cumsum([0.0, *sectors[:-1]])
     rim = np.stack((np.cos(turns), np.sin(turns), np.zeros(4)), axis=1)
     nodes = np.vstack((np.zeros(3), rim))
@@ -28,7 +28,7 @@ def vertex(sectors):
 
 
 def folded(sectors, signs, target):
-    """Fold angles of the creases in turn, driven by the rest angle of the first; `signs` choose the branch."""
+    """Fold angles of the creases in order, driven by the rest angle of the first; `signs` select the branch."""
     net = vertex(sectors)
     creases = [int(np.flatnonzero(net.creases.points[:, 1] == rim)[0]) for rim in (1, 2, 3, 4)]
     rest = np.zeros(4)
@@ -50,7 +50,7 @@ def folded(sectors, signs, target):
 def test_flat_foldable_vertices_satisfy_the_half_angle_tangent_relations(agree, first, second, target):
     alpha, beta = np.deg2rad((first, second))
     angles = folded((alpha, beta, np.pi - alpha, np.pi - beta), (1, 1, 1, -1), np.deg2rad(target))
-    agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
+    agree("driven fold angle", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
     # opposite creases turn alike, one pair with the same sign, the other with opposite ones
     alike = 0 if angles[0] * angles[2] > 0 else 1
     ours, theirs = np.rad2deg([(angles[alike], angles[alike + 2]), (angles[1 - alike], -angles[3 - alike])]).T
@@ -62,7 +62,14 @@ def test_flat_foldable_vertices_satisfy_the_half_angle_tangent_relations(agree, 
     known = np.concatenate((known, 1 / known))
     nearest = known[np.argmin(np.abs(known - ratio))]
     neighbour = np.rad2deg(2 * np.arctan(nearest * abs(half[0])))
-    agree("its neighbour's", np.rad2deg(abs(angles[1])), neighbour, unit="deg", by="tan half angles", abs=1e-3)
+    agree(
+        "fold angles of the neighbouring crease",
+        np.rad2deg(abs(angles[1])),
+        neighbour,
+        unit="deg",
+        by="tan half angles",
+        abs=1e-3,
+    )
 
 
 @settings(deadline=None, max_examples=10)
@@ -70,7 +77,7 @@ def test_flat_foldable_vertices_satisfy_the_half_angle_tangent_relations(agree, 
 def test_rotations_around_any_vertex_multiply_to_the_identity(agree, first, second, third, target):
     sectors = np.deg2rad((first, second, third, 360 - first - second - third))
     angles = folded(sectors, (1, 1, 1, -1), np.deg2rad(target))
-    agree("fold angle that is driven", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
+    agree("driven fold angle", np.rad2deg(angles[0]), target, unit="deg", by="its goal", abs=0.1)
     around = np.eye(3)
     for angle, sector in zip(angles, sectors, strict=True):
         # across a valley the next panel turns about the crease, against the sense of the walk

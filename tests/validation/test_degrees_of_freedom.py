@@ -1,7 +1,7 @@
-"""Degrees of freedom and self-stress are those that counting by vertices and by borders gives.
+"""Degrees of freedom and self-stresses agree with independent counts.
 
-Bars and panels are what the rigidity matrix knows; here the closure of vertices, Euler's formula and counts measured
-elsewhere stand against it.
+The rigidity matrix is computed from bars and panels. It is compared with counts from the closure of vertices, from
+Euler's formula, and from independent code.
 """
 
 import math
@@ -22,7 +22,7 @@ def creases_of(pattern):
 
 @pytest.mark.parametrize(("size", "flat"), [(4, 6), (8, 14)])
 def test_miura_sheets_have_the_number_of_mechanisms_of_independent_code(agree, size, flat):
-    """A trial apart from this code found 6 and 14 in the flat sheet of 4 x 4 and 8 x 8 panels, 1 in a folded one."""
+    """Independent code found 6 and 14 in flat sheets of 4 x 4 and 8 x 8 panels, and 1 in a folded sheet."""
     facts = pattern_facts(sheet(size, size))
     found = (facts.freedoms.rigid.mechanisms, facts.freedoms.folded.mechanisms)
     agree(f"mechanisms of {size} x {size} panels, flat and folded", found, (flat, 1), by="another code")
@@ -31,7 +31,7 @@ def test_miura_sheets_have_the_number_of_mechanisms_of_independent_code(agree, s
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (3, 5), (7, 4)])
 def test_each_vertex_of_a_flat_sheet_removes_two_degrees_of_freedom_and_adds_one_self_stress(agree, columns, rows):
-    """Fold rates as vectors along creases add up to 0 in the plane: two equations of three, Belcastro, Hull 2002."""
+    """Fold rates as vectors along creases sum to 0 in the plane: two of three equations (Belcastro, Hull 2002)."""
     found, inside = rigidity(sheet(columns, rows)), (columns - 1) * (rows - 1)
     known = (creases_of(sheet(columns, rows)) - 2 * inside, inside)
     what = f"mechanisms and self-stresses of {columns} x {rows} flat panels"
@@ -40,7 +40,7 @@ def test_each_vertex_of_a_flat_sheet_removes_two_degrees_of_freedom_and_adds_one
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 3), (5, 4)])
 def test_a_folded_sheet_has_the_degrees_of_freedom_of_the_loops_around_its_vertices(agree, columns, rows):
-    """Mechanisms are creases less the rank of all walks' slopes, self-stress three a vertex less it, Tachi 2009."""
+    """Mechanisms: creases minus the rank of the loops' derivatives; self-stresses: 3 per vertex minus it."""
     pattern = sheet(columns, rows)
     angles = folded_as_assigned(pattern)
     around = vertex_creases(pattern)
@@ -56,7 +56,7 @@ def test_a_folded_sheet_has_the_degrees_of_freedom_of_the_loops_around_its_verti
 
 @pytest.mark.parametrize(("columns", "rows"), [(2, 2), (4, 4), (5, 3)])
 def test_a_folded_sheet_with_bending_facets_has_three_degrees_of_freedom_fewer_than_border_edges(agree, columns, rows):
-    """A triangulated disc has 3 V - 6 - E = B - 3 by Euler's formula, B sides of its border."""
+    """A triangulated disc with B border edges has 3 V - 6 - E = B - 3 by Euler's formula."""
     found = rigidity(sheet(columns, rows, 0.6), bending=True)
     known = (2 * (columns + rows) - 3, 0)
     what = f"mechanisms and self-stresses of {columns} x {rows} panels that bend"

@@ -1,7 +1,8 @@
-"""Panels in air and water beside closed forms: added mass of strips, drag of plates, viscosity of discs.
+"""Panels in air and water agree with closed forms: added mass of strips, drag of plates, viscous drag of discs.
 
-Lamb 1932, Hydrodynamics, articles 71 and 339: pi rho w^2 / 4 by length of a strip moves with it; 16 mu a U on a disc.
-Hoerner 1965, Fluid-Dynamic Drag, chapter 3: a coefficient of 2 of a long plate square to the flow.
+Lamb 1932, Hydrodynamics, articles 71 and 339: the added mass of a strip is pi rho w^2 / 4 per length, and the viscous
+force on a disc is 16 mu a U. Hoerner 1965, Fluid-Dynamic Drag, chapter 3: the drag coefficient of a long plate
+perpendicular to the flow is 2.
 """
 
 import math
@@ -31,12 +32,12 @@ def run(design):
 
 
 def added_inertia(density):
-    """Of the strip about the hinge: pi rho w^2 / 4 by length, over its length."""
+    """Added inertia of the strip about the hinge: pi rho w^2 / 4 per length, integrated over its length."""
     return math.pi / 4 * density * WIDTH**2 * LENGTH**3 / 3
 
 
 def test_added_mass_slows_a_pendulum(agree, holds):
-    """2 pi sqrt(I / (m g L / 2)) of a small swing: the medium adds to I, and nothing to the weight."""
+    """The period of a small swing is 2 pi sqrt(I / (m g L / 2)); the medium adds to I but not to the weight."""
     density, down = 12.0, -math.pi / 2
     swing = pushed(
         0.0,
@@ -51,7 +52,7 @@ def test_added_mass_slows_a_pendulum(agree, holds):
     expected = 2 * math.pi * math.sqrt((INERTIA + added_inertia(density)) / (MASS * 9.81 * LENGTH / 2))
     assert len(at) > 1
     agree("period of a plate in a medium", np.diff(at).mean(), expected, unit="s", by="Lamb's added mass", rel=1e-4)
-    holds("energy that is missing", energy_balance(record).residual, below=0.005, by="conservation of energy")
+    holds("missing energy", energy_balance(record).residual, below=0.005, by="conservation of energy")
 
 
 def test_added_mass_has_no_weight(agree):
@@ -64,12 +65,19 @@ def test_added_mass_has_no_weight(agree):
     ]
     known = MASS * 9.81 * LENGTH / 2 * math.sin(1.0)
     agree("weight's energy of a plate", 1e3 * weights[0], 1e3 * known, unit="mJ", by="m g h", rel=1e-9)
-    agree("the same in a medium", 1e3 * weights[1], 1e3 * weights[0], unit="mJ", by="in empty space", rel=1e-12)
+    agree(
+        "weight's energy of a plate in a medium",
+        1e3 * weights[1],
+        1e3 * weights[0],
+        unit="mJ",
+        by="in empty space",
+        rel=1e-12,
+    )
 
 
 @pytest.mark.parametrize("density", [1.2, 1000.0])
 def test_a_driven_plate_approaches_the_speed_at_which_drag_balances_the_torque(agree, holds, density):
-    """w^2 = tau / c2 (1 - exp(-2 c2 angle / I)) from rest, with c2 = rho C_D / 2 times the integral of w r^3."""
+    """From rest w^2 = tau / c2 (1 - exp(-2 c2 angle / I)), where c2 = rho C_D / 2 times the integral of w r^3."""
     drag, inertia = density * WIDTH * LENGTH**4 / 4, INERTIA + added_inertia(density)
     torque = 40.0 * drag + 1e-3
     record = run(pushed(torque, [stage("creases > 170 deg", "push")], **{"medium.density": density}))
@@ -86,7 +94,7 @@ def test_a_driven_plate_approaches_the_speed_at_which_drag_balances_the_torque(a
         over=("angle (deg)", np.degrees(angle)),
     )
     balance = energy_balance(record)
-    holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
+    holds("missing energy", balance.residual, below=0.005, by="conservation of energy")
     left = torque * angle[-1] - inertia / 2 * square[-1]
     agree(f"work of drag at {density:g} kg/m³", balance.drag, left, unit="J", by="τ φ - I ω² / 2", rel=0.02)
 
@@ -105,7 +113,7 @@ def test_the_error_of_the_drag_is_of_first_order_in_the_timestep(agree):
 
 @pytest.mark.parametrize("torque", [1e-3, 2e-3])
 def test_in_a_viscous_medium_without_mass_speed_is_proportional_to_torque(agree, torque):
-    """32 mu / (pi w) by area and speed: from rest w = tau / c1 (1 - exp(-c1 t / I))."""
+    """The drag is 32 mu / (pi w) per area and speed, so from rest w = tau / c1 (1 - exp(-c1 t / I))."""
     viscosity = 0.1
     damping = 32 * viscosity / math.pi * LENGTH**3 / 3
     record = run(pushed(torque, [stage("time", "push", 0.4)], **{"medium.viscosity": viscosity}))
@@ -117,12 +125,12 @@ def test_in_a_viscous_medium_without_mass_speed_is_proportional_to_torque(agree,
 
 
 def test_the_automatic_timestep_accounts_for_the_viscous_damping_of_light_parts(agree, holds):
-    """A force that stays for five steps is stable while 5 h c1 / I < 2."""
+    """A force that is constant over five steps is stable while 5 h c1 / I < 2."""
     viscosity = 10.0
     rate = 32 * viscosity / math.pi * LENGTH**3 / 3 / INERTIA
     design = pushed(1e-3, [stage("time", "push", 0.02)], **{"medium.viscosity": viscosity})
     allowed = stable_timestep(design)
-    holds("timestep that is chosen", 1e6 * allowed, below=1e6 * 2 / (5 * rate), unit="µs", by="2 I / (5 c)")
+    holds("automatic timestep", 1e6 * allowed, below=1e6 * 2 / (5 * rate), unit="µs", by="2 I / (5 c)")
     ends = []
     for step in (allowed, 10 * 2 / (5 * rate)):
         record = run(with_values(design, {"protocol.timestep": step}))
@@ -133,7 +141,7 @@ def test_the_automatic_timestep_accounts_for_the_viscous_damping_of_light_parts(
 
 
 def moving(name, seed, **values):
-    """A design's model somewhere near its built shape, moving any way."""
+    """Model of a design in a random motion near its built shape."""
     model = compile_model(with_values(load_design(name), {**AIR, "protocol.timestep": 1e-4, **values}))
     rng = np.random.default_rng(seed)
     data = mujoco.MjData(model.engine)
@@ -155,7 +163,7 @@ def corners(model, data):
 
 
 def taken(model, data):
-    """Power that drag takes by its definition: normal speeds from positions a moment apart, in a hundred parts each."""
+    """Power of the drag from its definition: normal speeds from two close positions, with each panel in 100 parts."""
     medium, moment, places = model.in_units.medium, 1e-6, []
     for way in (-moment, moment):
         other = mujoco.MjData(model.engine)
@@ -213,7 +221,7 @@ def test_a_sheet_that_moves_in_its_plane_has_no_drag(holds):
 
 
 def folding(**values):
-    """The reference until it is folded, after a short while of settling."""
+    """The reference up to the folded state, after a short settling."""
     base = load_design("binder2025")
     settle, fold = base.protocol.stages[:2]
     stages = [settle.model_copy(update={"time_limit": 0.05}), fold]
@@ -223,9 +231,9 @@ def folding(**values):
 def test_the_wing_folds_later_in_air_and_its_energy_balance_includes_the_drag(holds):
     records = {name: run(folding(**medium)) for name, medium in (("none", {}), ("air", AIR))}
     times = {name: measure(record).transitions["fold"].time for name, record in records.items()}
-    holds("time to fold in air by that without", times["air"] / times["none"], above=1.03, below=1.1)
+    holds("ratio of the fold times in air and in empty space", times["air"] / times["none"], above=1.03, below=1.1)
     balance = energy_balance(records["air"])
-    holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
+    holds("missing energy", balance.residual, below=0.005, by="conservation of energy")
     # of 0.05 J: rho times the cube of the normal speed, measured of the wing in empty space
     holds("work of the drag", balance.drag, above=0.03, below=0.08, unit="J", by="ρ v³ of the wing in empty space")
     told = {name: summary(record, measure(record), {})["energy_balance"] for name, record in records.items()}
@@ -254,11 +262,11 @@ def test_energy_balances_of_plates_in_loops_and_of_nodes_include_the_drag(holds)
         record = run(with_values(load_design("miura-sheet"), {**AIR, **small, **values}))
         balance = energy_balance(record)
         assert balance.drag > 1e-3 * balance.exchanged
-        holds("energy that is missing", balance.residual, below=0.005, by="conservation of energy")
+        holds("missing energy", balance.residual, below=0.005, by="conservation of energy")
 
 
 def test_the_work_of_stops_of_plates_in_a_loop_does_not_include_weight_of_the_medium(holds):
-    """Where a stop jumps, its work is what else is missing: the medium's weight would be in it."""
+    """At a jump of a stop's force, its work is the unexplained change of energy, which must not include the weight."""
     drive = '[[drive]]\nname = "fold"\nkind = "torque"\nof = "creases"\nvalue = "2e-3 N cm"\nrise = "20 ms"'
     crease = 'stiffness = "1e-3 N m/rad/m"\ndamping = "1e-5 N m s/rad/m"\nfold_limit = "45 deg"'
     stages = [{"name": "fold", "drive": "fold", "limit": "80 ms"}]
@@ -268,7 +276,7 @@ def test_the_work_of_stops_of_plates_in_a_loop_does_not_include_weight_of_the_me
     changed = {"medium.density": 12.0, "stops.time_constant": "0.2 ms"}
     balance = energy_balance(run(with_values(sheet, changed)))
     assert balance.stops > 0.1 * balance.work > 0
-    holds("energy that is missing", balance.residual, below=2e-6, by="conservation of energy")
+    holds("missing energy", balance.residual, below=2e-6, by="conservation of energy")
 
 
 @pytest.mark.parametrize("name", ["binder2025", "miura-sheet", "letter-fold"])

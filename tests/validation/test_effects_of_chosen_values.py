@@ -1,4 +1,4 @@
-"""What is said of values that are chosen: the armature's share, and where the work of a constant torque goes.
+"""Statements of the documentation on chosen values: share of the armature, and use of the work of a constant torque.
 
 Semi-implicit Euler moves a hinge by its velocity times the timestep, so rows at every step give velocities exactly.
 """
@@ -25,7 +25,7 @@ def folding(design, **settings):
 
 
 def test_the_armature_is_twenty_times_the_inertia_of_a_vein_about_its_axis(reference, agree):
-    """Of two thin rods, one along the axis, one at the angle at which the flat creases meet (m l^2 sin^2 / 3)."""
+    """The inertia is that of two thin rods, one along the axis and one at the angle of the creases, m l^2 sin^2 / 3."""
     hubs, rings, ends = hub_points(reference.fan), ring_vertices(reference.fan), tips(reference.fan)
     proximal, distal = (rings - hubs)[0], (ends - rings)[0]
     lengths = [np.linalg.norm(bar) for bar in (proximal, distal)]
@@ -33,7 +33,7 @@ def test_the_armature_is_twenty_times_the_inertia_of_a_vein_about_its_axis(refer
     radius = reference.vein.diameter / 2
     line = reference.vein.density * math.pi * radius**2
     own = line * lengths[1] ** 3 * (1 - cosine**2) / 3 + line * lengths[0] * radius**2 / 2
-    agree("armature by a vein's own inertia", reference.hinge.armature / own, 20, by="as the pages say", rel=0.05)
+    agree("armature divided by the inertia of a vein", reference.hinge.armature / own, 20, by="documentation", rel=0.05)
 
 
 @pytest.mark.parametrize(("stiffness", "rest_length"), [("10 N/cm", "9 cm"), ("10 N/cm", "4 cm"), ("60 N/cm", "8 cm")])
@@ -48,7 +48,7 @@ def test_the_armature_carries_more_than_half_of_the_kinetic_energy_at_its_peak(
     kinetic = record.series["kinetic_energy"][1:]
     peak = start + int(np.argmax(kinetic[start:]))
     assert record.stages[1].goal_time is not None
-    holds("share of the armature at the peak", carried[peak] / kinetic[peak], above=0.55, below=0.81)
+    holds("share of the armature in the largest kinetic energy", carried[peak] / kinetic[peak], above=0.55, below=0.81)
 
 
 @pytest.mark.parametrize("stiffness", ["10 N/cm", "30 N/cm", "60 N/cm"])
@@ -59,7 +59,7 @@ def test_the_work_of_a_constant_torque_hardly_depends_on_the_tendon(holds, refer
         # a vein turns by 90 deg; a distal hinge bends by 183 deg and the vein turns back by 95
         transition = outcome.transitions[name]
         turned = math.degrees(transition.work / veins / transition.strength)
-        holds(f"work by torque of a vein, {name}", turned, above=least, below=most, unit="deg")
+        holds(f"work divided by torque of a vein, {name}", turned, above=least, below=most, unit="deg")
 
 
 def test_stops_dissipate_two_fifths_of_the_work_of_folding_and_half_of_the_work_of_opening(reference_run, agree):
@@ -71,5 +71,5 @@ def test_stops_dissipate_two_fifths_of_the_work_of_folding_and_half_of_the_work_
             rows = np.searchsorted(time, [stage.start, reference_run.stages[place + 1].end - 1e-9])
             work = np.diff(reference_run.work[rows])
             shares[stage.stage.drive] = float(np.diff(-series["stop_work"][rows])[0] / work[0])
-    agree("share of the work of folding that stops take", shares["fold"], 0.41, by="as the pages say", abs=0.02)
-    agree("share of that of opening", shares["unfold"], 0.5, by="as the pages say", abs=0.03)
+    agree("share of the work of folding dissipated by stops", shares["fold"], 0.41, by="documentation", abs=0.02)
+    agree("share of the work of opening dissipated by stops", shares["unfold"], 0.5, by="documentation", abs=0.03)

@@ -1,7 +1,7 @@
-"""Energy is conserved where nothing takes it, and accounted for where something does.
+"""Energy is conserved without dissipation, and the energy balance closes with dissipation.
 
-Conservation of energy; semi-implicit Euler is symplectic and of order one (Hairer, Lubich, Wanner, Geometric Numerical
-Integration, 2006, I.1 and IX.8): its energy errs in proportion to the timestep and does not run away.
+Semi-implicit Euler is symplectic and of order one (Hairer, Lubich, Wanner, Geometric Numerical Integration, 2006, I.1
+and IX.8): its energy error is proportional to the timestep and does not grow.
 """
 
 import math
@@ -33,7 +33,7 @@ def order(errors):
 
 
 def release(reference, values):
-    """The wing, bent 20 deg at every distal hinge, let go for 12 ms, at every timestep."""
+    """The wing, bent by 20 deg at every distal hinge and released for 12 ms, at every timestep."""
     bent = {**NO_STOPS, **values, "protocol.initial_overbend": math.radians(-20), "protocol.stages": FREE}
     designs = [
         with_values(reference, {**bent, "protocol.timestep": timestep, "protocol.sample_interval": timestep})
@@ -58,7 +58,7 @@ def damped_runs(reference):
 
 @pytest.fixture(scope="module")
 def every_step(reference):
-    """The reference, every step recorded."""
+    """The reference with every step recorded."""
     return ff.run(with_values(reference, {"protocol.sample_interval": reference.protocol.timestep}), confirm=False)
 
 
@@ -92,14 +92,14 @@ def test_with_damping_the_lost_energy_is_the_work_of_the_dampers(holds, damped_r
         taken = -sum(record.data[name].values[-1] for name in TAKEN)
         assert taken > 0.01 * stored(record)[0]
         residuals.append(abs(stored(record)[0] - stored(record)[-1] - taken) / stored(record)[0])
-    holds("order of what is missing in the timestep", order(residuals), above=0.8, by="symplectic Euler has 1")
-    holds("energy that is missing at 0.2 ms", residuals[0], below=5e-3, by="conservation of energy")
+    holds("order of the missing energy in the timestep", order(residuals), above=0.8, by="symplectic Euler has 1")
+    holds("missing energy at 0.2 ms", residuals[0], below=5e-3, by="conservation of energy")
 
 
 def test_the_energy_balance_of_the_reference_closes(holds, reference_outcome):
     # the stops are met within one step and set the error: half a percent at 0.2 ms
     residual = reference_outcome.energy_balance.residual
-    holds("energy that is missing", residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", residual, below=5e-3, by="conservation of energy")
 
 
 def test_the_energy_balance_is_the_sum_of_its_parts(agree, reference_run, reference_outcome):
@@ -108,7 +108,7 @@ def test_the_energy_balance_is_the_sum_of_its_parts(agree, reference_run, refere
     change = stored(reference_run)[-1] - stored(reference_run)[0]
     # rounding of sums over 1e4 steps
     missing, known = reference_outcome.energy_balance.missing, work + taken - change
-    agree("energy that is missing", 1e3 * missing, 1e3 * known, unit="mJ", by="sum of the record", abs=1e-8 * work)
+    agree("missing energy", 1e3 * missing, 1e3 * known, unit="mJ", by="sum of the record", abs=1e-8 * work)
 
 
 @pytest.mark.parametrize("rest_length", [0.0, 0.06])
@@ -127,12 +127,12 @@ def test_force_times_mean_velocity_gives_the_kinetic_energy_and_the_later_veloci
         # rounding of angles of 1e-17 rad over steps of 1e-5 rad
         agree("work of the tendon", 1e3 * by_mean, 1e3 * kinetic, unit="mJ", by="kinetic energy", rel=1e-9)
         excess.append(np.sum(moment * timestep * later) / kinetic - 1)
-    holds("what the later velocity adds", min(excess), above=0)
-    agree("its order in the timestep", order(excess), 1, by="half a step", abs=0.2)
+    holds("deviation with the later velocity", min(excess), above=0)
+    agree("order of this deviation in the timestep", order(excess), 1, by="half a step", abs=0.2)
 
 
 def test_the_work_of_a_constant_torque_is_torque_times_the_angle_turned(agree, every_step):
-    """To half a step: the mean velocity leaves torque times timestep times half the change of speed."""
+    """The tolerance is half a step: torque times timestep times half the change of speed."""
     protocol = every_step.design.protocol
     step = float(protocol.timestep)
     torques = {

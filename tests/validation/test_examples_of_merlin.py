@@ -1,18 +1,18 @@
-"""Published examples of MERLIN, beside load paths of forficula for the same bars and rotational springs.
+"""Load paths of forficula agree with published examples of MERLIN for the same bars and rotational springs.
 
 K. Liu and G. H. Paulino 2017, "Nonlinear mechanics of non-rigid origami: an efficient computational approach", Proc. R.
-Soc. A 473, 20170348, doi 10.1098/rspa.2017.0348. The numbers here were made by running MERLIN's first version (the
-scripts of its release with that paper, Kresling_Folding, Miura_Bistable and Miura_Folding, with their parameters, plots
-taken out) under GNU Octave 7.3.0: displacement of the loaded points, load factor and stored energy at some of its
-increments. The source was that in the public repository alejaboterob/origami at commit 7a13428 (ConfigMiura from
-MERLIN2 beside it; the Miura examples have 5 x 5 cells in the copy in hugo-peni/ORIGAMI-STUDIO), not its authors' own
-page, and only the paper's abstract was at hand to compare with. MERLIN has no units; here they are m, N and J.
+Soc. A 473, 20170348, doi 10.1098/rspa.2017.0348. The reference numbers were computed with MERLIN's first version (the
+scripts Kresling_Folding, Miura_Bistable and Miura_Folding of its release with that paper, with their parameters and
+without plots) under GNU Octave 7.3.0. They are the displacement of the loaded points, the load factor and the stored
+energy at some increments. The source was the public repository alejaboterob/origami at commit 7a13428 (with ConfigMiura
+from MERLIN2; the Miura examples have 5 x 5 cells in the copy in hugo-peni/ORIGAMI-STUDIO), not the authors' own page,
+and only the abstract of the paper was available for comparison. MERLIN has no units; m, N and J are used here.
 
-MERLIN's bars follow Ogden's law, of which the release takes the exponents 5 and 1: the nominal stress is E ((1 + e)^4 -
-1) / 4 at an engineering strain e. Bars of forficula are linear in e, which is the same law with the exponents 2 and 1.
-So every example was run twice, and with these exponents the two programs are to agree to the precision of their
-solvers: MERLIN ends an increment where the last correction of all displacements together is below 1e-6. With those of
-the release they differ by the law, of which the first term left out is 3/2 e^2.
+MERLIN's bars follow Ogden's law. The release uses the exponents 5 and 1: the nominal stress is E ((1 + e)^4 - 1) / 4 at
+an engineering strain e. Bars of forficula are linear in e, which is the same law with the exponents 2 and 1. Every
+example was therefore run twice. With the exponents 2 and 1 both programs must agree to the precision of their solvers:
+MERLIN ends an increment when the last correction of all displacements together is below 1e-6. With the exponents of the
+release they differ by the nonlinearity of the law, whose first term is 3/2 e^2.
 """
 
 from dataclasses import replace
@@ -28,12 +28,12 @@ from forficula.statics.net.minimum import minimum
 from forficula.statics.net.net import Net
 from tests.statics.net.nets import miura, sheet
 
-LIMITS_OF_MERLIN = 2e-5  # share: by a parabola through three of its increments
-LAW = 3 / 2  # times the strain: the share of a bar's force by which the laws differ
+LIMITS_OF_MERLIN = 2e-5  # relative accuracy of a parabola through three of its increments
+LAW = 3 / 2  # times the strain: relative difference of both laws in a bar's force
 
 
 class Followed(NamedTuple):
-    """A path, and which coordinates the load pushes, each by its factor the way of its sign."""
+    """A path, and the coordinates that the load pushes, each with its factor and sign."""
 
     net: Net
     path: LoadPath
@@ -44,7 +44,7 @@ class Followed(NamedTuple):
         return float(np.mean(self.net.nodes[nodes, axis] - point.shape.positions[nodes, axis]))
 
     def nearest(self, moved, factor):
-        """The point of the path that is nearest, and the one there where the load has exactly that factor."""
+        """Return the nearest point of the path, and the point near it with exactly that load factor."""
         size, height = (max(abs(each(point)) for point in self.path.points) for each in (self.moved, _factor))
         near = min(
             self.path.points,
@@ -175,7 +175,7 @@ def test_displacements_and_energies_equal_those_of_merlin_at_its_loads(request, 
     ],
 )
 def test_snap_loads_equal_those_of_merlin(request, agree, followed, linear, release, strain):
-    """Of linear bars to the precision with which increments tell a limit, of the release's bars to the law's.
+    """With linear bars to the precision of limits from increments, with the release's bars to that of the law.
 
     For these MERLIN was run with a quarter, a third and a fifth of the release's first load factor: a parabola through
     increments that are farther apart tells the second limit of the popped sheet to 2e-4 alone.
@@ -188,7 +188,7 @@ def test_snap_loads_equal_those_of_merlin(request, agree, followed, linear, rele
     )
     for limit, (moved, _), of_release in zip(limits, linear, release, strict=True):
         # the path is flat there
-        agree(f"displacement there, {name}", followed.moved(limit), moved, unit="m", by="MERLIN", rel=1e-3)
+        agree(f"displacement at the limit, {name}", followed.moved(limit), moved, unit="m", by="MERLIN", rel=1e-3)
         by, allowed = "MERLIN's own bars, as far as they are linear", LIMITS_OF_MERLIN + LAW * strain
         agree(f"limit loads of {name}", limit.factor, of_release, unit="N", by=by, rel=allowed)
 
@@ -210,7 +210,7 @@ def test_unloaded_rest_shapes_equal_those_of_merlin_up_to_the_nonlinearity_of_it
 
 
 def test_the_popped_miura_sheet_is_stable(agree, popped):
-    """The second state of the release's example; it holds."""
+    """The second state of the release's example is stable."""
     rest = minimum(popped.net, popped.nearest(1.907859, 0.0).shape)
     assert rest.stable
     moved = popped.net.nodes[60, 2] - rest.shape.positions[60, 2]
@@ -240,7 +240,7 @@ def test_the_load_path_of_a_tower_of_five_layers_equals_that_of_merlin_until_it_
 
 
 def closed_form(moved):
-    """Load and energy of the sheet with rigid facets, at a displacement of its edge.
+    """Return load and energy of the sheet with rigid facets, at a displacement of its edge.
 
     From the width and the two fold angles of a Miura sheet by the inclination of its facets (Schenk and Guest 2013,
     doi 10.1073/pnas.1217998110, equations 1 to 5): ten facets across, 90 inner edges of either kind, each of length 2.
@@ -272,5 +272,5 @@ def test_a_sheet_with_stiffer_facets_approaches_rigid_folding_in_proportion_to_i
         ways = [(point.factor, point.energy, *closed_form(followed.moved(point))) for point in points]
         left.append([(factor / load - 1, stored / energy - 1) for factor, stored, load, energy in ways])
     known = "rigid facets, Schenk and Guest 2013"
-    holds("load and energy, apart from the closed form", np.abs(left[0]).max(), below=4e-4, by=known)
-    agree("a tenth of that", np.array(left[0]) / 10, left[1], by="facets ten times as stiff", abs=2e-6)
+    holds("difference of load and energy from the closed form", np.abs(left[0]).max(), below=4e-4, by=known)
+    agree("a tenth of this difference", np.array(left[0]) / 10, left[1], by="facets ten times as stiff", abs=2e-6)

@@ -1,6 +1,6 @@
-"""Specimens of one material differ in amplitude: their common law comes out all the same, with honest intervals.
+"""Fits to specimens of scattering amplitude recover the planted law, with correct intervals.
 
-The tests are made of closed forms that the fit does not use; amplitudes scatter as a logarithmic normal law.
+The data are generated from closed forms that the fit does not use; amplitudes follow a log-normal distribution.
 """
 
 from dataclasses import replace
@@ -53,7 +53,7 @@ RIVALS = [
 
 
 def specimens(law, *, scatter, rng, programs=(STEPS,) * 3, rows=12):
-    """Histories of a law whose amplitude scatters; noise and unknown zeros of the force are of 1 % of the stress."""
+    """Histories of a law with scattering amplitude; noise and unknown force offsets are 1 % of the stress."""
     branches = [(branch.modulus, branch.time) for branch in law.branches]
     viscosity = (law.viscosity or (0.0,))[0]
     histories = []
@@ -88,7 +88,12 @@ def test_intervals_of_95_percent_contain_the_true_value_in_at_least_90_of_100_dr
         for key, inside in covered(law, fit).items():
             held[key] += inside
     # counts are whole: more than half a draw below 90 % is 90 %
-    holds(f"of {draws} draws, {law.name}", min(held.values()), above=0.9 * draws - 0.5, by="intervals of 95 %")
+    holds(
+        f"intervals with the true value, of {draws} draws, {law.name}",
+        min(held.values()),
+        above=0.9 * draws - 0.5,
+        by="intervals of 95 %",
+    )
 
 
 @pytest.mark.parametrize("law", [SPRING, VISCOUS, ZENER, THREE], ids=lambda law: law.name)
@@ -105,14 +110,14 @@ def test_the_planted_scatter_is_recovered(agree):
     rng = np.random.default_rng(2)
     fit = fit_law(specimens(ZENER, scatter=0.05, rng=rng, programs=(STEPS,) * 40), forms=[FORMS["Zener"]])
     # a standard deviation from 40 is out by 1 / sqrt(78)
-    agree("scatter of 40 specimens", fit.scatter, 0.05, by="what was planted", rel=0.3)
+    agree("scatter of 40 specimens", fit.scatter, 0.05, by="planted value", rel=0.3)
     amplitudes = np.array([each.amplitude for each in fit.residuals])
     assert np.log(amplitudes).mean() == pytest.approx(0, abs=1e-9)
     assert np.log(amplitudes).std(ddof=1) == pytest.approx(fit.scatter)
 
 
 def test_the_interval_of_the_modulus_of_three_specimens_depends_on_their_scatter(agree, holds):
-    """Student's t of 2 times the scatter by sqrt(3), which no number of rows makes narrower."""
+    """The half width is Student's t of 2 times the scatter divided by sqrt(3), whatever the number of rows."""
     histories = specimens(ZENER, scatter=0.05, rng=np.random.default_rng(3), rows=60)
     fit = fit_law(histories, forms=[FORMS["Zener"]])
     (modulus,) = [each for each in fit.law.intervals if each.key == "modulus.linear"]
@@ -120,7 +125,7 @@ def test_the_interval_of_the_modulus_of_three_specimens_depends_on_their_scatter
     agree("width of the interval", np.log(modulus.high / modulus.low), width, by="Student's t of 2", rel=0.05)
     # their time is not theirs to scatter
     (time,) = [each for each in fit.law.intervals if each.key == "branches.0.time"]
-    holds("upper by lower end of the time's", time.high / time.low, below=1.05)
+    holds("upper divided by lower end of the interval of a time", time.high / time.low, below=1.05)
 
 
 def test_a_single_specimen_has_no_scatter():
@@ -132,12 +137,12 @@ def test_a_single_specimen_has_no_scatter():
 
 
 def test_a_series_has_as_many_branches_as_the_data_can_distinguish(agree):
-    """Three branches of 0.5, 8 and 120 s, of which two was the most that was tried."""
+    """Three branches of 0.5, 8 and 120 s; at most two had been tried."""
     rng = np.random.default_rng(1)
     cubic = [form for form in family_forms("prony") if form.order == 3]
     fit = fit_law(specimens(THREE, scatter=0.05, rng=rng), forms=cubic)
     times = [branch.time for branch in fit.law.branches]
-    agree("times of the branches", times, [0.5, 8.0, 120.0], unit="s", by="what was planted", rel=0.3)
+    agree("times of the branches", times, [0.5, 8.0, 120.0], unit="s", by="planted value", rel=0.3)
     tried = {each.form.branches for each in fit.candidates}
     assert tried == {2, 3, 4}
     shortened = replace(THREE, branches=THREE.branches[1:])

@@ -1,9 +1,9 @@
-"""The earwig fan folds flat, rigidly and all the way.
+"""The earwig fan folds flat and rigidly along its whole path.
 
 Flat-foldability of a vertex: Kawasaki 1989. Rigid folding: the product of rotations around every vertex is the identity
-(Belcastro and Hull 2002). Drift of the stack: two neighbouring veins are tangents of the hub circle and cross at
-r / cos(theta / 2) from its centre; folding both shut turns the panels beyond by 2 theta about the crossing, against the
-2 theta by which the flat fan had turned them about the centre. What remains is a shift of
+(Belcastro and Hull 2002). Drift of the stack: two neighbouring veins are tangents of the hub circle and intersect at
+r / cos(theta / 2) from its centre. Folding both completely turns the next panels by 2 theta about the intersection,
+opposite to the 2 theta by which the flat fan turns them about the centre. The result is a shift of
 2 sin(theta) r / cos(theta / 2) = 4 r sin(theta / 2).
 """
 
@@ -86,14 +86,14 @@ def test_the_fan_folds_rigidly(agree, fan, pleat):
             ours.append(after / fan.ring_radius)
             theirs.append(before / fan.ring_radius)
     ours, theirs = np.concatenate(ours), np.concatenate(theirs)
-    agree("lengths by the ring's radius", ours, theirs, by="the flat fan", abs=1e-12)
+    agree("lengths divided by the ring's radius", ours, theirs, by="the flat fan", abs=1e-12)
 
 
 @given(fans())
 def test_folded_flat_all_panels_are_in_one_plane(holds, fan):
     folded = folded_coordinates(earwig_pattern(fan), fan_fold_angles(fan, math.pi))
     height = np.abs(folded[:, 2]).max() / (fan.ring_radius + fan.distal_length)
-    holds("height by the radius of the fan", height, below=1e-12)
+    holds("height divided by the radius of the fan", height, below=1e-12)
 
 
 @given(fans())
@@ -106,7 +106,7 @@ def test_every_two_panels_shift_the_folded_stack_by_four_r_sin_half_theta(agree,
     shifts = np.concatenate([points[2:] - points[:-2] for points in (hub, ring, tip)])
     size = fan.ring_radius + fan.distal_length
     sizes = np.linalg.norm(shifts, axis=1) / size
-    agree("drift by the radius of the fan", sizes, drift / size, by="4 r sin(θ/2)", abs=1e-11)
+    agree("drift divided by the radius of the fan", sizes, drift / size, by="4 r sin(θ/2)", abs=1e-11)
     agree("spread of drifts", np.ptp(shifts, axis=0) / size, 0, by="one shift", abs=1e-11)
 
 

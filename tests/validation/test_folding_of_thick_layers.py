@@ -1,4 +1,4 @@
-"""Thick layers that touch fold flat about two ring folds; about one they do not. README, "Thick layers"."""
+"""Thick layers with contact fold flat about two ring folds, but not about one."""
 
 import math
 
@@ -16,13 +16,13 @@ STAGES = [
 
 
 def folded(**values):
-    """Under the torque that folds, for 1.2 s."""
+    """Run of 1.2 s under the fold torque."""
     given = {key.replace("__", "."): value for key, value in values.items()}
     return ff.run(ff.load_design("binder2025-thick").with_values({"protocol.stages": STAGES, **given}), confirm=False)
 
 
 def angles(record):
-    """Of the veins at the end, rad, (vein,)."""
+    """Final angles of the veins, rad, (vein,)."""
     return record.measured("distal_angle")[-1]
 
 
@@ -34,7 +34,7 @@ def two_folds():
 def test_thick_layers_with_two_ring_folds_close_without_crossing(holds, two_folds):
     folded_to = math.degrees(angles(two_folds).max())
     holds("angle of the least folded vein, two ring folds", folded_to, below=-165, unit="deg")
-    holds("how deep panels cross", 1e3 * panel_crossing(two_folds).depth, below=0.5, unit="mm")
+    holds("depth of crossing panels", 1e3 * panel_crossing(two_folds).depth, below=0.5, unit="mm")
     assert energy_balance(two_folds).residual < two_folds.design.protocol.residual_limit
 
 
@@ -46,4 +46,4 @@ def test_with_one_ring_fold_folding_stops_when_bars_touch(holds, two_folds):
 
 def test_each_of_two_ring_folds_folds_about_half_of_the_angle(agree, two_folds):
     rings = np.degrees(two_folds.angles("ring")[-1]).reshape(-1, 2)
-    agree("angles of the ring folds", rings, -90, unit="deg", by="half of the way", abs=12)
+    agree("angles of the ring folds", rings, -90, unit="deg", by="half of the total angle", abs=12)

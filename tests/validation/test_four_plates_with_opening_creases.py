@@ -1,8 +1,7 @@
-"""Four plates whose sectors add up to less than 360 deg, and whose creases all open, as a net.
+"""Four plates with a total sector angle below 360 deg and opening creases agree with closed forms, as a net.
 
-Flattened about the vertex they store k_e D^2 R^3 / 96 in creases with an extensional spring k_e per length, D being the
-angle that is missing and R the length of the creases: every crease gapes by (D / 4) (r - R / 2), where the plates
-overlap inside of R / 2; for small D.
+Flattened about the vertex, for a small missing angle D, they store k_e D^2 R^3 / 96 in creases of length R with an
+extensional spring k_e per length. Every crease opens by (D / 4) (r - R / 2); the plates overlap inside R / 2.
 """
 
 import numpy as np
@@ -20,7 +19,7 @@ NEXT = (PLATES + 1) % 4
 
 
 def plates(missing, *, bending=0.0, rest=0.0, flat=False):
-    """Corner, beginning and end of every plate, a cone as built, or flat; Simpson's rule along the creases."""
+    """Net of corner, beginning and end of every plate, built as a cone or flat; Simpson's rule along the creases."""
     sector = (2 * np.pi - missing) / 4
     rise = 0.0 if flat else np.arcsin(np.sqrt(np.cos(sector)))
     spread = sector / 2 if flat else np.pi / 4
@@ -56,7 +55,7 @@ def plates(missing, *, bending=0.0, rest=0.0, flat=False):
 
 
 def _edges():
-    """Corner and beginning, corner and end of every plate."""
+    """Pairs of corner and beginning, and of corner and end, of every plate."""
     return 3 * PLATES[:, None, None] + np.array(((0, 1), (0, 2)))
 
 

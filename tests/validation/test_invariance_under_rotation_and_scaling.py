@@ -1,7 +1,7 @@
-"""Turning a sheet in space, numbering its vertices anew and scaling it change no fold angle and no energy.
+"""Rotating a sheet in space, renumbering its vertices and scaling it change neither fold angles nor scaled energies.
 
-Isotropy of space and dimensional analysis: at fixed modulus and density energies go with the cube of the size, time
-with the size (Ilton et al. 2018, arXiv 1711.04920).
+Dimensional analysis: at fixed modulus and density energies are proportional to the cube of the size, and times to the
+size (Ilton et al. 2018, arXiv 1711.04920).
 """
 
 import json
@@ -54,7 +54,7 @@ def moved(pattern):
 
 
 def rest_of(design):
-    """Where statics puts a design's sheet under its drive: fold angles and energy."""
+    """Static rest of a design's sheet under its drive: fold angles and energy."""
     record_structure = compile_model(design).structure
     net = net_of(record_structure)
     load = motor_load(record_structure, net, tuple(drive.value for drive in design.drive))
@@ -71,10 +71,10 @@ def assert_alike(agree, record, tolerance):
     expected, known_edges = fold_angles(known())
     assert edges.tolist() == known_edges.tolist()
     assert np.ptp(expected[:, 0]) > 0.2
-    agree("fold angles", angles, expected, unit="rad", by="the sheet as it was", abs=tolerance)
+    agree("fold angles", angles, expected, unit="rad", by="original sheet", abs=tolerance)
     energy = stored_energy(known())
     ours, theirs = stored_energy(record) / energy.max(), energy / energy.max()
-    agree("energy by its largest", ours, theirs, by="the sheet as it was", abs=tolerance)
+    agree("energy divided by its largest value", ours, theirs, by="original sheet", abs=tolerance)
 
 
 ANGLES = st.floats(-np.pi, np.pi)
@@ -110,11 +110,11 @@ def test_a_sheet_of_another_size_folds_identically_in_scaled_time(agree, factor)
     scaled = scale_design(sheet_design(MIURA, VALUES), factor)
     (record,) = simulate([compile_model(scaled)])
     by = "the sheet as it was"
-    agree("times by the size", record.time / factor, known().time, unit="s", by=by, rel=1e-12)
+    agree("times divided by the size", record.time / factor, known().time, unit="s", by=by, rel=1e-12)
     agree("fold angles", fold_angles(record)[0], fold_angles(known())[0], unit="rad", by=by, abs=1e-7)
     largest = stored_energy(known()).max()
     ours, theirs = stored_energy(record) / factor**3 / largest, stored_energy(known()) / largest
-    agree("energy by size³ and its largest", ours, theirs, by=by, abs=1e-7)
+    agree("energy divided by size³ and its largest value", ours, theirs, by=by, abs=1e-7)
 
 
 def test_static_equilibria_do_not_depend_on_orientation_numbering_and_scale(agree):
@@ -131,4 +131,11 @@ def test_static_equilibria_do_not_depend_on_orientation_numbering_and_scale(agre
         there = rest_of(other)
         by = "the sheet as it was"
         agree("fold angles at rest", there.shape.angles, rest.shape.angles, unit="rad", by=by, abs=1e-7)
-        agree("energy at rest by size³", 1e6 * there.energy / scale**3, 1e6 * rest.energy, unit="µJ", by=by, rel=1e-7)
+        agree(
+            "energy at rest divided by size³",
+            1e6 * there.energy / scale**3,
+            1e6 * rest.energy,
+            unit="µJ",
+            by=by,
+            rel=1e-7,
+        )

@@ -1,7 +1,7 @@
-"""Kresling's truss between rigid polygons: its energy is closed in height and twist.
+"""Kresling's truss between rigid polygons agrees with the closed form of its energy in height and twist.
 
-n bars of either kind join two regular polygons of radius R, a distance h apart and twisted by t; their squared lengths
-are h^2 + 2 R^2 (1 - cos t) and the same with t + 2 pi / n (Kresling 1995; the truss as in Yasuda, Tachi, Lee and Yang
+n bars of each of two kinds join two regular polygons of radius R at a distance h, twisted by t. Their squared lengths
+are h^2 + 2 R^2 (1 - cos t), and the same with t + 2 pi / n (Kresling 1995; the truss as in Yasuda, Tachi, Lee and Yang
 2017, doi 10.1038/s41467-017-00670-w). Both lengths recur at the twist pi - 2 pi / n - t.
 """
 
@@ -26,7 +26,7 @@ APEX = 2 * SIDES  # above the upper polygon
 
 
 def kresling():
-    """Of bars, the upper polygon and its apex joined by all their diagonals, the lower one held."""
+    """Net of bars: the upper polygon and its apex joined by all their diagonals, the lower polygon held."""
     turn = STEP * np.arange(SIDES)
     lower = np.stack((RADIUS * np.cos(turn), RADIUS * np.sin(turn), 0 * turn), axis=1)
     upper = np.stack((RADIUS * np.cos(turn + TWIST), RADIUS * np.sin(turn + TWIST), 0 * turn + HEIGHT), axis=1)
@@ -47,7 +47,7 @@ def energy(height, twist):
 
 
 def twisted(height):
-    """The twist of least energy at a height, and that energy."""
+    """Twist of least energy at a height, and that energy."""
     found = minimize_scalar(
         lambda twist: energy(height, twist), bounds=(0.5, 1.6), method="bounded", options={"xatol": 1e-12}
     )
@@ -66,7 +66,7 @@ def test_the_truss_has_two_stress_free_states(truss_and_states, agree):
     low = np.sqrt(HEIGHT**2 + 2 * RADIUS**2 * (np.cos(other) - np.cos(TWIST)))
     heights = sorted(state.shape.positions[APEX, 2] - RADIUS for state in found.states)
     agree("heights of both states", heights, [low, HEIGHT], unit="m", by="bars of equal length", abs=1e-9)
-    agree("their energies", [state.energy for state in found.states], 0, unit="J", by="no stress", abs=1e-18)
+    agree("energies of both states", [state.energy for state in found.states], 0, unit="J", by="no stress", abs=1e-18)
 
 
 def test_the_barrier_is_that_of_the_closed_form(truss_and_states, agree):
@@ -79,7 +79,7 @@ def test_the_barrier_is_that_of_the_closed_form(truss_and_states, agree):
     )
     agree("barrier between them", saddle.rest.energy, -top.fun, unit="J", by="the closed form's top", rel=2 / RIGID)
     height = saddle.rest.shape.positions[APEX, 2] - RADIUS
-    agree("height there", height, top.x, unit="m", by="the closed form's top", abs=1e-4)
+    agree("height at the barrier", height, top.x, unit="m", by="the closed form's top", abs=1e-4)
 
 
 def test_the_load_path_follows_the_closed_form_up_to_its_peak(agree):
@@ -101,7 +101,7 @@ def test_the_load_path_follows_the_closed_form_up_to_its_peak(agree):
         by="slope of the closed form",
         rel=1e-4,
         abs=1e-3,
-        over=("how far it is pushed down (m)", HEIGHT - heights),
+        over=("displacement (m)", HEIGHT - heights),
     )
     peak = -minimize_scalar(lambda height: -force(height), bounds=(1.1, 1.29), method="bounded").fun
-    agree("largest force that it bears", path.events[0].point.factor, peak, unit="N", by="the closed form", rel=1e-4)
+    agree("limit load", path.events[0].point.factor, peak, unit="N", by="the closed form", rel=1e-4)

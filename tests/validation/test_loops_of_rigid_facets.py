@@ -1,8 +1,8 @@
-"""Rigid facets that are hinged in loops keep them closed while they move: closed forms of what they then do.
+"""Rigid facets hinged in loops keep the loops closed and move along closed forms.
 
-Flat-foldable vertices of four creases: Evans, Lang, Magleby and Howell 2015, doi 10.1098/rsos.150067: opposite fold
-angles are of one size, neighbouring ones have half-angle tangents of a constant ratio. Miura sheets: Schenk and Guest
-2013, doi 10.1073/pnas.1217998110.
+Flat-foldable vertices of four creases (Evans, Lang, Magleby and Howell 2015, doi 10.1098/rsos.150067): opposite fold
+angles have the same magnitude, and the half-angle tangents of neighbouring ones have a constant ratio. Miura sheets:
+Schenk and Guest 2013, doi 10.1073/pnas.1217998110.
 """
 
 import math
@@ -27,7 +27,7 @@ def swing(pattern, **more):
 
 
 def folds(record):
-    """By edge, in own senses, rad, (time, edge)."""
+    """Fold angles by edge, in own senses, rad, (time, edge)."""
     order = np.argsort([int(hinge.name.removeprefix("crease")) for hinge in record.structure.hinges])
     return record.series["hinge_angle"][:, order]
 
@@ -66,25 +66,25 @@ def test_a_miura_sheet_folds_with_one_degree_of_freedom(agree, sheet):
         zigzag, straight = straight, zigzag
     assert np.ptp(zigzag[:, 0]) > math.radians(40)
     close = {"unit": "deg", "abs": 0.05}
-    agree("zigzag creases", np.degrees(zigzag), np.degrees(zigzag[:, :1]), by="one of them", **close)
+    agree("fold angles of zigzag creases", np.degrees(zigzag), np.degrees(zigzag[:, :1]), by="one of them", **close)
     # tan(straight / 2) = cos(acute angle) tan(zigzag / 2)
     expected = 2 * np.arctan(math.cos(math.radians(60)) * np.tan(zigzag[:, :1] / 2))
     by = "Schenk and Guest 2013"
-    agree("straight creases", np.degrees(straight), np.degrees(expected), by=by, **close)
+    agree("fold angles of straight creases", np.degrees(straight), np.degrees(expected), by=by, **close)
     first, known, time = np.degrees(straight[:, 0]), np.degrees(expected[:, 0]), ("time (s)", sheet.time)
     agree("fold angle of a straight crease", first, known, by=by, over=time, **close)
 
 
 def test_loops_stay_closed_to_a_hundred_thousandth_of_an_edge(agree, holds, sheet):
     gap = sheet.series["closure_gap"]
-    holds("gap by an edge", gap[-1] / 0.02, above=0, below=1e-5, by="closed loops")
+    holds("gap divided by an edge", gap[-1] / 0.02, above=0, below=1e-5, by="closed loops")
     assert (np.diff(gap) >= 0).all()
     # where the corners of neighbouring facets are says the same
     names = [point.name for point in sheet.structure.points]
     places = sheet.series["point_position"]
     pairs = [pair for closure in sheet.structure.closures for pair in closure.points]
     apart = [np.linalg.norm(places[:, one] - places[:, other], axis=1).max() for one, other in pairs]
-    agree("gap", 1e9 * max(apart), 1e9 * gap[-1], unit="nm", by="from places of corners", rel=0.5)
+    agree("gap", 1e9 * max(apart), 1e9 * gap[-1], unit="nm", by="positions of corners", rel=0.5)
     assert len(names) == len(set(names))
 
 
@@ -95,8 +95,8 @@ def test_energy_is_conserved_and_closing_loops_does_no_work(agree, holds, sheet)
     balance = energy_balance(sheet)
     assert balance.closures is not None
     share = abs(balance.closures) / balance.exchanged
-    holds("work of closing by what is exchanged", share, below=1e-4, by="constraints do no work")
-    holds("energy that is missing", balance.residual, below=1e-4, by="conservation of energy")
+    holds("work of closures divided by the exchanged energy", share, below=1e-4, by="constraints do no work")
+    holds("missing energy", balance.residual, below=1e-4, by="conservation of energy")
 
 
 def test_gaps_and_their_work_decrease_with_the_square_of_the_timestep(holds):
@@ -107,7 +107,7 @@ def test_gaps_and_their_work_decrease_with_the_square_of_the_timestep(holds):
         lost.append(energy_balance(record).residual)
     orders = np.log2(np.array(gaps[:-1]) / gaps[1:])
     holds("order of the gap in the timestep", orders, above=1.6, by="second order")
-    holds("energy that is missing by that at four times the timestep", lost[2] / lost[0], below=1 / 4)
+    holds("missing energy divided by that at four times the timestep", lost[2] / lost[0], below=1 / 4)
 
 
 def test_the_energy_balance_of_a_driven_damped_sheet_on_its_stops_closes(agree, holds):
@@ -120,7 +120,7 @@ def test_the_energy_balance_of_a_driven_damped_sheet_on_its_stops_closes(agree, 
     balance = energy_balance(record)
     assert balance.stops > 0.01 * balance.work
     assert balance.hinge_damping > 0.01 * balance.work
-    holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", balance.residual, below=5e-3, by="conservation of energy")
 
 
 def test_a_plate_and_its_copies_share_the_mass(agree):
@@ -141,13 +141,13 @@ def test_at_the_automatic_timestep_the_energy_balance_and_the_loops_close(holds)
     stages = [{"name": "swing", "limit": "60 ms"}]
     record = run(plates(miura(3), crease=damped, step="auto", stages=stages))
     limit = record.design.protocol.residual_limit
-    holds("energy that is missing", energy_balance(record).residual, below=limit, by="conservation of energy")
-    holds("gap by an edge", record.series["closure_gap"][-1] / 0.02, below=1e-4, by="closed loops")
+    holds("missing energy", energy_balance(record).residual, below=limit, by="conservation of energy")
+    holds("gap divided by an edge", record.series["closure_gap"][-1] / 0.02, below=1e-4, by="closed loops")
     assert record.doubt == ""
 
 
 def test_a_run_with_open_loops_is_unreliable():
-    """A hundred times the longest stable step of its springs: welds cannot follow."""
+    """The timestep is 100 times the longest stable one of its springs, so that welds cannot hold."""
     record = swing(
         miura(3), step="10 ms", crease=SPRINGS.replace("1e-3", "2e-2"), stages=[{"name": "a", "limit": "1 s"}]
     )

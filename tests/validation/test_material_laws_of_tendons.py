@@ -1,11 +1,10 @@
-"""Tendons in the simulation follow their material's law.
+"""Simulated tendons follow the laws of their materials.
 
-Maxwell's branch at constant length relaxes as exp(-t / tau) and loses pi k w tau / (1 + w^2 tau^2) x0^2 in a cycle of
-amplitude x0 (Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior, 1989). A
-damped oscillator's amplitude falls by 2 pi zeta / sqrt(1 - zeta^2) a period, in logarithms. A polynomial spring's
-energy is the integral of its force, and its motion that of an integrator which this code does not share (Dormand and
-Prince 1980). A spring of ideal plasticity keeps its largest stretch less its elastic range. By unit length and area
-k = E A / L.
+A Maxwell branch at constant length relaxes as exp(-t / tau), and dissipates pi k w tau / (1 + w^2 tau^2) x0^2 in a
+cycle of amplitude x0 (Tschoegl, The Phenomenological Theory of Linear Viscoelastic Behavior, 1989). The logarithmic
+decrement of a damped oscillator is 2 pi zeta / sqrt(1 - zeta^2). The energy of a polynomial spring is the integral of
+its force; its motion is compared with that of an independent integrator (Dormand and Prince 1980). A spring with ideal
+plasticity keeps its largest stretch minus its elastic range. The stiffness is k = E A / L.
 """
 
 import math
@@ -35,7 +34,7 @@ def of(law, **values):
 
 @pytest.fixture(scope="module")
 def compiled_hinge(one_hinge):
-    """The wing of a hinge with a tendon of polynomial moduli, with or without damper and branches, compiled once."""
+    """Compiled wing of one hinge with a tendon of polynomial moduli, with or without damper and branches."""
 
     @cache
     def build(moduli, *, with_past=False):
@@ -46,7 +45,7 @@ def compiled_hinge(one_hinge):
 
 
 def pulled(one_hinge, law, lengths, timestep):
-    """Take a tendon through lengths, m, one a step, by turning a hinge too heavy to mind.
+    """Move a tendon through lengths, m, one per step, by turning a hinge of very large inertia.
 
     Returns the wing, the forces of the branches by step, N, positive where they pull, and the resting length, m.
     """
@@ -74,10 +73,12 @@ def test_a_maxwell_branch_at_constant_length_relaxes_with_its_relaxation_time(on
     for pull, time in zip(pulls.T, times, strict=True):
         # rounding of 2000 steps
         faded = pull[1] * np.exp(-timestep * np.arange(steps - 1) / time)
-        agree(f"pull of a branch of {time} s that is held", pull[1:], faded, unit="N", by="Maxwell 1867", rel=1e-11)
+        agree(
+            f"pull of a branch of {time} s at constant length", pull[1:], faded, unit="N", by="Maxwell 1867", rel=1e-11
+        )
         # it takes up k x, less what relaxed during the one step: half of the step's share of its time
         taken = 2e6 * BY_LENGTH * 0.02 * (1 - timestep / time / 2)
-        agree("pull that it takes up", pull[1], taken, unit="N", by="k x", rel=1e-5)
+        agree("initial pull of the branch", pull[1], taken, unit="N", by="k x", rel=1e-5)
 
 
 @pytest.mark.parametrize("times", [(0.02,), (0.005, 0.2)])
@@ -105,12 +106,17 @@ def test_branches_dissipate_the_energy_of_their_loss_modulus_in_a_sinusoidal_tes
         force = wing.units.energy / wing.units.length
         lost = branch_losses(wing, -pulls[last] / force).sum(axis=0)[0, number]
         agree(
-            "its loss in the account", 1e6 * wing.units.energy * lost, 1e6 * loss, unit="µJ", by="π E'' x₀²", rel=1e-5
+            "dissipation in the energy balance",
+            1e6 * wing.units.energy * lost,
+            1e6 * loss,
+            unit="µJ",
+            by="π E'' x₀²",
+            rel=1e-5,
         )
         # in phase with the stretch it stores: k (w tau)^2 / (1 + (w tau)^2)
         stored = 2 / steps * np.sum(pulls[last][:-1, number] * np.sin(rate * moments[last][:-1]))
         known = stiffness * turn**2 / (1 + turn**2)
-        agree("its stiffness in phase", stored / amplitude, known, unit="N/m", by="E'", rel=1e-4)
+        agree("storage stiffness of the branch", stored / amplitude, known, unit="N/m", by="E'", rel=1e-4)
 
 
 @pytest.mark.parametrize("viscosity", [20.0, 200.0])
@@ -243,7 +249,7 @@ LETTING_GO = [
 def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
     agree, compiled_hinge, spec, angle, speed, first_act, second_act
 ):
-    """The pull is the sum where that is > 0 and the tendon taut, and else nothing: at any rate, any past."""
+    """The pull is the sum if this is > 0 and the tendon is taut, and otherwise 0, for any rate and any history."""
     moduli, miss = spec
     wing = compiled_hinge(moduli, with_past=True)
     units, data = wing.units, mujoco.MjData(wing.engine)
@@ -265,7 +271,7 @@ def test_the_sum_of_spring_damper_and_branches_pulls_or_is_zero(
 
 
 def fold_time(angles, record):
-    """When it passes 150 deg, s, between two rows; nan where it does not."""
+    """Time at which the hinge passes 150 deg, s, between two rows; nan if it does not."""
     to = math.radians(150)
     time = record.data["time"].values
     beyond = np.flatnonzero(angles >= to)
@@ -312,12 +318,12 @@ def test_a_slack_kelvin_voigt_tendon_does_not_push_the_hinge(agree, one_hinge, v
 
 @pytest.mark.parametrize("moduli", [(4.8e6, 0.0, 0.0), (4.8e6, -8.7e6, 8.9e6)])
 def test_the_energy_balance_includes_the_clamped_push_of_branches(holds, reference, moduli):
-    """A stiff branch goes slack when the wing folds; the account closes by the work that it was spared."""
+    """A stiff branch goes slack when the wing folds; the balance closes with the work saved by clamping."""
     values = WING | {"tendon.law": as_law(moduli, linear_viscosity=50.0, branches=BRANCHES)}
     record = ff.run(with_values(reference, values | {"protocol.timestep": 1e-4}), confirm=False)
     balance = ff.measure(record).energy_balance
     assert -balance.letting_go > 0.02 * balance.work
-    holds("energy that is missing", balance.residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", balance.residual, below=5e-3, by="conservation of energy")
     assert abs(balance.missing) < 0.2 * abs(balance.letting_go)
 
 
@@ -378,9 +384,14 @@ def test_the_energy_balance_of_a_free_wing_closes_with_branches_as_without(holds
             assert balances[-1].branches > 0
         # the integrator is of first order
         order = np.polyfit(np.log(TIMESTEPS), np.log(missing[name]), 1)[0]
-        holds(f"order of what is missing, {name} branches", order, above=0.8, by="first order")
+        holds(f"order of the missing energy, {name} branches", order, above=0.8, by="first order")
     # in mid-flight what branches would push, but do not, is not there to make up for half a step's error of the spring
-    holds("missing by the tendons' energy at 0.2 ms", missing["with"][0], below=0.02, by="conservation of energy")
+    holds(
+        "missing energy divided by the tendons' energy at 0.2 ms",
+        missing["with"][0],
+        below=0.02,
+        by="conservation of energy",
+    )
 
 
 def test_the_energy_balance_of_a_whole_run_closes_with_branches_as_with_a_linear_law(holds, reference):
@@ -394,8 +405,8 @@ def test_the_energy_balance_of_a_whole_run_closes_with_branches_as_with_a_linear
     assert branched.branch_damping > 0.01 * branched.work
     # half a percent at 0.2 ms: the stops are met within a step
     by = "conservation of energy"
-    holds("energy that is missing, linear", linear.residual, below=5e-3, by=by)
-    holds("energy that is missing, with a branch", branched.residual, below=5e-3, by=by)
+    holds("missing energy, linear", linear.residual, below=5e-3, by=by)
+    holds("missing energy, with a branch", branched.residual, below=5e-3, by=by)
 
 
 def test_a_linear_law_equals_direct_values_of_stiffness_and_damping(agree, reference):
@@ -429,7 +440,7 @@ def test_a_wing_with_a_material_law_has_the_same_scaled_motion(agree, holds, ref
     assert small.tendon.law.branches[0].time == pytest.approx(0.02 * size, rel=1e-12)
     assert small.tendon.area == pytest.approx(18.75e-6 * size**2, rel=1e-12)
     records = [ff.run(design, confirm=False) for design in (large, small)]
-    agree("times by the size", records[1].time / size, records[0].time, unit="s", by="the whole size", rel=1e-12)
+    agree("times divided by the size", records[1].time / size, records[0].time, unit="s", by="full size", rel=1e-12)
     for name, power in {
         "hinge_angle": 0,
         "tendon_rest_length": 1,
@@ -440,4 +451,9 @@ def test_a_wing_with_a_material_law_has_the_same_scaled_motion(agree, holds, ref
         assert np.abs(series).max() > 0
         # rounding, grown by the snaps
         apart = np.abs(records[1].series[name] / size**power - series).max() / np.abs(series).max()
-        holds(f"{name.replace('_', ' ')}, apart by its largest", apart, below=1e-6, by="dimensional analysis")
+        holds(
+            f"difference of {name.replace('_', ' ')} divided by its largest value",
+            apart,
+            below=1e-6,
+            by="dimensional analysis",
+        )

@@ -1,7 +1,8 @@
-"""Miura sheets as nets: how many ways they move, and the closed form of the one way in which they fold.
+"""Miura sheets as nets of bars have the known number of mechanisms and fold along the closed form.
 
-Counts as those of Schenk and Guest's rigidity matrix (2011, Origami 5, 291-303) for sheets of m x n facets kept flat:
-m + n - 2 flat, one folded. Dimensions in closed form: Schenk and Guest 2013, doi 10.1073/pnas.1217998110.
+The number of mechanisms is that of the rigidity matrix of Schenk and Guest (2011, Origami 5, 291-303) for sheets of
+m x n facets kept flat: m + n - 2 for a flat sheet, one for a folded sheet. The closed form of the dimensions is that of
+Schenk and Guest 2013, doi 10.1073/pnas.1217998110.
 """
 
 from dataclasses import replace
@@ -59,4 +60,4 @@ def test_one_driven_crease_folds_the_whole_sheet_along_the_closed_form(agree, fo
     agree("fold angles", ours, theirs, unit="deg", by="Schenk and Guest 2013", abs=1e-3)
     span = np.linalg.norm(rest.shape.positions[0] - rest.shape.positions[-1])
     known = np.linalg.norm(end[0] - end[-1])
-    agree("from corner to corner", span, known, unit="m", by="Schenk and Guest 2013", rel=1e-6)
+    agree("distance from corner to corner", span, known, unit="m", by="Schenk and Guest 2013", rel=1e-6)

@@ -1,4 +1,4 @@
-"""Natural modes of nets beside closed forms: strings of masses, a molecule of four, a pendulum."""
+"""Natural frequencies of nets agree with closed forms: strings of masses, a molecule of four atoms, a pendulum."""
 
 from itertools import combinations
 
@@ -37,7 +37,7 @@ def test_a_free_tetrahedron_has_six_rigid_body_motions_and_the_frequencies_of_a_
     squares = (2 * np.pi * modes.frequencies[6:]) ** 2 / 6.0
     agree("squared frequencies by k / m", squares, [1, 1, 2, 2, 2, 4], by="Herzberg 1945", rel=1e-9)
     assert list(modes.rigid) == [True] * 6 + [False] * 6
-    agree("frequencies of the whole", modes.frequencies[:6], 0, unit="Hz", by="free motion", abs=1e-6)
+    agree("frequencies of rigid-body motions", modes.frequencies[:6], 0, unit="Hz", by="free motion", abs=1e-6)
 
 
 def test_a_pendulum_has_the_frequency_of_its_length(agree):
@@ -46,4 +46,6 @@ def test_a_pendulum_has_the_frequency_of_its_length(agree):
     modes = natural_modes(net, hanging.shape)
     found = 2 * np.pi * modes.frequencies[:2]
     agree("frequencies of a pendulum", found, np.sqrt(9.81 / 0.5), unit="rad/s", by="√(g / L)", rel=1e-5)
-    agree("where it hangs", hanging.shape.positions[1], (0, 0, -0.5), unit="m", by="straight down", abs=1e-5)
+    agree(
+        "position of the hanging mass", hanging.shape.positions[1], (0, 0, -0.5), unit="m", by="straight down", abs=1e-5
+    )

@@ -1,8 +1,8 @@
-"""One tendon across one hinge moves as the closed form says.
+"""The simulation of one tendon across one hinge agrees with the closed form.
 
-Law of cosines, energy conservation and the pendulum's elliptic integral. A bar of inertia I
-turns about a hinge square to it; a tendon of stiffness k and resting length l0 joins points a before and b beyond it:
-L^2 = a^2 + b^2 + 2 a b cos(phi), U = k/2 max(L - l0, 0)^2, t* = sqrt(I / (k a b)).
+The closed form uses the law of cosines, energy conservation and the elliptic integral of a pendulum. A bar of inertia I
+turns about a hinge perpendicular to it. A tendon of stiffness k and resting length l0 joins points a before and b
+beyond the hinge: L^2 = a^2 + b^2 + 2 a b cos(phi), U = k/2 max(L - l0, 0)^2, t* = sqrt(I / (k a b)).
 """
 
 import math
@@ -24,20 +24,20 @@ cases = pytest.mark.parametrize(("rest_length", "arms"), [(rest, arms) for rest 
 
 @st.composite
 def tendons(draw):
-    """Resting length and arms; taut by a tenth at least when straight."""
+    """Resting lengths and arms with at least 10 % stretch when straight."""
     proximal, distal = draw(st.floats(0.02, 0.1)), draw(st.floats(0.02, 0.1))
     return draw(st.floats(0, 0.9)) * (proximal + distal), proximal, distal
 
 
 def slack_angle(hinge):
-    """Where the tendon goes slack: its length is the resting length."""
+    """Angle at which the tendon goes slack: its length is the resting length."""
     tendon = hinge.wing.design.tendon
     a, b, rest = tendon.proximal_attachment, tendon.distal_attachment, tendon.rest_length
     return math.acos(np.clip((rest**2 - a**2 - b**2) / (2 * a * b), -1, 1))
 
 
 def time_to(hinge, angle):
-    """From rest at the start: the integral of dphi / sqrt(2 (U0 - U) / I).
+    """Time from rest at the start: the integral of dphi / sqrt(2 (U0 - U) / I).
 
     With phi = start + x^2 the integrand is finite where the speed is zero; the kink where the tendon goes slack is the
     end of a piece. U0 - U is written as a product, which keeps its digits where it is small.
@@ -57,14 +57,14 @@ def time_to(hinge, angle):
 
 
 def crossing(angles, timestep, angle):
-    """When the angle was passed, between two steps."""
+    """Time at which the angle was passed, between two steps."""
     after = int(np.argmax(angles >= angle))
     assert after > 0
     return timestep * (after - 1 + (angle - angles[after - 1]) / (angles[after] - angles[after - 1]))
 
 
 def swing(one_hinge, rest_length, arms, steps):
-    """A swing to 180 deg in about so many steps, with a few more behind it."""
+    """A swing to 180 deg in about a number of steps, followed by a few more steps."""
     time = time_to(one_hinge(rest_length, *arms), math.pi)
     hinge = one_hinge(rest_length, *arms, timestep=time / steps, duration=time * (1 + 5 / steps))
     return hinge, *hinge.run()
@@ -89,7 +89,7 @@ def test_the_recorded_energy_is_that_of_the_recorded_angle(agree, one_hinge, res
     assert angles.max() > math.radians(179)
     # rounding: a length lagging one step behind its angle would be out by 1e-3
     ours, theirs = energy / hinge.energy(0), hinge.energy(angles) / hinge.energy(0)
-    agree("energy by that when straight", ours, theirs, by="law of cosines", abs=1e-12)
+    agree("energy divided by that when straight", ours, theirs, by="law of cosines", abs=1e-12)
 
 
 @settings(max_examples=50, deadline=None)
@@ -103,7 +103,7 @@ def test_the_engine_gives_the_moment_of_the_tendon(agree, one_hinge, tendon, ang
     # rounding
     scale = wing.design.tendon.stiffness * min(tendon[1:]) * sum(tendon[1:])
     found = -data.qfrc_passive[0] * wing.units.energy / scale
-    agree("moment by k a (a + b)", found, hinge.moment(angle) / scale, by="law of cosines", abs=1e-12)
+    agree("moment divided by k a (a + b)", found, hinge.moment(angle) / scale, by="law of cosines", abs=1e-12)
 
 
 @settings(max_examples=12, deadline=None)
@@ -166,7 +166,7 @@ def test_after_the_tendon_goes_slack_the_speed_is_constant(holds, one_hinge, res
     assert np.array_equal(taut, angles < slack)
     speed = np.diff(angles[np.argmax(angles > slack) : np.argmax(angles >= math.pi) + 1])
     # no force, so the speed stays to rounding of the angles, 1e-16 rad over steps of 1e-3 rad
-    holds("change of the speed while it coasts", np.ptp(speed) / speed[0], below=1e-11, by="no force")
+    holds("change of the speed with a slack tendon", np.ptp(speed) / speed[0], below=1e-11, by="no force")
 
 
 @pytest.mark.parametrize("rest_length", REST_LENGTHS)

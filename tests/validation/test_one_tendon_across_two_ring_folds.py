@@ -1,10 +1,10 @@
-"""A tendon across two ring folds is as long as the chain of three bars between its ends, whose hinges are parallel.
+"""Tendons across two ring folds agree with the closed form of a chain of three bars with parallel hinges.
 
-Along the hinges its ends stay as far apart as in the flat sheet. Square to them lie p cos(s/2 - e) of the proximal bar,
-the height h + 2 k q of the gusset and d cos(s/2 + e) of the distal one, with the attachments p and d, the sector angle
-s, the angle e from the radius to a vein, the lowest gusset h, the pitch q and k layers inside. Of a chain of A, B and C
-with angles x and y from one to the next the square is A^2 + B^2 + C^2 + 2 (A B cos x + B C cos y + A C cos(x + y)).
-Simulation and statics each lay out such tendons by themselves.
+The distance of the ends along the hinges is that in the flat sheet. Perpendicular to the hinges, the chain consists of
+p cos(s/2 - e) of the proximal bar, the height h + 2 k q of the gusset and d cos(s/2 + e) of the distal bar. p and d are
+the attachments, s the sector angle, e the angle from the radius to a vein, h the lowest gusset, q the pitch and k the
+number of layers inside. The squared length of a chain of A, B and C with angles x and y between them is
+A^2 + B^2 + C^2 + 2 (A B cos x + B C cos y + A C cos(x + y)). Simulation and statics compute such tendons independently.
 """
 
 import math
@@ -23,7 +23,7 @@ THICK = ff.load_design("binder2025-thick", {"protocol.contact": False})
 
 
 def lengths(design, inner, outer):
-    """Of all tendons from the angles of their vein's ring folds, rad, (..., vein): m, (..., vein)."""
+    """Lengths of all tendons, m, (..., vein), from the angles of their vein's ring folds, rad, (..., vein)."""
     fan, tendon = design.fan, design.tendon
     apart = fan.epsilon if fan.tangent == "right" else -fan.epsilon
     veins = np.arange(fan.vein_count)
@@ -39,7 +39,7 @@ def lengths(design, inner, outer):
 
 
 def energies(design, inner, outer):
-    """Of all tendons together, J."""
+    """Total energy of all tendons, J."""
     stretched = np.maximum(lengths(design, inner, outer) - design.tendon.rest_length, 0)
     return design.tendon.stiffness / 2 * (stretched**2).sum(axis=-1)
 
@@ -65,7 +65,7 @@ def test_statics_give_the_energy_of_the_closed_form(agree, drawn, tangent, hub, 
     position[:, list(hinges_of(wings.structure, "ring"))] = drawn
     inner, outer = np.array(drawn).reshape(-1, 2).T
     found, known = line_energy(wings.lines, position)[0], energies(design, inner, outer)
-    agree("energy of the tendons", found, known, unit="J", by="a chain of three bars", rel=1e-9, abs=1e-12)
+    agree("energy of the tendons", found, known, unit="J", by="chain of three bars", rel=1e-9, abs=1e-12)
 
 
 def test_the_simulation_gives_the_lengths_and_energies_of_the_closed_form(agree):

@@ -1,4 +1,4 @@
-"""Rigid plates between which creases open: pendulums, what is conserved, and four plates that snap.
+"""Rigid plates with opening creases agree with closed forms: pendulums, conservation laws, and four snapping plates.
 
 The mid-wing mechanism of four plates is that of Faber, Arrieta and Studart 2018, doi 10.1126/science.aap7753.
 """
@@ -36,7 +36,7 @@ def period(time, angle, about):
 
 
 def test_a_plate_on_a_spring_has_the_period_of_an_oscillator(agree):
-    """2 pi sqrt(I / k), for a crease that hardly opens."""
+    """The period is 2 pi sqrt(I / k) for a crease that hardly opens."""
     stiffness = 0.02
     crease = f'stiffness = "{stiffness / WIDTH} N m/rad/m"\nrest_angle = "40 deg"\ndamping = "0 N m s/rad/m"\n'
     crease += 'extension = "1e5 N/m^2"\nextension_damping = "0 N s/m^2"'
@@ -45,11 +45,11 @@ def test_a_plate_on_a_spring_has_the_period_of_an_oscillator(agree):
     angle = record.measured("creases")[:, 0]
     found, known = period(record.time, angle, math.radians(40)), 2 * math.pi * math.sqrt(INERTIA / stiffness)
     agree("period of a plate on a spring", 1e3 * found, 1e3 * known, unit="ms", by="2π √(I / κ)", rel=1e-3)
-    agree("how far it swings", np.degrees(angle.max()), 80, unit="deg", by="twice the rest angle", abs=0.2)
+    agree("amplitude of the swing", np.degrees(angle.max()), 80, unit="deg", by="twice the rest angle", abs=0.2)
 
 
 def test_a_hanging_plate_has_the_period_of_a_pendulum_of_large_amplitude(agree, holds):
-    """4 sqrt(I / (m g d)) K(sin^2(a / 2)) from level, 90 deg, to level on the other side."""
+    """The period is 4 sqrt(I / (m g d)) K(sin^2(a / 2)) for a swing from horizontal, 90 deg, to the other side."""
     crease = 'stiffness = "0 N m/rad/m"\nextension = "1e5 N/m^2"\nextension_damping = "0 N s/m^2"'
     stages = [{"name": "swing", "limit": "2 s"}]
     design = plates(pleats(2, "M"), crease=crease, more=HELD, gravity=9.81, stages=stages)
@@ -59,12 +59,12 @@ def test_a_hanging_plate_has_the_period_of_a_pendulum_of_large_amplitude(agree, 
     found = period(record.time, angle, math.pi / 2)
     agree("period of a plate that swings by 90 deg", found, expected, unit="s", by="a pendulum's K(m)", rel=2e-3)
     # past folded back, without a jump: level on the other side is 180 deg
-    agree("how far it swings", np.degrees(angle.max()), 180, unit="deg", by="level on the other side", abs=1)
-    holds("energy that is missing", energy_balance(record).residual, below=5e-3, by="conservation of energy")
+    agree("amplitude of the swing", np.degrees(angle.max()), 180, unit="deg", by="horizontal on the other side", abs=1)
+    holds("missing energy", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
 
 def free(step):
-    """Four plates that nothing holds, with springs that rest elsewhere, all different."""
+    """Four free plates, all different, with springs away from their rest angles."""
     crease = 'stiffness = "2e-3 N m/rad/m"\nrest_angle = "60 deg"\ndamping = "0 N m s/rad/m"\n'
     crease += 'extension = "1e4 N/m^2"\nextension_damping = "0 N s/m^2"'
     groups = [(0, 10), (1, -30), (2, 80)]
@@ -74,13 +74,13 @@ def free(step):
 
 
 def corners(record):
-    """Of all facets, (time, facet, corner, axis)."""
+    """Corners of all facets, (time, facet, corner, axis)."""
     which = [plate.points for plate in record.structure.plates]
     return record.series["point_position"][:, np.array(which)]
 
 
 def momenta(record):
-    """Linear and angular momentum of triangles of 1 kg/m^2, (time, 3) each, and the sum of the latter's sizes.
+    """Linear and angular momentum of triangles of 1 kg/m^2, (time, 3) each, and the sum of the latter's magnitudes.
 
     An even triangle moves as a third of its mass in the middle of every side.
     """
@@ -100,9 +100,15 @@ def test_free_plates_conserve_momentum_and_energy(agree, holds):
     moved = np.abs(corners(record) - corners(record)[0]).max()
     assert moved > 2e-3
     speed = np.abs(np.diff(corners(record), axis=0)).max() / 5e-5
-    holds("momentum by speed", np.abs(linear).max() / speed, below=1e-7, unit="kg", by="conservation of momentum")
+    holds(
+        "momentum divided by mass times speed",
+        np.abs(linear).max() / speed,
+        below=1e-7,
+        unit="kg",
+        by="conservation of momentum",
+    )
     share = np.linalg.norm(angular, axis=1).max() / sizes.max()
-    holds("angular momentum by the sum of its sizes", share, below=1e-3, by="conservation of momentum")
+    holds("angular momentum divided by the sum of its magnitudes", share, below=1e-3, by="conservation of momentum")
     energy = sum(record.series[name].sum(axis=1) for name in ("hinge_energy", "spring_energy"))
     energy = energy + record.series["kinetic_energy"]
     assert record.series["kinetic_energy"].max() > 0.1 * energy[0]
@@ -113,15 +119,15 @@ def test_free_plates_conserve_momentum_and_energy(agree, holds):
 def test_the_missing_energy_decreases_with_every_halving_of_the_timestep(holds):
     residuals = [energy_balance(free(step)).residual for step in ("0.1 ms", "0.05 ms", "0.025 ms")]
     shares = np.divide(residuals[1:], residuals[:-1])
-    holds("energy that is missing by that at twice the timestep", shares, below=0.6, by="first order has 0.5")
-    holds("energy that is missing at 25 µs", residuals[2], below=5e-3, by="conservation of energy")
+    holds("missing energy divided by that at twice the timestep", shares, below=0.6, by="first order has 0.5")
+    holds("missing energy at 25 µs", residuals[2], below=5e-3, by="conservation of energy")
 
 
 EXTENSION, RADIUS, MISSING = 1e4, 0.02, math.radians(10)
 
 
 def flattened_energy(design):
-    """The least energy of the springs of four plates that may shift and turn in their plane only, J."""
+    """Least energy of the springs of four plates that can only shift and turn in their plane, J."""
     structure = structure_of(design)
     flat = [[structure.points[point].place for point in plate.points] for plate in structure.plates]
     carriers = {plate.body: number for number, plate in enumerate(structure.plates)}
@@ -156,7 +162,7 @@ def flattened_energy(design):
 
 
 def test_the_springs_of_flattened_plates_store_the_energy_of_the_closed_form(agree):
-    """k_e D^2 R^3 / 96: every crease opens by D / 4, and the plates shift so that the gaps add up to 0 along it."""
+    """The energy is k_e D^2 R^3 / 96: every crease opens by D / 4, and the gaps along it sum to 0 by shifts."""
     design = load_design("four-plate-snap")
     known = EXTENSION * MISSING**2 * RADIUS**3 / 96
     agree("energy when flat", 1e6 * flattened_energy(design), 1e6 * known, unit="µJ", by="kₑ D² R³ / 96", rel=1e-3)
@@ -210,14 +216,14 @@ def test_four_plates_snap_down_and_up_and_rest_at_the_energy_minima(agree, holds
         least = 1e3 * EXTENSION * MISSING**2 * RADIUS**3 / 96
         agree("energy at rest", 1e6 * stored, 1e6 * energy, unit="µJ", by=by, rel=5e-3, abs=least)
     residual = energy_balance(snapped).residual
-    holds("energy that is missing", residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", residual, below=5e-3, by="conservation of energy")
 
 
 def test_with_too_stiff_springs_the_second_state_is_not_stable(holds):
-    """The second state is gone between 3e-4 and 5e-4 of k_e R^2: at 1e-3 it is."""
+    """The second state disappears between 3e-4 and 5e-4 of k_e R^2; 1e-3 is tested."""
     changes = {"protocol.timestep": 1e-4, "crease.stiffness": 1e-3 * EXTENSION * RADIUS**2}
     changes |= {f"drive.{drive}.force": 0.1 for drive in range(4)}
     record = run(with_values(load_design("four-plate-snap"), changes))
     row = int(np.searchsorted(record.time, record.stages[1].end - 1e-9))
     assert record.stages[0].goal_time is not None
-    holds("fold angle when let go", np.degrees(record.measured("creases")[row].min()), above=20, unit="deg")
+    holds("fold angle at release", np.degrees(record.measured("creases")[row].min()), above=20, unit="deg")

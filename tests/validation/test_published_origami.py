@@ -1,4 +1,4 @@
-"""What others published of sheets, beside nets of bars that are built from designs."""
+"""Nets of bars built from designs agree with published closed forms of origami sheets."""
 
 import numpy as np
 import pytest
@@ -82,7 +82,7 @@ def test_the_bending_poissons_ratio_of_a_miura_sheet_is_minus_the_in_plane_ratio
     sizes = np.linalg.norm(fields, axis=0)
 
     def ways(stiff):
-        """Uniform fields that strain nothing, without shifts of the whole: their curvatures and strains, (way, 6)."""
+        """Curvatures and strains of strain-free uniform fields without rigid shifts, (way, 6)."""
         _, values, axes = np.linalg.svd(rigidity_matrix(net, built_shape(net), stiff) @ (fields / sizes))
         _, remain, spanned = np.linalg.svd(axes[values < 1e-9 * values[0], :6] / sizes[:6], full_matrices=False)
         return spanned[remain > 1e-9 * remain[0]]
@@ -114,7 +114,7 @@ def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(a
     lengths = np.linalg.norm(pattern.vertices_coords[1:], axis=1)
 
     def angles(diagonal, apex):
-        """Of the creases in the order of the vertices around."""
+        """Angles of the creases in the order of the surrounding vertices."""
         other = waterbomb_base(side, diagonal, apex)
         return shape_at(net, other.vertices_coords, start.angles).angles
 
@@ -131,8 +131,14 @@ def test_a_waterbomb_base_has_two_states_at_the_minima_of_its_symmetric_energy(a
     energies = sorted(state.energy for state in found.states)
     assert len(energies) >= 2
     by = "Hanna et al. 2014, eight linear springs"
-    agree("energy with its centre up, by that down", energies[0] / least.fun, 0, by="as built", abs=1e-9)
-    agree("energy with its centre down", 1e3 * energies[1], 1e3 * least.fun, unit="mJ", by=by, rel=1e-3)
+    agree(
+        "energy with the centre up, divided by that with the centre down",
+        energies[0] / least.fun,
+        0,
+        by="as built",
+        abs=1e-9,
+    )
+    agree("energy with the centre down", 1e3 * energies[1], 1e3 * least.fun, unit="mJ", by=by, rel=1e-3)
 
 
 @pytest.mark.parametrize(("sides", "height", "twist"), [(6, 1.5, 30), (8, 2.0, 40), (5, 1.4, 25)])
@@ -150,7 +156,7 @@ def test_the_second_state_of_a_kresling_tower_is_that_of_the_closed_form(agree, 
     net = net_of(built)
     other = kresling_other_state(sides, radius, height * radius, np.deg2rad(twist))
     agree(
-        "the other twist",
+        "twist of the second state",
         np.rad2deg(other.twist),
         180 - 360 / sides - twist,
         unit="deg",
@@ -167,8 +173,13 @@ def test_the_second_state_of_a_kresling_tower_is_that_of_the_closed_form(agree, 
         f"heights of a Kresling tower of {sides} sides", found_heights, known, unit="cm", by="Cai et al. 2015", rel=1e-6
     )
     scale = net.springs.stiffness.max() * radius**2
-    holds("energy by bars' stiffness and radius²", max(rests[0][1], rests[-1][1]) / scale, below=1e-12, by="no stress")
+    holds(
+        "energy divided by bars' stiffness and radius²",
+        max(rests[0][1], rests[-1][1]) / scale,
+        below=1e-12,
+        by="no stress",
+    )
     lengths = kresling_lengths(sides, radius, other.height, other.twist)
     built_lengths = kresling_lengths(sides, radius, height * radius, np.deg2rad(twist))
     ours, theirs = 100 * lengths.mountain, 100 * built_lengths.mountain
-    agree("mountain creases there", ours, theirs, unit="cm", by="as built", rel=1e-6)
+    agree("mountain creases in the second state", ours, theirs, unit="cm", by="as built", rel=1e-6)

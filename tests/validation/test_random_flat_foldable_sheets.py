@@ -1,11 +1,11 @@
-"""Flat-foldable sheets drawn at random fold in the one way of their closed form, and rest where it says.
+"""Random flat-foldable sheets fold along the closed form and rest at its energy minimum.
 
-A vertex of four creases folds as a spherical linkage of four bars (Huffman 1976; `vertex_closure`). A sheet of
-quadrilaterals with straight creases along its columns and, on every line between two rows, zigzag creases that cross
-them all at one angle g of that line, is flat-foldable at every vertex (Kawasaki 1989): all its straight creases fold
-by one size s, the zigzag creases of a line by z with tan(s / 2) = |cos g| tan(z / 2) (Huffman 1976; Tachi 2009,
-J. IASS 50, 173-179): a Miura-ori with columns, rows and angles that differ. With rigid facets the energy of the creases
-is then a function of one angle, and its least value is where the sheet rests.
+A vertex of four creases folds as a spherical four-bar linkage (Huffman 1976; `vertex_closure`). Consider a sheet of
+quadrilaterals with straight creases along its columns and zigzag creases on every line between two rows, which cross
+the straight creases at one angle g per line. It is flat-foldable at every vertex (Kawasaki 1989): a Miura-ori with
+different columns, rows and angles. All straight creases fold by the same magnitude s, and the zigzag creases of a line
+by z with tan(s / 2) = |cos g| tan(z / 2) (Huffman 1976; Tachi 2009, J. IASS 50, 173-179). With rigid facets the energy
+of the creases is a function of one angle, and the sheet rests at its minimum.
 """
 
 from dataclasses import replace
@@ -37,7 +37,7 @@ STIFF = {
 
 
 def rest_of(record):
-    """Where statics puts the sheet of a record from how it is built, with springs that rest as at the record's end."""
+    """Static rest of the sheet of a record, starting as built, with the rest angles at the end of the record."""
     built = record.structure
     net = net_of(built)
     senses = np.array([hinge.sense for hinge in built.hinges])
@@ -47,7 +47,7 @@ def rest_of(record):
 
 
 def driven(sheets, of, limit, stiff):
-    """Records of sheets, run side by side, that the springs of some creases fold.
+    """Records of sheets folded by the springs of some creases, simulated side by side.
 
     Args:
         sheets: patterns, each with how much further on these springs rest within a third of the time.
@@ -65,7 +65,7 @@ def driven(sheets, of, limit, stiff):
 
 
 def assert_rests_as(agree, record, pattern, folded, fold):
-    """By statics and by dynamics, at the least energy of a closed form: fold angles (edge,) by one angle."""
+    """Check statics and dynamics at the energy minimum of a closed form of fold angles (edge,) by one angle."""
     angles, edges = fold_angles(record)
     ends = pattern.vertices_coords[pattern.edges_vertices[edges]]
     springs = STIFFNESS * np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
@@ -103,19 +103,19 @@ def test_flat_foldable_vertices_fold_along_the_closed_form_and_rest_on_it(agree,
         # of the two ways that in which it was built
         way = int(np.argmin(np.abs(ways[:, 0] - angles[0]).max(axis=1)))
         ours, theirs = np.rad2deg(angles), np.rad2deg(ways[way])
-        agree("fold angles on the way", ours, theirs, unit="deg", by="Huffman 1976", abs=0.05)
+        agree("fold angles along the path", ours, theirs, unit="deg", by="Huffman 1976", abs=0.05)
         around, _ = vertex_walk(np.broadcast_to(sectors, angles.shape), angles)
         agree("rotation around a vertex", around, np.eye(3), by="identity", abs=np.deg2rad(0.05))
         assert_rests_as(agree, record, pattern, partial(vertex_angles, sectors, way, len(pattern.edges_vertices)), fold)
 
 
 def vertex_angles(sectors, way, edges, angle):
-    """Fold angles by edge, those of the creases first."""
+    """Fold angles by edge, creases first."""
     return np.concatenate((degree4_closure(sectors, angle)[way], np.zeros(edges - 4)))
 
 
 def quadrilaterals(widths, heights, angles):
-    """A flat sheet of columns of given widths, and rows of given heights between lines of zigzags at given angles."""
+    """A flat sheet of columns of given widths and rows of given heights, with zigzag lines at given angles."""
     across = np.concatenate(([0.0], np.cumsum(widths)))
     up = np.concatenate(([0.0], np.cumsum(heights)))
     # how far a zigzag has gone up or down at every column
@@ -165,7 +165,7 @@ def test_sheets_of_different_quadrilaterals_fold_along_the_closed_form_and_rest_
 
 
 def sheet_angles(flat, lines, angle):
-    """Fold angles by edge, of straight creases that are folded by an angle."""
+    """Fold angles by edge for straight creases folded by an angle."""
     line = flat.edges_vertices[:, 0] // 3  # vertices in each
     zigzag = np.array(flat.edges_role) == "zigzag"
     half = np.where(zigzag, np.tan(angle / 2) / np.cos(lines[line]), np.tan(angle / 2))

@@ -1,8 +1,9 @@
-"""The reference wing does what the paper reports, and says so.
+"""The reference wing behaves as reported in the paper, and its outcomes are reported correctly.
 
 Binder et al. 2025, doi 10.3390/biomimetics11010009: E_flat > E_opened > E_folded, W_fold << W_unfold,
-W_unfold > E_opened; 20 N cm fold with tendons of 10 N/cm; none of the stiff and short tendons folds. Counts and times
-are not targets: the paper's geometry is lost. Membrane: elasticity of a strip; a force is the slope of an energy.
+W_unfold > E_opened; 20 N cm fold wings with tendons of 10 N/cm; wings with stiff and short tendons do not fold. Counts
+and times are not compared, because the paper does not report its geometry. The membrane is compared with the elasticity
+of a strip, and its forces with the derivative of its energy.
 """
 
 import math
@@ -26,7 +27,7 @@ def fan(units, sector_angle, **values):
 
 
 def held(design, time):
-    """Both torques stay on for some time after the goal is reached."""
+    """Design in which both torques act for some time after the goal is reached."""
     stages = [stage.model_dump() for stage in design.protocol.stages]
     for stage in stages:
         if stage["drive"] != "none":
@@ -54,9 +55,9 @@ def test_energies_have_the_order_reported_in_the_paper(agree, reference_outcome)
 
 def test_works_have_the_order_reported_in_the_paper(holds, reference_outcome):
     fold, unfold = (reference_outcome.transitions[name].work for name in ("fold", "unfold"))
-    holds("work of folding by that of opening", fold / unfold, above=0, below=1 / 2, by="W_fold << W_unfold")
+    holds("work of folding divided by work of opening", fold / unfold, above=0, below=1 / 2, by="W_fold << W_unfold")
     share = unfold / reference_outcome.states["opened"].tendon_energy.sum()
-    holds("work of opening by the energy of the opened wing", share, above=1, by="W_unfold > E_opened")
+    holds("work of opening divided by energy of the opened wing", share, above=1, by="W_unfold > E_opened")
 
 
 def test_a_torque_of_20_newton_centimetres_folds_a_wing_with_soft_long_tendons(holds, outcome_of):
@@ -114,7 +115,7 @@ def test_a_diverged_run_writes_no_log_file(tmp_path, monkeypatch, capfd):
     ("units", "sector_angle", "timestep"), [(2, "20 deg", "0.1 ms"), (2, "20 deg", "0.2 ms"), (3, "15 deg", "0.2 ms")]
 )
 def test_fans_of_more_units_fold_and_open_under_a_held_torque(units, sector_angle, timestep):
-    """100 N cm either way, held for 0.3 s; let go at once, hinges swing back by more than the 30 deg that count."""
+    """100 N cm in both directions, held for 0.3 s; released at once, hinges swing back by more than 30 deg."""
     design = fan(
         units,
         sector_angle,
@@ -126,7 +127,7 @@ def test_fans_of_more_units_fold_and_open_under_a_held_torque(units, sector_angl
 
 
 def test_a_fan_of_five_units_folds_under_100_newton_centimetres_at_the_automatic_timestep():
-    """It folds under the torque; whether all eleven hinges stay beyond 150 deg when let go is another matter."""
+    """It folds under the torque; the test does not require all eleven hinges to stay beyond 150 deg after release."""
     design = with_timestep(fan(5, "12 deg", **{"protocol.fold_torque": "100 N cm", "protocol.timestep": "auto"}))
     assert timestep_warnings(design) == []
     record = ff.run(design, confirm=False)
@@ -191,7 +192,7 @@ def test_a_stretched_strip_stores_half_of_modulus_times_strain_squared_times_vol
     # Green's strain is longer by half of its square: a share of the strain in the energy; 1e-9 for 1 + strain - 1
     volume = length * width * thickness
     known = modulus * strain**2 / 2 * volume
-    agree("energy by that of the strip", energy / known, 1, by="E ε² V / 2", rel=1.1 * strain + 1e-9)
+    agree("energy divided by that of the strip", energy / known, 1, by="E ε² V / 2", rel=1.1 * strain + 1e-9)
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3])
@@ -213,11 +214,11 @@ def test_the_engines_membrane_forces_are_the_gradient_of_its_energy(holds, refer
     energy(angles)
     # central differences err by the square of step by bend, 1e-6 at most, for an energy of fourth power
     apart = np.abs(data.qfrc_passive + slope).max() / np.abs(slope).max()
-    holds("force apart from the energy's slope", apart, below=1e-5, by="central differences")
+    holds("difference of force and energy derivative", apart, below=1e-5, by="central differences")
 
 
 def test_the_work_of_the_membrane_is_the_decrease_of_its_energy(agree, reference):
-    """Along a path through bent wings, the integral of the engine's force (Gauss-Legendre) is the energy's fall."""
+    """Along a path through bent shapes, the integral of the engine's force (Gauss-Legendre) is the energy decrease."""
     wing = compile_model(with_values(reference, {"tendon.stiffness": 0.0, "tendon.damping": 0.0}))
     data = mujoco.MjData(wing.engine)
     direction = np.random.default_rng(0).normal(size=wing.engine.nq)
@@ -230,7 +231,7 @@ def test_the_work_of_the_membrane_is_the_decrease_of_its_energy(agree, reference
 
     work = sum(weight / 2 * 0.3 * at(0.15 * (1 + place))[1] for place, weight in zip(places, weights, strict=True))
     # twenty points are exact to rounding for so smooth a path
-    agree("work of the membrane", work, at(0.0)[0] - at(0.3)[0], by="fall of its energy", rel=1e-9)
+    agree("work of the membrane", work, at(0.0)[0] - at(0.3)[0], by="decrease of its energy", rel=1e-9)
 
 
 def test_the_holding_time_of_the_open_wing_does_not_change_the_verdict():

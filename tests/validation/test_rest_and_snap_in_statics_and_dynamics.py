@@ -1,7 +1,7 @@
-"""Sheets come to rest, and snap, at the same place by statics and by dynamics, which share no energy.
+"""Sheets rest in the same shapes and snap at the same loads in statics and dynamics, which share no energy function.
 
-Statics goes downhill on a closed-form energy, and follows its equilibria; dynamics lets damped nodes move in the engine
-until they rest, or lets a load grow slowly until they snap. Issue 13: rests within 1e-3 of an edge, snaps within 2 %.
+Statics descends a closed-form energy and follows its equilibria. Dynamics moves damped nodes in the engine until they
+rest, or increases a load slowly until they snap. Rests must agree within 1e-3 of an edge, and snaps within 2 %.
 """
 
 import numpy as np
@@ -21,13 +21,13 @@ EDGE = 0.02
 
 
 def apart(one, other):
-    """By how much distances between points differ at most, m: the same however the whole lies."""
+    """Largest difference of distances between points, m, which does not depend on position and orientation."""
     first, second = (np.linalg.norm(each[:, None] - each[None], axis=2) for each in (one, other))
     return float(np.abs(first - second).max())
 
 
 def both(design):
-    """Where a design rests, let go as built: by statics and by dynamics."""
+    """Resting shapes of a design released as built, by statics and by dynamics."""
     structure = structure_of(design)
     net = net_of(structure)
     statics = minimum(net, start_shape(structure, net))
@@ -38,7 +38,7 @@ def both(design):
 
 
 def small(name, **values):
-    """A design that is only let go; its creases are damped so that it soon rests."""
+    """A design that is only released, with damped creases so that it rests soon."""
     nothing = {"drive": [], "measure": [], "protocol.stages": [REST]}
     return with_values(load_design(name), nothing | values)
 
@@ -59,18 +59,33 @@ def test_a_small_miura_sheet_rests_equally_in_statics_and_dynamics(holds, values
     support = [{"of": "facet 0"}]
     sizes = {"pattern.columns": 2, "pattern.rows": 2, "pattern.fold": 0.7}
     statics, dynamics = both(small("miura-sheet", **{"support": support}, **sizes, **values))
-    holds("distances by an edge, apart", apart(statics, dynamics) / EDGE, below=1e-3, by="statics beside dynamics")
+    holds(
+        "difference of distances divided by an edge",
+        apart(statics, dynamics) / EDGE,
+        below=1e-3,
+        by="statics and dynamics",
+    )
 
 
 def test_plates_with_opening_creases_rest_equally_in_statics_and_dynamics(holds):
     """Four plates that lack 10 deg of a flat sheet, let go where their creases want to be flat."""
     statics, dynamics = both(small("four-plate-snap", **{"crease.rest_angle": 0.2}))
-    holds("distances by an edge, apart", apart(statics, dynamics) / 0.02, below=1e-3, by="statics beside dynamics")
+    holds(
+        "difference of distances divided by an edge",
+        apart(statics, dynamics) / 0.02,
+        below=1e-3,
+        by="statics and dynamics",
+    )
 
 
 def test_a_vertex_with_a_band_rests_equally_in_statics_and_dynamics(holds):
     statics, dynamics = both(small("bistable-clasp"))
-    holds("distances by an edge, apart", apart(statics, dynamics) / 0.04, below=1e-3, by="statics beside dynamics")
+    holds(
+        "difference of distances divided by an edge",
+        apart(statics, dynamics) / 0.04,
+        below=1e-3,
+        by="statics and dynamics",
+    )
     # it has moved: the band pulls the corners together
     built = load_design("bistable-clasp").sheet.vertices_coords
     assert apart(statics, built) > 0.01
@@ -110,4 +125,4 @@ def test_a_pyramid_snaps_under_a_slow_force_at_its_static_limit(agree):
     height = record.series["point_position"][:, 0, 2]
     rim = record.series["point_position"][0, 1, 2]
     snapped = record.time[np.argmax(height < rim)]
-    agree("force at which it snaps", most * snapped, limit.factor, unit="N", by="limit of statics", rel=0.02)
+    agree("snap force", most * snapped, limit.factor, unit="N", by="limit of statics", rel=0.02)

@@ -1,7 +1,7 @@
-"""A wing scaled in size, at fixed modulus and density, has the same motion in time by time scale.
+"""A wing scaled in size, at fixed modulus and density, has the same motion in scaled time.
 
-Dimensional analysis: lengths go with the factor s, stiffness with E A / L ~ s, torque, energy and mass with s^3,
-inertia with s^5, time with s, and speeds stay (Ilton et al. 2018, arXiv 1711.04920, measured that speed).
+Dimensional analysis for a factor s: lengths are proportional to s, stiffness to E A / L ~ s, torque, energy and mass to
+s^3, inertia to s^5 and time to s; speeds are constant (Ilton et al. 2018, arXiv 1711.04920, measured that speed).
 """
 
 import math
@@ -60,7 +60,7 @@ def assert_moves_alike(agree, holds, small, large, size):
     assert small.data.sizes["time"] == large.data.sizes["time"]
     # rounding of the times
     ours, theirs = small.data["time"].values / size, large.data["time"].values
-    agree("times by the size", ours, theirs, unit="s", by="the reference", rel=1e-12)
+    agree("times divided by the size", ours, theirs, unit="s", by="the reference", rel=1e-12)
     # rounding, 1e-16, grown by the snaps in between, which pull neighbouring motions apart: 1e-8 was the most seen
     ours, theirs = small.series["hinge_angle"], large.series["hinge_angle"]
     agree("angles of hinges", ours, theirs, unit="rad", by="the reference", abs=1e-6)
@@ -68,12 +68,12 @@ def assert_moves_alike(agree, holds, small, large, size):
         series = large.data[name].values
         ours, theirs = small.data[name].values / size**3, series
         apart = np.abs(ours - theirs).max() / np.abs(series).max()
-        holds("energies by the cube of the size, apart by the largest", apart, below=1e-6, by="the reference")
+        holds("difference of energies divided by size³ and the largest", apart, below=1e-6, by="the reference")
 
 
 @pytest.fixture(scope="module")
 def earwig(reference):
-    """An earwig's size: 10 mm from hub to tip."""
+    """A wing of the size of an earwig's: 10 mm from hub to tip."""
     return ff.run(scaled_by_hand(reference, 0.01 / 0.22), confirm=False)
 
 
@@ -146,4 +146,4 @@ def test_a_wing_with_contact_has_the_same_scaled_motion_at_any_size(agree, refer
     rows = int(np.sum(records[0].time <= fold))
     # every contact multiplies what rounding makes different
     ours, theirs = angles[1][:rows], angles[0][:rows]
-    agree("angles of a wing of half the size that touches", ours, theirs, unit="rad", by="the whole size", abs=1e-5)
+    agree("angles of a wing of half the size with contact", ours, theirs, unit="rad", by="full size", abs=1e-5)

@@ -1,8 +1,8 @@
-"""A torque that grows slowly in a simulation folds and opens a fan where the statics say.
+"""Slowly growing torques fold and open a simulated fan at the torques of statics.
 
 The simulation keeps the masses and dampers of the design, and its torque grows within 20 s. Folding is compared at the
-torque at which the last distal hinge snaps, because a slack wing then creeps to its goal against the dampers. Where
-inertia or small differences choose the path, the statics state a range. `benchmarks/slow_ramps.py` compares 30 fans.
+torque at which the last distal hinge snaps, because a slack wing then creeps to its goal against the dampers. If
+inertia or small differences decide the path, statics give a range. `benchmarks/slow_ramps.py` compares 30 fans.
 """
 
 import math
@@ -58,7 +58,7 @@ def stage(name, drive, until, time_limit):
 
 
 def ramp(design, stages, **torques):
-    """A run whose torques grow within 20 s."""
+    """Run with torques that grow within 20 s."""
     return ff.run(
         with_values(
             design,
@@ -78,7 +78,7 @@ def ramp(design, stages, **torques):
 
 
 def snap_torque(design, largest):
-    """Torque at which the last distal hinge folds while it grows to a largest one, N m."""
+    """Torque at which the last distal hinge folds while the torque grows to a largest value, N m."""
     run = ramp(design, [stage("fold", "fold", "time", RISE)], fold_torque=largest)
     angles = run.series["hinge_angle"][:, list(hinges_of(run.structure, "ring"))]
     unsnapped = np.flatnonzero((angles > -math.radians(30)).any(axis=1))
@@ -95,7 +95,7 @@ def slow_fold(design):
 
 
 def test_a_slowly_growing_torque_folds_a_fan_at_its_least_slow_torque(agree):
-    """Snaps in long steps led to another valley, and to a torque 26 % too large."""
+    """Snaps computed in long steps had led to another state, and to a torque that was 26 % too large."""
     least, helped = slow_fold(fan(SHORT_DISTAL))
     assert helped is None
     found = snap_torque(fan(SHORT_DISTAL), 1.3 * least)
@@ -108,11 +108,18 @@ def test_where_inertia_decides_a_fan_folds_at_the_snap_predicted_by_statics(agre
     assert helped is not None
     assert least > 1.5 * helped.torque
     found = snap_torque(fan(NARROW_MARGIN), 1.3 * helped.torque)
-    agree("torque at which inertia folds it", 100 * found, 100 * helped.torque, unit="N cm", by="statics", rel=0.03)
+    agree(
+        "torque at which the fan folds by inertia",
+        100 * found,
+        100 * helped.torque,
+        unit="N cm",
+        by="statics",
+        rel=0.03,
+    )
 
 
 def test_a_slowly_growing_torque_opens_a_fan_with_two_paths_within_the_range_of_statics(holds):
-    """On its distal hinges alone, which no protocol drives alone, 16.9 N cm are enough."""
+    """A torque of 16.9 N cm on the distal hinges alone would be enough, but no protocol drives them alone."""
     design = fan(TWO_PATHS)
     wings = ensemble_of([design])
     fold, unfold = wings.structure.transitions
@@ -133,7 +140,7 @@ def test_a_slowly_growing_torque_opens_a_fan_with_two_paths_within_the_range_of_
     assert end.goal_time is not None
     # below the range it stays folded
     holds(
-        "torque at which it opens",
+        "torque at which the fan opens",
         100 * largest * (end.goal_time - end.start) / RISE,
         above=100 * 0.97 * low,
         below=100 * 1.03 * high,

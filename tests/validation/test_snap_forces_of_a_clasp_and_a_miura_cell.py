@@ -1,9 +1,10 @@
-"""A clasp and a Miura cell with rubber bands let go at the forces of their closed forms.
+"""A clasp and a Miura cell with rubber bands snap at the forces of their closed forms.
 
-The clasp: two plates a and b long with a hinge between them, a band from end to end, L^2 = a^2 + b^2 + 2 a b cos t, and
-a force square to the plate that is held, whose lever is b cos t. The cell: folds and sizes of Schenk and Guest 2013,
-doi 10.1073/pnas.1217998110, equations 1 to 4; a force along its height H is the slope of its energy by H. Both have a
-stop, which statics take for a spring a million times as stiff as its crease.
+The clasp has two plates of lengths a and b with a hinge between them, a band from end to end,
+L^2 = a^2 + b^2 + 2 a b cos t, and a force perpendicular to the held plate, whose lever is b cos t. Folds and sizes of
+the cell are those of Schenk and Guest 2013, doi 10.1073/pnas.1217998110, equations 1 to 4; a force along its height H
+is the derivative of its energy by H. Both have a stop, which statics model as a spring a million times as stiff as its
+crease.
 """
 
 import math
@@ -25,7 +26,7 @@ CLASP, CELL = load_design("force-clasp"), load_design("bistable-miura")
 
 
 def clasp_forces(design):
-    """Fold angles, rad, and the force there that would hold it open against its band, N."""
+    """Fold angles, rad, and the force that would hold the clasp open against its band at these angles, N."""
     (near, far), crease, band = design.pattern.panel_lengths, design.crease, design.tendon[0]
     angle = np.linspace(-1.0, 1.5, 100_001)
     length = np.sqrt(near**2 + far**2 + 2 * near * far * np.cos(angle))
@@ -36,7 +37,7 @@ def clasp_forces(design):
 
 
 def cell_forces(design):
-    """Heights, m, and the force upwards there that would hold it, N."""
+    """Heights, m, and the upward force that would hold the cell at these heights, N."""
     long, short, acute = design.pattern.long_side, design.pattern.short_side, design.pattern.acute_angle
     (zigzags, straights), band = design.crease.group, design.tendon[0]
     fold = np.linspace(0.1, 2.6, 200_001)
@@ -54,7 +55,7 @@ def cell_forces(design):
 
 
 def snaps(forces):
-    """The largest force upwards from the first rest to the ridge, and the largest downwards from the second."""
+    """Largest upward force from the first state to the saddle, and largest downward force from the second state."""
     signs = np.flatnonzero(np.diff(np.sign(forces)))
     low, ridge, high = signs
     return forces[low:ridge].max(), -forces[ridge:high].min()
@@ -66,7 +67,7 @@ def slow(design):
 
 
 def test_a_stiff_clasp_opens_and_closes_at_the_forces_of_the_closed_form(agree):
-    """What its hinge gives way under the band's pull is in proportion to the hinge's own spring."""
+    """The deflection of the hinge under the band's pull is proportional to the stiffness of the hinge's own spring."""
     stiff = slow(with_values(CLASP, {"crease.extension": 3e7}))
     shut, opened = snaps(-clasp_forces(CLASP)[1])
     for name, closed_form in (("open", opened), ("shut", shut)):
@@ -89,7 +90,7 @@ def test_a_miura_cell_with_stiff_facets_snaps_up_and_down_at_the_forces_of_the_c
 
 
 def test_a_simulated_clasp_opens_at_the_force_of_statics():
-    """The load grows over many periods of the shut clasp; statics and simulation share no code."""
+    """The load grows over many periods of the closed clasp; statics and simulation share no code."""
     stages = CLASP.as_tables()["protocol"]["stages"]
     bear = stages[1] | {"until": "time", "time_limit": 0.12}
     least = slow(CLASP)["open"]
@@ -110,7 +111,7 @@ def test_a_simulated_clasp_opens_at_the_force_of_statics():
     ("name", "drive", "stage", "between"), [("raise", "pull", 2, 0.0237), ("lower", "press", 5, 0.026)]
 )
 def test_a_simulated_miura_cell_snaps_at_the_force_of_statics(name, drive, stage, between):
-    """By its height at the limit; pressed on beyond it, the cell goes on through flat; damped less than it is built."""
+    """Compared at the height of the limit, with less damping than in the design; beyond it the cell passes flat."""
     least, stages = slow(CELL)[name], list(CELL.as_tables()["protocol"]["stages"])
     beyond = []
     slowly = stages[stage] | {"until": "time", "time_limit": 0.18}
@@ -123,7 +124,7 @@ def test_a_simulated_miura_cell_snaps_at_the_force_of_statics(name, drive, stage
 
 
 def test_the_band_of_a_clasp_closed_on_its_stop_stores_the_energy_of_its_length(agree):
-    """A stop that gave way by 3.6 deg left 36.8 mJ where the band is 10.8 mm longer than it rests."""
+    """A stop that yielded by 3.6 deg had left 36.8 mJ, with the band stretched by 10.8 mm."""
     stiff = structure_of(with_values(CLASP, {"crease.extension": 3e8}))
     net = net_of(stiff)
     _, creases, bands, *_ = stored_by_part(net, minimum(net, start_shape(stiff, net)).shape)
@@ -135,7 +136,7 @@ def test_the_band_of_a_clasp_closed_on_its_stop_stores_the_energy_of_its_length(
 
 
 def test_a_stop_yields_by_its_moment_divided_by_its_stiffness(agree):
-    """1000 times the crease's where the design gives none: 20 N m/rad of 0.02 N m/rad, or what it gives by length."""
+    """The default stiffness is 1000 times that of the crease, 20 N m/rad for 0.02 N m/rad; a design can set another."""
     settle = {"protocol.stages": [CLASP.as_tables()["protocol"]["stages"][0]]}
     designs = [with_values(CLASP, settle | given) for given in ({}, {"crease.stop_stiffness": 500.0})]
     records = simulate([compile_model(design) for design in designs])
@@ -146,10 +147,10 @@ def test_a_stop_yields_by_its_moment_divided_by_its_stiffness(agree):
         beyond = math.degrees(angle) - 60
         # the film opens by some 1 % of the lever
         agree(
-            "way beyond a stop",
+            "deflection of a stop",
             beyond,
             math.degrees(moment / stiffness),
             unit="deg",
-            by="moment by stiffness",
+            by="moment divided by stiffness",
             rel=0.04,
         )

@@ -1,7 +1,7 @@
-"""Under a force that grows slowly, sheets in motion snap at the limit load of statics, within 2 %.
+"""Under a slowly growing force, simulated sheets snap at the limit load of statics, within 2 %.
 
-Statics follows the path of equilibria to where the load turns; dynamics knows nothing of it. A force that rises to
-98 % of that load is borne for as long as it acts, one that rises to 102 % is not.
+Statics follows the path of equilibria to the limit load; dynamics does not use it. Sheets withstand a force that rises
+to 98 % of that load as long as it acts, and snap under a force that rises to 102 %.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ SHARE = 0.02
 
 
 def pushed(name, force, rise, hold, timestep):
-    """The design, pushed by a force that rises evenly and then stays."""
+    """The design under a force that rises linearly and is then constant."""
     stage = {"name": "push", "drive": "push", "until": "time", "hold": 0.0, "time_limit": rise + hold}
     values = {
         "drive.push.force": force,
@@ -30,7 +30,7 @@ def pushed(name, force, rise, hold, timestep):
 
 
 def limit_of(name):
-    """The first limit load of the drive "push" by statics, N, and how low the pushed vertex is there, m."""
+    """First static limit load of the drive "push", N, and height of the pushed vertex at this load, m."""
     built = structure_of(load_design(name))
     net = net_of(built)
     load = motor_load(built, net, tuple(float(motor.name == "push") for motor in built.motors))

@@ -1,12 +1,12 @@
-"""The static wing is where a slow, heavily damped simulation of the same design ends.
+"""Statics and a slow, heavily damped simulation of the same design end in the same shapes.
 
-The two share no code but the pattern and the places on the bars: statics goes downhill on a closed-form energy, the
-simulation integrates the motion with dampers that leave inertia no say. Every hinge has the same damping, so that the
-motion goes down the steepest slope of the energy by the joint angles, as the statics does: where a torque that comes
-at once has two places to go to, both choose the same.
+Both share only the pattern and the positions on the bars: statics descends a closed-form energy, and the simulation
+integrates the motion with dampers that make inertia negligible. Every hinge has the same damping, so that the motion
+follows the steepest descent of the energy by the joint angles, as statics does. If a torque that is applied at once can
+lead to two states, both therefore lead to the same one.
 
-The engine's stops are springs in disguise: their time constant is twice the timestep (MuJoCo's solref), so they give
-by an angle that goes with its square, while those of the statics are rigid.
+The engine's stops are damped springs with a time constant of twice the timestep (MuJoCo's solref). They yield by an
+angle proportional to its square, while the stops of statics are rigid.
 """
 
 import math
@@ -31,7 +31,7 @@ def stage(name, drive, until, time_limit):
 
 
 def damped_design(reference, stages, damping, timestep=5e-4, **torques):
-    """A design that moves without inertia to speak of."""
+    """A design with negligible inertia."""
     return with_values(
         reference,
         {
@@ -50,7 +50,7 @@ def damped_design(reference, stages, damping, timestep=5e-4, **torques):
 
 
 def damped(reference, stages, damping, timestep=5e-4, **torques):
-    """A run of a damped design."""
+    """Run of a damped design."""
     return ff.run(damped_design(reference, stages, damping, timestep, **torques), confirm=False)
 
 
@@ -60,12 +60,12 @@ def end_of(run, number):
 
 
 def angles(run, row):
-    """rad, (1, hinge)."""
+    """Angles at the end, rad, (1, hinge)."""
     return run.series["hinge_angle"][row][None]
 
 
 def energies(wings, position):
-    """Of the tendons, and of the membrane, J."""
+    """Energies of the tendons and of the membrane, J."""
     return wings.tendons.energy(position[:, wings.crossed]).sum(), sheet_energy(wings.sheet, position)[0][0]
 
 
@@ -85,7 +85,7 @@ def gets_to(wings, goal, position):
 
 
 def least_at_once(wings, start, drive, goal, most):
-    """The least torque that brings a wing to its goal when it comes at once, to 1 %."""
+    """Least torque that brings a wing to its goal when applied at once, to 1 %."""
     low, high = 0.0, most
     while high - low > 0.01 * high:
         torque = (low + high) / 2
@@ -128,8 +128,14 @@ def test_the_flat_wing_rests_on_its_stops_in_statics_and_simulation(agree, holds
             by="statics",
             abs=3 * 0.03 * off[-1],
         )
-    holds("how far stops give", math.degrees(off[0]), below=0.01, unit="deg", by="rigid stops of the statics")
-    agree("that by the same at half the timestep", off[0] / off[1], 1, by="stops with a time constant", rel=1e-3)
+    holds("deflection of stops", math.degrees(off[0]), below=0.01, unit="deg", by="rigid stops of the statics")
+    agree(
+        "deflection of stops divided by that at half the timestep",
+        off[0] / off[1],
+        1,
+        by="stops with a time constant",
+        rel=1e-3,
+    )
 
 
 def test_the_wing_under_half_its_least_torque_rests_at_the_same_angles_and_energies(agree, holds, wings, flat, pushed):
@@ -144,15 +150,21 @@ def test_the_wing_under_half_its_least_torque_rests_at_the_same_angles_and_energ
         agree("energy of its membrane", found, 1e3 * membrane, unit="mJ", by="statics", rel=1e-3)
     assert math.degrees(np.ptp(static.position)) > 90
     # the softest way of the wing enlarges what the stops give by ten times
-    holds("angles of the pushed wing, apart", math.degrees(off[0]), below=0.1, unit="deg", by="statics")
-    agree("that at half the timestep, by it", off[1] / off[0], 1, by="stops with a time constant", rel=1e-3)
+    holds("difference of angles under half the least torque", math.degrees(off[0]), below=0.1, unit="deg", by="statics")
+    agree(
+        "this difference at half the timestep, divided by it",
+        off[1] / off[0],
+        1,
+        by="stops with a time constant",
+        rel=1e-3,
+    )
 
 
 def test_the_least_fold_torque_of_statics_is_that_of_a_damped_simulation(agree, reference, wings, flat):
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
     at_once = least_at_once(wings, flat, "fold", "folded", 0.5)
     # 1 % each
-    agree("least torque that comes at once", 100 * at_once, 100 * least, unit="N cm", by="slowly", rel=0.02)
+    agree("least torque applied at once", 100 * at_once, 100 * least, unit="N cm", by="least slow torque", rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
         run = damped(reference, [stage("fold", "fold", "folded", 25.0)], 0.005, fold_torque=share * least)
         assert (run.stages[1].goal_time is not None) == folds
@@ -197,13 +209,13 @@ def test_the_least_opening_torque_is_that_of_a_damped_simulation_and_below_it_th
 
 @pytest.mark.parametrize("stiffness", ["rigid", 0.1])
 def test_the_least_torque_of_one_motor_on_coupled_veins_is_that_of_a_damped_simulation(agree, stiffness):
-    """The motor turns one vein, and what ties the veins takes the others along."""
+    """The motor turns one vein, and couplings move the others."""
     coupled = with_values(load_design("binder2025-coupled"), {"coupling.stiffness": stiffness})
     wings = ensemble_of([with_values(coupled, {"protocol.folded_angle": FOLDED})])
     flat = start_state(wings).position
     least = least_slow_torque(wings, flat, wings.structure.transitions[0], 0.5).torque[0]
     found = 100 * least_at_once(wings, flat, "fold", "folded", 0.5)
-    agree("least torque that comes at once", found, 100 * least, unit="N cm", by="slowly", rel=0.02)
+    agree("least torque applied at once", found, 100 * least, unit="N cm", by="least slow torque", rel=0.02)
     for share, folds in ((0.97, False), (1.03, True)):
         run = damped(coupled, [stage("fold", "fold", "folded", 40.0)], 0.005, fold_torque=share * least)
         assert (run.stages[1].goal_time is not None) == folds
@@ -212,11 +224,11 @@ def test_the_least_torque_of_one_motor_on_coupled_veins_is_that_of_a_damped_simu
             static = rest(wings, flat, driven(wings, "fold", share * least))
             # the engine's stops give, and the wing creeps on
             ours, theirs = np.degrees(angles(run, -1)), np.degrees(static.position)
-            agree("angles below it", ours, theirs, unit="deg", by="statics", abs=1)
+            agree("angles below the least torque", ours, theirs, unit="deg", by="statics", abs=1)
 
 
 def test_two_ring_folds_held_partly_folded_by_a_torque_rest_as_in_statics(agree):
-    """A torque that grows within 15 s leaves them so; one that grows within 100 s folds them with 0.6 N cm."""
+    """A torque that grows within 15 s leaves them partly folded; one that grows within 100 s folds them at 0.6 N cm."""
     thick = with_values(load_design("binder2025-thick"), {"protocol.contact": False, "protocol.rise": 15.0})
     wings = ensemble_of([with_values(thick, {"protocol.folded_angle": FOLDED})])
     torque = 0.0436  # N m, at which they rest partly folded
@@ -228,7 +240,7 @@ def test_two_ring_folds_held_partly_folded_by_a_torque_rest_as_in_statics(agree)
     assert np.ptp(rings(wings, held)) > math.radians(80)
     static = rest(wings, held, driven(wings, "fold", torque)).position
     by = "simulation"
-    agree("angles where it rests", np.degrees(static), np.degrees(held), unit="deg", by=by, abs=0.2)
+    agree("angles at rest", np.degrees(static), np.degrees(held), unit="deg", by=by, abs=0.2)
     found, known = line_energy(wings.lines, static)[0], below.series["tendon_energy"][-1].sum()
     agree("energy of its tendons", found, known, unit="J", by=by, rel=2e-3)
     found, known = 1e3 * sheet_energy(wings.sheet, static)[0], 1e3 * below.series["membrane_energy"][-1]

@@ -1,4 +1,4 @@
-"""Stops against closed forms: rebound, depth, and their limit in the timestep."""
+"""Stops of hinges agree with closed forms: rebound, depth, and convergence with the timestep."""
 
 import math
 
@@ -17,7 +17,7 @@ JOINT = ff.load_design("binder2025-joint", {"hinge.damping": "0 N m s/rad", "hin
 
 
 def rebound(damping_ratio):
-    """Speed after by speed before an impact on a spring and a damper that never pull (Schwager and Poeschel 2007).
+    """Ratio of speeds after and before an impact on a spring and damper that never pull (Schwager, Poeschel 2007).
 
     They let go where the deceleration ends, not where the depth does: at the phase
     atan2(2 z s, 2 z^2 - 1) with s^2 = 1 - z^2.
@@ -30,7 +30,7 @@ def rebound(damping_ratio):
 
 
 def drop(damping_ratio, steps):
-    """Drop a joint without a tendon on its stop; return the rebound, and the depth by speed and time constant."""
+    """Drop a joint without a tendon on its stop; return rebound, and depth divided by speed and time constant."""
     values = {"stops.time_constant": "2 ms", "stops.damping_ratio": damping_ratio, "protocol.timestep": 2e-3 / steps}
     model = compile_model(with_values(JOINT, values))
     engine, data, unit = model.engine, mujoco.MjData(model.engine), model.units.time
@@ -53,7 +53,7 @@ def test_the_rebound_of_a_joint_from_its_stop_is_that_of_the_closed_form(damping
 
 
 def test_the_depth_of_a_critically_damped_stop_is_proportional_to_speed_and_time_constant(agree):
-    agree("depth by v T", drop(1.0, 400)[1], math.exp(-1), unit="", by="1 / e", rel=5e-3)
+    agree("depth divided by v T", drop(1.0, 400)[1], math.exp(-1), unit="", by="1 / e", rel=5e-3)
 
 
 def test_four_steps_per_time_constant_are_close_to_the_closed_form(holds):

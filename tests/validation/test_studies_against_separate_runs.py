@@ -1,7 +1,7 @@
-"""A study over a factor is nothing but separate runs: the same numbers, to the last bit.
+"""Studies give the same numbers as separate runs, to the last bit.
 
-Compared with `forficula.run`, one wing at a time, and what `forficula.measure` says of it. IEEE 754 arithmetic in a
-fixed order knows nothing of what else is computed.
+They are compared with `forficula.run` and `forficula.measure`, one wing at a time. IEEE 754 arithmetic in a fixed order
+does not depend on other computations.
 """
 
 import math
@@ -26,7 +26,7 @@ def bits(value):
 
 
 def by_hand(design, *, confirmed):
-    """What separate runs say of a design: one, and one at half the timestep where the study found that it decides."""
+    """Results of separate runs of a design: one, and one at half the timestep if the study found that it decides."""
     record = ff.run(design, confirm=False).record
     outcome = ff.measure(
         with_checks(record, {HALF_STEP: ff.run(half_step(design), confirm=False).record} if confirmed else {})

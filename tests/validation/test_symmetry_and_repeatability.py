@@ -1,6 +1,6 @@
-"""The wing does not know up from down, and a run gives the same numbers whenever and beside whatever it runs.
+"""The wing has mirror symmetry without gravity, and repeated runs give the same numbers.
 
-Symmetry: without gravity the flat wing is its own image in its plane, which swaps the senses of all folds.
+Symmetry: without gravity the flat wing is its own image in its plane, which reverses the senses of all folds.
 Repeatability: IEEE 754 arithmetic in a fixed order.
 """
 
@@ -25,7 +25,7 @@ def assert_same_bits(record, other):
 
 
 def mirrored(design):
-    """The same wing with every sense turned round: its image in its own plane."""
+    """The wing with all senses reversed: its image in its own plane."""
 
     def image(own, _):
         veins = veins_on(earwig_pattern(own.fan), ring_directions(own.fan))
@@ -36,7 +36,7 @@ def mirrored(design):
 
 @pytest.fixture(scope="module")
 def others(reference):
-    """Wings of the same topology that take other courses."""
+    """Wings of the same topology with other motions."""
     values = [{"tendon.rest_length": 0.07}, {"tendon.stiffness": 6000.0, "tendon.rest_length": 0.0}]
     return [with_values(reference, each) for each in values]
 
@@ -51,7 +51,7 @@ def test_the_mirror_image_of_the_wing_has_the_mirrored_motion(agree, reference, 
         agree("angles of hinges", ours, theirs, unit="rad", by="the image in its plane", abs=1e-9)
     places = image.series["point_position"] * [1, 1, -1]
     known = reference_run.series["point_position"]
-    agree("places of points", places, known, unit="m", by="the image in its plane", abs=1e-9)
+    agree("positions of points", places, known, unit="m", by="the image in its plane", abs=1e-9)
 
 
 def test_gravity_breaks_the_mirror_symmetry(holds, reference):
@@ -59,7 +59,7 @@ def test_gravity_breaks_the_mirror_symmetry(holds, reference):
     up, down = (simulate([wing])[0].angles("ring") for wing in (compile_model(heavy), mirrored(heavy)))
     rows = min(len(up), len(down))
     apart = np.degrees(np.abs(up[:rows] - down[:rows]).max())
-    holds("angles under gravity, apart from those of the image", apart, above=1, unit="deg")
+    holds("difference of angles from those of the image, with gravity", apart, above=1, unit="deg")
 
 
 def test_the_opposite_turning_sense_of_the_veins_is_another_mechanism(holds, reference, reference_outcome):
@@ -68,7 +68,7 @@ def test_the_opposite_turning_sense_of_the_veins_is_another_mechanism(holds, ref
     assert reference_outcome.holds["folded"]
     angles = [each.states["folded"].readings["distal_angle"].mean for each in (left, reference_outcome)]
     apart = np.degrees(np.abs(angles[0] - angles[1]).max())
-    holds("folded angles, apart from those of the other tangent", apart, above=5, unit="deg")
+    holds("difference of folded angles from those with the opposite turning sense", apart, above=5, unit="deg")
 
 
 def test_a_repeated_run_gives_the_same_bits(reference, reference_run):

@@ -1,8 +1,8 @@
-"""Tendon lengths and energies of the wing are those of its geometry, and near the paper's.
+"""Tendon lengths and energies of the wing follow from its geometry and are close to those of the paper.
 
-Geometry: the tendon's ends 5.5 cm before and beyond the ring vertex, the distal bar turned about
-the ring crease (Rodrigues 1840). Numbers: Binder et al. 2025, doi 10.3390/biomimetics11010009: open tendons of about
-11 cm, more than 35 J at the stiff and short end, about 6 J at 10 N/cm without resting length.
+Geometry: the tendon's ends are 5.5 cm before and beyond the ring vertex, and the distal bar turns about the ring crease
+(Rodrigues 1840). Numbers of Binder et al. 2025, doi 10.3390/biomimetics11010009: open tendons of about 11 cm; more than
+35 J for the stiffest tendon without resting length; about 6 J for 10 N/cm without resting length.
 """
 
 import math
@@ -22,13 +22,13 @@ def direction(angle):
 
 
 def turned(vector, axis, angles):
-    """Rodrigues: (angle, 3)."""
+    """Points rotated by Rodrigues' formula, (angle, 3)."""
     cosine, sine = np.cos(angles)[..., None], np.sin(angles)[..., None]
     return vector * cosine + np.cross(axis, vector) * sine + axis * (axis @ vector) * (1 - cosine)
 
 
 def tendon_length(design, angles):
-    """Length at angles of the distal hinge, m, from the pattern's four numbers."""
+    """Tendon length at angles of the distal hinge, m, from the four numbers of the pattern."""
     pattern, tendon = design.pattern, design.tendon
     radius = math.hypot(pattern.proximal_length, pattern.hub_radius)
     epsilon = math.asin(pattern.hub_radius / radius)
@@ -125,4 +125,4 @@ def test_with_equal_attachments_a_folded_tendon_without_resting_length_stores_li
     flat, folded = tendon_energy(with_values(reference, {"tendon.rest_length": 0.0}), [0.0, -math.pi])
     # the crease is not square to the vein: the ends pass each other at a distance, by twice the crease's slant,
     # (2 sin(theta / 2))^2 of the square of the length where epsilon is small
-    holds("energy folded by that when flat", folded / flat, below=0.04, by="the crease's slant")
+    holds("energy when folded divided by energy when flat", folded / flat, below=0.04, by="the crease's slant")

@@ -1,6 +1,6 @@
-"""The earwig's fan of binder2025, written as FOLD and read again as anyone's sheet, folds along its closed form.
+"""The fan of binder2025, written as FOLD and read as a general sheet, folds along its closed form.
 
-With the size p of the fold angle of the veins and r of the ring creases, tan(r / 2) = sin(epsilon) /
+With the magnitudes p of the fold angle of the veins and r of the ring creases, tan(r / 2) = sin(epsilon) /
 cos(sector_angle / 2) tan(p / 2) (`fan_fold_angles`; flat-foldable vertices of four creases, Huffman 1976; Tachi 2009).
 """
 
@@ -22,14 +22,14 @@ PLEATS = ("proximal", "distal")
 
 
 def of_its_file(fan, folder, values):
-    """A design of the fan's own FOLD file, whose pleats are driven."""
+    """Design of the fan's FOLD file with driven pleats."""
     write_fold(earwig_pattern(fan), folder / "fan.fold")
     kept = {"pattern": {"kind": "fold-file", "path": str(folder / "fan.fold")}}
     return with_values(load_design("miura-sheet"), BARS | kept | values)
 
 
 def assert_on_the_path(agree, fan, angles, edges, tolerance):
-    """Fold angles, (time, crease), at several places along the way, beside those of their own mean pleat."""
+    """Compare fold angles, (time, crease), at several times with those of the closed form for the mean pleat."""
     pattern = earwig_pattern(fan)
     pleats = np.isin(np.array(pattern.edges_role)[edges], PLEATS)
     sizes = np.abs(angles[:, pleats]).mean(axis=1)
@@ -43,7 +43,7 @@ def assert_on_the_path(agree, fan, angles, edges, tolerance):
 
 @pytest.mark.parametrize(("units", "sector", "tolerance"), [(1, 20, 0.05), (2, 15, 0.7)])
 def test_rigid_plates_fold_along_the_closed_form(agree, holds, tmp_path, units, sector, tolerance):
-    """One loop to 0.05 deg; three loops, each closed to about 1e-5 of an edge, share their gaps with the pleats."""
+    """One loop agrees to 0.05 deg; three loops, each closed to about 1e-5 of an edge, deviate by their gaps."""
     fan = replace(FAN, units=units, sector_angle=np.deg2rad(sector))
     values = {
         "facet.kind": "rigid",
@@ -55,11 +55,11 @@ def test_rigid_plates_fold_along_the_closed_form(agree, holds, tmp_path, units, 
     }
     (record,) = simulate([compile_model(of_its_file(fan, tmp_path, values))])
     assert_on_the_path(agree, fan, *fold_angles(record), tolerance)
-    holds("energy that is missing", energy_balance(record).residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
 
 def test_nets_of_bars_move_along_the_closed_form(agree, holds, tmp_path):
-    """To 0.5 deg: springs of the pleats rest further on, against bars 3e7 and bends 1e3 times as stiff.
+    """They agree to 0.5 deg: springs drive the pleats against bars 3e7 and bends 1e3 times as stiff.
 
     The hub is narrow: its ends lie 0.9 mm from the vein that their facets turn about, and a crease that is not soft
     beside the bars pulls them through it.
@@ -76,11 +76,11 @@ def test_nets_of_bars_move_along_the_closed_form(agree, holds, tmp_path):
     }
     (record,) = simulate([compile_model(of_its_file(FAN, tmp_path, values))])
     assert_on_the_path(agree, FAN, *fold_angles(record), 0.5)
-    holds("energy that is missing", energy_balance(record).residual, below=5e-3, by="conservation of energy")
+    holds("missing energy", energy_balance(record).residual, below=5e-3, by="conservation of energy")
 
 
 def test_nets_of_bars_rest_on_the_closed_form(agree, tmp_path):
-    """By statics, to 0.05 deg, with bars 1e6 times as stiff as the creases: springs of the pleats rest further on."""
+    """Statics agree to 0.05 deg: springs drive the pleats, with bars 1e6 times as stiff as the creases."""
     values = {
         "facet.youngs_modulus": 5e9,
         "facet.bend_stiffness": 10.0,

@@ -1,7 +1,8 @@
-"""The joint that was printed: its energy in closed form, its barrier by statics, and the torques that move it by runs.
+"""Energy, barrier and least torques of the printed joint agree with the closed form, statics and simulation.
 
-Ends of a tendon at p and d along bars at the angles alpha and beta to the hinge's axis, h_p and h_d above the plane of
-both, lie on two circles about the axis, of the radii A and B, c apart along it:
+The ends of a tendon are at p and d along bars at the angles alpha and beta to the hinge's axis, and at the heights h_p
+and h_d above the plane of both bars. They are on two circles about the axis, of radii A and B, at a distance c along
+it:
 
     a = p sin alpha, b = d sin beta, c = p cos alpha + d cos beta, A^2 = a^2 + h_p^2, B^2 = b^2 + h_d^2,
     delta = atan(h_p / a) + atan(h_d / b), L^2 = A^2 + B^2 + c^2 + 2 A B cos(phi + delta)
@@ -46,7 +47,7 @@ def energy(angle):
 
 
 def moment(angle):
-    """Towards the overbend, N m."""
+    """Moment towards the overbend, N m."""
     lever = CIRCLES[0] * CIRCLES[1] * np.sin(angle + DELTA) / length(angle)
     return STIFFNESS * np.maximum(length(angle) - REST_LENGTH, 0) * lever
 
@@ -90,7 +91,7 @@ def test_pushed_over_its_barrier_the_joint_folds_by_itself_stays_folded_and_reop
     push, snap = joint_run.stages[1:3]
     pushed = joint_run.time <= push.end
     climbed = stored[pushed].max() - stored[joint_run.time <= push.start][-1]
-    agree("climbed by the run", climbed, energy(-DELTA) - energy(OVERBEND), by="statics", unit="J", rel=2e-3)
+    agree("energy climbed in the run", climbed, energy(-DELTA) - energy(OVERBEND), by="statics", unit="J", rel=2e-3)
     # nothing pushes any more, and it goes on
     assert np.degrees(angles[pushed][-1]) > -25
     rested = np.degrees(angles[joint_run.time <= snap.end][-1])
@@ -105,7 +106,7 @@ def test_pushed_over_its_barrier_the_joint_folds_by_itself_stays_folded_and_reop
     ],
 )
 def test_the_least_torques_of_simulated_joints_are_those_of_statics(agree, key, torques, closed):
-    """Torques that come slowly: a run of every one, up to the first that gets there."""
+    """One run per slowly applied torque, up to the first torque that reaches the goal."""
 
     def stage(drive, until, time_limit):
         return {"name": drive, "drive": drive, "until": until, "hold": 0.0, "time_limit": time_limit}

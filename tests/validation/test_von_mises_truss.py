@@ -1,4 +1,4 @@
-"""Von Mises' truss: two bars between supports, in closed form (von Mises 1923, ZAMM 3, 406-422)."""
+"""Von Mises' truss, two bars between supports, agrees with its closed form (von Mises 1923, ZAMM 3, 406-422)."""
 
 from dataclasses import replace
 
@@ -32,12 +32,12 @@ def von_mises(height, held=()):
 
 
 def force(height, z):
-    """Downwards on the apex, N."""
+    """Downward force on the apex, N."""
     return 2 * STIFFNESS * z * (np.hypot(HALF, height) / np.hypot(HALF, z) - 1)
 
 
 def limit(height):
-    """Largest force: where the cube of the bars' length is that of their resting length times the half span squared."""
+    """Largest force: where the cubed bar length equals the resting length times the squared half span."""
     length = (np.hypot(HALF, height) * HALF**2) ** (1 / 3)
     return force(height, np.sqrt(length**2 - HALF**2))
 
@@ -51,7 +51,7 @@ def test_the_load_path_under_a_force_follows_the_closed_form_through_both_limits
     factors = np.array([point.factor for point in path.points])
     by = "von Mises 1923"
     most = limit(height)
-    agree("force by the largest", factors / most, force(height, z) / most, by=by, abs=1e-9)
+    agree("force divided by the largest", factors / most, force(height, z) / most, by=by, abs=1e-9)
     assert z[-1] < -height
     assert [event.kind for event in path.events] == ["limit", "limit"]
     for event, sign in zip(path.events, (1, -1), strict=True):
@@ -85,7 +85,7 @@ def test_the_path_under_a_displacement_has_no_limit(agree):
         unit="N",
         by="von Mises 1923",
         abs=1e-9,
-        over=("how far it is pushed (m)", ways),
+        over=("displacement (m)", ways),
     )
 
 
@@ -110,7 +110,7 @@ def test_with_a_soft_spring_in_series_the_truss_snaps_back_under_displacement(ag
     assert driven(turns[1]) < driven(turns[0])  # it does snap back
     assert [event.kind for event in path.events] == ["limit", "limit"]
     for event, turn in zip(path.events, turns, strict=True):
-        agree("displacement at which it turns", event.point.factor, driven(turn), unit="m", by=by, rel=1e-8)
+        agree("displacement at the limit", event.point.factor, driven(turn), unit="m", by=by, rel=1e-8)
 
 
 def test_the_path_has_a_corner_where_a_tendon_goes_slack(agree):
@@ -142,7 +142,7 @@ def test_a_tall_truss_buckles_sideways_first(agree):
     event = path.events[0]
     assert event.kind == "bifurcation"
     by = "1 - L₀ z² / L³ = 0"
-    agree("force at which it leaves", event.point.factor, force(height, z), unit="N", by=by, rel=1e-5)
+    agree("buckling force", event.point.factor, force(height, z), unit="N", by=by, rel=1e-5)
     np.testing.assert_allclose(event.mode[1], (1, 0, 0), atol=1e-6)
 
     for sense in (1, -1):
@@ -182,7 +182,7 @@ def test_the_truss_collapses_at_the_same_limit_under_force_and_acceleration(agre
     shaken = collapse(net, rest, acceleration(net, np.array([0.0, 0.0, 1.0])))
     assert pushed.kind == shaken.kind == "limit"
     agree("force", pushed.factor, limit(0.3), unit="N", by="von Mises 1923", rel=1e-9)
-    agree("acceleration", shaken.factor, limit(0.3) / 0.2, unit="m/s²", by="that by the mass", rel=1e-9)
+    agree("acceleration", shaken.factor, limit(0.3) / 0.2, unit="m/s²", by="limit load divided by the mass", rel=1e-9)
     assert collapse(net, rest, point_forces(net, APEX, DOWN), most=limit(0.3) / 2).kind == "none"
 
 
@@ -193,7 +193,7 @@ def test_the_truss_snaps_from_its_limit_to_the_inverted_shape_under_the_same_for
     there = snapped(net, lost)
     assert there.stable
     z = brentq(lambda z: force(0.3, z) - 1.001 * limit(0.3), -1.0, -0.3)
-    agree("where it snaps to", there.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
+    agree("height after the snap", there.shape.positions[1], (0, 0, z), unit="m", by="von Mises 1923", abs=1e-8)
     assert minimum(net, there.shape).shape.positions[1, 2] == pytest.approx(-0.3)
     held = collapse(net, state, point_forces(net, APEX, DOWN), most=1.0)
     with pytest.raises(InputError, match="lost: need a state that collapses"):

@@ -127,7 +127,7 @@ def panel_meshes(structure: Structure) -> list[PanelMesh]:
     """Return the meshes of the panels of all surfaces, one surface after another."""
     return [
         PanelMesh(name=name, triangles=np.unique(own, return_inverse=True)[1].reshape(-1, 3))
-        for surface in (each.surface for each in structure.membranes if each.surface is not None)
+        for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None)
         for name, own in ((name, surface.triangles[surface.panels == n]) for n, name in enumerate(surface.names))
     ]
 
@@ -149,7 +149,7 @@ def panel_places(record: Record, rows: Sequence[int]) -> list[Array]:
         [[point.place for point in structure.points], *(each.places for each in structure.membranes)]
     )
     found = []
-    for surface in (each.surface for each in structure.membranes if each.surface is not None):
+    for surface in (membrane.surface for membrane in structure.membranes if membrane.surface is not None):
         nodes = np.zeros((len(known), len(surface.bodies), 3))
         for body in np.unique(surface.bodies).tolist():
             mine, own = surface.bodies == body, bodies == body

@@ -263,7 +263,7 @@ def _medium(structure: Structure, scale: Scale, widths: Sequence[float]) -> Iter
 def _facet_widths(structure: Structure) -> list[float]:
     """Return the widths of facets as built, m: their areas divided by their longest sides."""
     points, widths = built_points(structure), []
-    for numbers in [each.points for each in structure.plates] + [each.points for each in structure.facets]:
+    for numbers in [plate.points for plate in structure.plates] + [facet.points for facet in structure.facets]:
         corners = points[list(numbers)]
         following = np.roll(corners, -1, axis=0)
         area = np.linalg.norm(polygon_normal(corners)) / 2
@@ -349,7 +349,7 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
         (
             "membrane_relaxation",
             "relaxation of the membrane",
-            max((each.law.damping for each in structure.membranes), default=0.0),
+            max((membrane.law.damping for membrane in structure.membranes), default=0.0),
             "relaxation time of the membrane's damping, divided by t*",
         ),
         (
@@ -361,7 +361,7 @@ def _times(structure: Structure, scale: Scale, timestep: float | Literal["auto"]
         (
             "springs_relaxation",
             f"relaxation of {springs_name(structure)}",
-            max((each.damping / each.stiffness for each in structure.springs if each.stiffness), default=0.0),
+            max((spring.damping / spring.stiffness for spring in structure.springs if spring.stiffness), default=0.0),
             "longest relaxation time of one of them, divided by t*",
         ),
         ("timestep", "the timestep", 0.0 if timestep == "auto" else timestep, "step of the integrator, divided by t*"),

@@ -30,7 +30,7 @@ def transition_margins(record: Record, outcome: Outcome) -> dict[str, float]:
     Returns:
         Dimensionless margins in [-1, 1], by name of the transition.
     """
-    return {each.name: _margin(record, outcome, each) for each in record.structure.transitions}
+    return {transition.name: _margin(record, outcome, transition) for transition in record.structure.transitions}
 
 
 def chained(margins: Sequence[float]) -> float:
@@ -83,4 +83,4 @@ def margin_column(name: str) -> str:
 
 def chained_row(row: Mapping[str, object], transitions: Sequence[Transition]) -> float:
     """Return the combined margin of all transitions in a row of a study."""
-    return chained([float(str(row.get(margin_column(each.name), NOT_TRIED))) for each in transitions])
+    return chained([float(str(row.get(margin_column(transition.name), NOT_TRIED))) for transition in transitions])

@@ -526,10 +526,10 @@ def _state(record: Record, end: StageEnd, name: str) -> State:
     readings = {}
     # the measures, and groups of hinges by role that goals of transitions bound without being measures
     watched = [*(each.name for each in record.structure.measures), *(t.measure for t in record.structure.transitions)]
-    for each in dict.fromkeys(watched):
-        values = record.measured(each)[window]
-        measure = measure_of(record.structure, each)
-        readings[each] = Reading(
+    for measure_name in dict.fromkeys(watched):
+        values = record.measured(measure_name)[window]
+        measure = measure_of(record.structure, measure_name)
+        readings[measure_name] = Reading(
             kind="angle" if measure is None else measure.kind,
             mean=values.mean(axis=0),
             low=values.min(axis=0),

@@ -146,8 +146,8 @@ def _spread_out(places: Array) -> bool:
 
 def _radius(structure: Structure) -> float:
     """Return half the thickness of the thickest part, m."""
-    bars, plates = ([each.diameter for each in structure.bars], [each.thickness for each in structure.plates])
-    return max([*bars, *plates, *(each.thickness for each in structure.facets)], default=0.0) / 2
+    bars, plates = ([bar.diameter for bar in structure.bars], [plate.thickness for plate in structure.plates])
+    return max([*bars, *plates, *(facet.thickness for facet in structure.facets)], default=0.0) / 2
 
 
 def _places(record: Record, row: int) -> Array:

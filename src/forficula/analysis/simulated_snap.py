@@ -65,7 +65,7 @@ def hinge_name(structure: Structure, tendon: int) -> str:
 def inner_hinge(landscape: EnergyLandscape, tendon: int | None = None) -> CrossedHinge | None:
     """Return the hinge that a tendon, by default the inner one, lies across; None if there is none."""
     tendon = inner_tendon(landscape.structure) if tendon is None else tendon
-    return next((each for each in landscape.hinges if each.tendon == tendon), None)
+    return next((hinge for hinge in landscape.hinges if hinge.tendon == tendon), None)
 
 
 def folding_transition(structure: Structure, hinge: int) -> Transition | None:
@@ -99,7 +99,9 @@ def fold_limit(structure: Structure, hinge: int) -> float:
 def finely_sampled(design: Design) -> Design:
     """Return the design with a sample interval short enough to time the snap of one hinge; the motion is the same."""
     structure = structure_of(design)
-    predicted = min((time for each in ideal_hinges(structure) if (time := fold_time(each)) is not None), default=None)
+    predicted = min(
+        (time for ideal_hinge in ideal_hinges(structure) if (time := fold_time(ideal_hinge)) is not None), default=None
+    )
     interval = design.protocol.sample_interval
     if predicted is None or predicted / _ROWS >= interval:
         return design
@@ -117,7 +119,7 @@ def opening_time(record: Record, hinge: int) -> float:
     folding = folding_transition(record.structure, hinge)
     if folding is None:
         return math.inf
-    others = {each.drive for each in record.structure.transitions} - {folding.drive}
+    others = {transition.drive for transition in record.structure.transitions} - {folding.drive}
     return min((end.start for end in record.stages if others & {*stage_drives(end.stage)}), default=math.inf)
 
 

@@ -117,7 +117,12 @@ def _storage_text(record: Record, outcome: Outcome, storage: Storage) -> str:
     if record.structure.membranes and np.isfinite(storage.membrane):
         first = f"{first} Its membrane, whose creep is not modelled, stores {show_value(storage.membrane, 'J')}."
     then = next(
-        (each for each in record.structure.transitions if each.stage is not None and each.stage > storage.stage), None
+        (
+            transition
+            for transition in record.structure.transitions
+            if transition.stage is not None and transition.stage > storage.stage
+        ),
+        None,
     )
     if then is None or outcome.verdict is Verdict.UNTRUSTED or (found := outcome.transitions[then.name]) is None:
         return first

@@ -84,7 +84,7 @@ def _bars(record: Record) -> Peak | None:
     springs = record.structure.springs
     if not springs or "spring_force" not in record.series:
         return None
-    stiffness, rest = (np.array([getattr(each, name) for each in springs]) for name in ("stiffness", "rest_length"))
+    stiffness, rest = (np.array([getattr(spring, name) for spring in springs]) for name in ("stiffness", "rest_length"))
     forces = record.series["spring_force"]
     strains = np.divide(forces, stiffness * rest, out=np.zeros_like(forces), where=stiffness * rest > 0)
     row, bar = _furthest(strains)

@@ -191,7 +191,9 @@ def summary(record: Record, outcome: Outcome, versions: dict[str, str], key: str
             name: None if state is None else _state(structure, state, outcome.confirmation)
             for name, state in outcome.states.items()
         },
-        transitions={each.name: _transition(structure, each, outcome) for each in structure.transitions},
+        transitions={
+            transition.name: _transition(structure, transition, outcome) for transition in structure.transitions
+        },
         stages=_named(outcome.stages),
         largest_strains={peak.kind: peak for peak in strain_peaks(record)},
         furthest_fold=fold_peak(record),
@@ -270,7 +272,7 @@ def _state(structure: Structure, state: State, confirmation: Confirmation | None
             others[f"{each.name}_{end}"] = WithUnit(each.numbers(ends), each.unit)
     # a sparse record does not have the energy of membranes
     values = {"membrane.energy": np.array([state.membrane_energy]), **state.values}
-    others |= {each.name: WithUnit(each.numbers(values), each.unit) for each in energies}
+    others |= {energy.name: WithUnit(energy.numbers(values), energy.unit) for energy in energies}
     for each in (*readings, *energies):
         halves = None if confirmation is None else confirmation.of_state(state.name, each.numbers)
         if halves is not None:
@@ -287,8 +289,10 @@ def _state(structure: Structure, state: State, confirmation: Confirmation | None
 def _readings(structure: Structure) -> list[_StateNumbers]:
     """Return the measured values of a state."""
     return [
-        _StateNumbers(name=each.name, unit="rad" if each.kind == "angle" else "m", numbers=itemgetter(each.name))
-        for each in structure.measures
+        _StateNumbers(
+            name=measure.name, unit="rad" if measure.kind == "angle" else "m", numbers=itemgetter(measure.name)
+        )
+        for measure in structure.measures
     ]
 
 

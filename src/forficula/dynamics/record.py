@@ -223,7 +223,11 @@ class Record(Displayed):
             "tendon_role": ("tendon", [tendon.role for tendon in built.tendons]),
             "spring": [spring.name for spring in built.springs],
             "spring_role": ("spring", [spring.role for spring in built.springs]),
-            **({"coupling": [each.name for each in built.couplings]} if "coupling_energy" in self.series else {}),
+            **(
+                {"coupling": [coupling.name for coupling in built.couplings]}
+                if "coupling_energy" in self.series
+                else {}
+            ),
             "motor": [motor.name for motor in built.motors],
             "point": [point.name for point in built.points],
             "point_role": ("point", [point.role for point in built.points]),

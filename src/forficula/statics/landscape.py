@@ -155,7 +155,7 @@ class EnergyLandscape(Result):
 
     def __repr__(self) -> str:
         """Return the resting states with their energies."""
-        rests = ", ".join(f"{each.name} {show_value(each.energy, 'J')}" for each in self.rests)
+        rests = ", ".join(f"{rest.name} {show_value(rest.energy, 'J')}" for rest in self.rests)
         return f"<EnergyLandscape of {self.design.name}: {rests or f'{len(self.remarks)} remarks'}>"
 
     def barrier(self, start: str, end: str) -> float:
@@ -190,7 +190,7 @@ class EnergyLandscape(Result):
     @property
     def least_torques(self) -> Mapping[str, float | None]:
         """Return the least slowly growing torque of each transition of a tree, N m; see `LeastTorque`."""
-        return {each.name: each.least for each in self.courses if isinstance(each, LeastTorque)}
+        return {course.name: course.least for course in self.courses if isinstance(course, LeastTorque)}
 
     @property
     def easiest_barrier(self) -> float | None:

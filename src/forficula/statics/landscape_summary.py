@@ -134,7 +134,7 @@ class LandscapeSummary:
 def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
     """Return a landscape as plain data in the form of `landscape.json`."""
     structure, hinge, path = landscape.structure, landscape.hinge, landscape.fold_path
-    torques = [each for each in landscape.courses if isinstance(each, LeastTorque)]
+    torques = [course for course in landscape.courses if isinstance(course, LeastTorque)]
     content = LandscapeSummary(
         design=landscape.design.name,
         hinge=None if hinge is None else _hinge(hinge),
@@ -151,7 +151,7 @@ def landscape_summary(landscape: EnergyLandscape) -> dict[str, Any]:
         partial_folds=landscape.partial_folds,
         rests=landscape.rests,
         least_torques=landscape.least_torques,
-        least_torque_ranges={each.name: each.span for each in torques if each.span is not None},
+        least_torque_ranges={torque.name: torque.span for torque in torques if torque.span is not None},
         inertial_help={each.name: each.inertial_help for each in torques},
         tips=landscape.tips,
         remarks=landscape.remarks,
@@ -265,12 +265,12 @@ def _net(landscape: EnergyLandscape, survey: NetSurvey) -> dict[str, Any]:
         "states": [_net_state(structure, net, state) for state in states],
         "saddles": [
             {
-                "between": [states[end].name for end in each.ends],
-                "energy": WithUnit(each.energy, "J"),
-                "barriers": WithUnit(each.barriers, "J"),
-                **({} if each.shape is None else {"positions": _points(structure, net, each.shape)}),
+                "between": [states[end].name for end in saddle.ends],
+                "energy": WithUnit(saddle.energy, "J"),
+                "barriers": WithUnit(saddle.barriers, "J"),
+                **({} if saddle.shape is None else {"positions": _points(structure, net, saddle.shape)}),
             }
-            for each in landscape.passes
+            for saddle in landscape.passes
         ],
         "courses": [_course(structure, net, course) for course in net_courses(landscape)],
     }
@@ -291,8 +291,8 @@ def _net_state(structure: Structure, net: Net, state: NetState) -> dict[str, Any
         "largest_stress": WithUnit(state.stress, "Pa"),
         "largest_tendon_extension": state.extension,
         "withstands": [
-            {"load": each.load, "up_to": WithUnit(each.value, each.unit), "lost_by": each.kind}
-            for each in state.withstands
+            {"load": withstood.load, "up_to": WithUnit(withstood.value, withstood.unit), "lost_by": withstood.kind}
+            for withstood in state.withstands
         ],
         "panels_pass_through": state.passing,
         "found": state.found,
@@ -318,7 +318,7 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
     along = "rad" if driven_motor(structure, drive).direction is None else "m"
 
     def path(points: Sequence[PathPoint]) -> dict[str, Any]:
-        forces = [reaction(structure, net, drive, each.shape) for each in points if displaces(structure, drive)]
+        forces = [reaction(structure, net, drive, point.shape) for point in points if displaces(structure, drive)]
         return {
             "drive": WithUnit([size * each.factor for each in points], shown),
             "gone": WithUnit([gone(structure, net, drive, each.shape) for each in points], along),
@@ -335,8 +335,8 @@ def _course(structure: Structure, net: Net, course: Course) -> dict[str, Any]:
         "ended": course.slow.ended,
         "slow": path(course.slow.points),
         "snaps": [
-            {"kind": each.kind, "drive": WithUnit(size * each.factor, shown), "released": WithUnit(each.released, "J")}
-            for each in course.slow.snaps
+            {"kind": snap.kind, "drive": WithUnit(size * snap.factor, shown), "released": WithUnit(snap.released, "J")}
+            for snap in course.slow.snaps
         ],
         "equilibria": None if course.through is None else path(course.through.points),
         "rests_at": WithUnit(course.rest.energy, "J"),

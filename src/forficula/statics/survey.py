@@ -54,12 +54,14 @@ def energy_landscape(design: AnyDesign, points: int = 181, progress: Progress = 
 def slow_drives(structure: Structure) -> dict[str, SlowDrive]:
     """Compute the least slowly growing drive of every transition, by name, each from the end of the one before."""
     if is_net(structure):
-        courses = {each.name: each for each in slow_courses(structure)}
+        courses = {course.name: course for course in slow_courses(structure)}
         return {
-            each.name: SlowDrive(least=courses[each.name].least, largest_force=courses[each.name].largest_force)
-            if each.name in courses
+            transition.name: SlowDrive(
+                least=courses[transition.name].least, largest_force=courses[transition.name].largest_force
+            )
+            if transition.name in courses
             else SlowDrive(least=None)
-            for each in structure.transitions
+            for transition in structure.transitions
         }
     return _of_joints(structure)
 

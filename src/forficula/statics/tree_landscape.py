@@ -52,7 +52,7 @@ def tree_landscape(design: Design, structure: Structure, points: int) -> EnergyL
     hinges = crossed_hinges(structure, points)
     path = None if structure.rigid_fold is None else fold_path(structures, points)
     start = start_state(structures)
-    peaks = [each.own.peak_opening.torque for each in hinges if each.own.peak_opening is not None]
+    peaks = [hinge.own.peak_opening.torque for hinge in hinges if hinge.own.peak_opening is not None]
     rests, courses, torque_remarks = _protocol(structures, start, max(peaks, default=0.0))
     return EnergyLandscape(
         design=design,
@@ -172,8 +172,8 @@ def _tendon_remarks(structure: Structure, hinges: Sequence[CrossedHinge]) -> tup
     Remarks that apply only to some tendons begin with their names.
     """
     of: dict[str, list[str]] = {}
-    for each in hinges:
-        tendon, own, ideal = structure.tendons[each.tendon], each.own, each.ideal
+    for hinge in hinges:
+        tendon, own, ideal = structure.tendons[hinge.tendon], hinge.own, hinge.ideal
         remarks = own.remarks if ideal is None else ideal.remarks
         # the same remark on both would differ slightly in its angles
         if ideal is not None and ideal.hinge.pulls != own.hinge.pulls:

@@ -200,7 +200,7 @@ def test_tendons_fold_and_fail_in_a_page_as_in_the_study(run_in_page):
 
 def test_structures_that_the_engine_simulates_differently_are_refused_with_a_reason():
     for name, why in (
-        ("miura-sheet", "its creases are no joints"),
+        ("miura-sheet", "its creases are not joints"),
         ("binder2025-built", "air or water"),
         ("binder2025-thick", "its parts touch"),
     ):

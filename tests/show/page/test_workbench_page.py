@@ -247,7 +247,7 @@ def test_a_dropped_fold_file_is_shown_though_the_engine_refuses_it(bench):
     bench.drop(("door.fold", json.dumps(SQUARE)))
     page = bench.page
     assert page.locator("h1").inner_text() == "door"
-    assert "creases are no joints" in page.locator("#view-wing .offer").inner_text()
+    assert "creases are not joints" in page.locator("#view-wing .offer").inner_text()
     assert page.locator("#view-wing canvas").count() == 1
     page.get_by_role("tab", name="Pattern").click()
     until(page, "document.querySelector('#view-sheet img')?.complete === true", SECONDS)

@@ -24,7 +24,7 @@ def test_the_index_counts_the_eigenvalues_below_zero(size, seed):
     assert factored(matrix, -values[size // 2] - 1e-6).index == size // 2 + 1
 
 
-def test_it_solves():
+def test_the_factorisation_solves_linear_systems():
     matrix, right = symmetric(50, 3), np.arange(50.0)
     np.testing.assert_allclose(matrix @ factored(matrix).solve(right), right, atol=1e-8)
     assert factored(csc_array((0, 0))).solve(np.zeros(0)).shape == (0,)

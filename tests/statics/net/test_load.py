@@ -52,7 +52,7 @@ def test_accelerated_supports_are_a_weight_the_other_way():
     np.testing.assert_allclose(one.shape.positions, other.shape.positions, atol=1e-12)
 
 
-def test_what_is_free_is_not_displaced():
+def test_free_coordinates_cannot_be_displaced():
     with pytest.raises(InputError, match=r"load.displacements: need 0 where no support holds, got .* at node 0"):
         check_load(TETRAHEDRON, held_displacements(TETRAHEDRON, np.ones((4, 3))))
 

@@ -16,7 +16,7 @@ NET = truss([[-1, 0, 0], [0, 0, 0.3], [1, 0, 0]], [[0, 1], [1, 2]], stiffness=1e
 PUSH = point_forces(NET, np.array([1]), np.array([[0.0, 0.0, -1.0]]))
 
 
-def test_it_ends_exactly_at_its_target():
+def test_a_path_ends_exactly_at_its_target():
     path = load_path(NET, built_shape(NET), PUSH, target=5.0)
     assert path.ended == "target"
     assert path.points[-1].factor == 5.0
@@ -24,7 +24,7 @@ def test_it_ends_exactly_at_its_target():
     assert not path.events
 
 
-def test_it_ends_after_its_increments_where_it_is_told_and_at_the_first_event():
+def test_a_path_ends_after_its_increments_at_its_stop_and_at_the_first_event():
     assert len(load_path(NET, built_shape(NET), PUSH, increments=7).points) == 8
     stopped = load_path(NET, built_shape(NET), PUSH, stop=lambda point: point.factor > 5.0)
     assert stopped.ended == "stop"
@@ -99,7 +99,7 @@ def test_energy_is_the_work_of_the_load():
         (shape_at(NET, NET.nodes * (1, 1, 0.61)), PUSH, "start: need a shape at rest"),
     ],
 )
-def test_what_leads_nowhere_is_refused(start, load, rule):
+def test_loads_that_do_not_move_the_net_are_rejected(start, load, rule):
     net = replace(NET, springs=replace(NET.springs, stiffness=0 * NET.springs.stiffness)) if "start" in rule else NET
     with pytest.raises(InputError, match=rule):
         load_path(net, start, load, factor=1.0)

@@ -59,7 +59,7 @@ def test_a_mechanism_without_springs_is_neutral():
     assert not rest.stable
 
 
-def test_what_falls_forever_does_not_settle():
+def test_an_unsupported_net_under_gravity_does_not_settle():
     net = truss([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1], [1, 2], [2, 0]], stiffness=1.0, gravity=9.81)
     assert not minimum(net, built_shape(net)).settled
 
@@ -75,7 +75,7 @@ def test_locking_panels_stop_short_of_contact():
     assert law.moment(rest.shape.angles)[0] == pytest.approx(50.0)
 
 
-def test_newtons_method_finds_the_ridge_beside_it():
+def test_newtons_method_finds_the_nearby_saddle():
     net = truss([[-1, 0, 0], [0, 0, 0.3], [1, 0, 0]], [[0, 1], [1, 2]], stiffness=1e3, held=[0, 2, (1, 1)])
     ridge = stationary(net, shape_at(net, net.nodes * (1, 1, 0.1)))
     assert ridge.settled

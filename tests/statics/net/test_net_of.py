@@ -98,7 +98,7 @@ def test_the_slope_of_the_energy_is_its_change():
     assert (ends[0] - ends[1]) / (2 * step) == pytest.approx(np.sum(expand(net, there).slope * way), rel=1e-6)
 
 
-def test_what_turns_on_joints_is_no_net():
+def test_bodies_on_joints_are_not_a_net():
     structure = structure_of(load_design("letter-fold"))
     assert not is_net(structure)
     with pytest.raises(InputError, match="letter-fold: need points that slide and springs between them, got joints"):

@@ -75,7 +75,7 @@ def test_joints_hold_and_plates_stay_rigid_where_they_fold():
             assert np.linalg.norm(there[one] - there[other]) < 1e-4 * 0.02
 
 
-def test_what_is_free_swings_in_no_way_that_moves_the_whole():
+def test_a_free_plate_has_zero_frequencies_for_rigid_body_motions():
     net = net_of(FREE)
     rest = minimum(net, start_shape(FREE, net))
     modes = natural_modes(net, rest.shape, 8)

@@ -58,7 +58,7 @@ def test_a_matrix_of_masses_is_the_mass_of_a_rod():
     np.testing.assert_allclose(expand(weighed, built_shape(weighed)).slope[:, 2], 0.25 * 10)
 
 
-def test_what_has_no_mass_does_not_vibrate():
+def test_a_net_without_mass_has_no_modes():
     net = truss([[0, 0, 0], [1, 0, 0]], [[0, 1]], stiffness=6.0, held=[0], masses=[1.0, 0.0])
     with pytest.raises(InputError, match=r"net\.masses: need some > 0 that move, got none"):
         natural_modes(net, built_shape(net))

@@ -37,7 +37,9 @@ class CreaseMoments:
         """Select structures by index, in ascending order."""
         if len(which) == len(self.senses):
             return self
-        rows = {each.name: getattr(self, each.name)[which] for each in dataclasses.fields(self) if each.name != "law"}
+        rows = {
+            field.name: getattr(self, field.name)[which] for field in dataclasses.fields(self) if field.name != "law"
+        }
         return CreaseMoments(law=self.law.some(which), **rows)
 
     def at(self, angles: Array, turning: Array, efforts: Array) -> tuple[Array, Array]:
@@ -61,9 +63,9 @@ def crease_moments(models: Sequence[Model]) -> CreaseMoments:
     creases = [model.creases for model in models if model.creases is not None]
     unit = [np.eye(len(model.structure.motors)) for model in models]
     settings = [model.settings(each) for model, each in zip(models, unit, strict=True)]
-    names = [each.name for each in dataclasses.fields(CreaseLaw)]
+    names = [field.name for field in dataclasses.fields(CreaseLaw)]
     return CreaseMoments(
-        senses=np.array([each.senses for each in creases], dtype=np.float64),
+        senses=np.array([crease.senses for crease in creases], dtype=np.float64),
         law=CreaseLaw(**{name: np.array([np.asarray(getattr(each.law, name)) for each in creases]) for name in names}),
         damping=np.array([each.damping for each in creases]),
         rests=np.array([rests for rests, _ in settings]),

@@ -142,13 +142,15 @@ def _at_hand(structure: Structure) -> float:
     """Return the largest energy that a part stores after a typical motion, J."""
     # levers no longer than half the tendon
     tendons = [
-        each.law.stiffness[0] * (each.longest / 2) ** 2 for each in structure.tendons if np.isfinite(each.longest)
+        tendon.law.stiffness[0] * (tendon.longest / 2) ** 2
+        for tendon in structure.tendons
+        if np.isfinite(tendon.longest)
     ]
-    hinges = [each.stiffness * _FOLDED**2 / 2 for each in structure.hinges]
-    springs = [each.stiffness * (_STRAINED * each.rest_length) ** 2 / 2 for each in structure.springs]
+    hinges = [hinge.stiffness * _FOLDED**2 / 2 for hinge in structure.hinges]
+    springs = [spring.stiffness * (_STRAINED * spring.rest_length) ** 2 / 2 for spring in structure.springs]
     membranes = [
-        each.law.youngs_modulus * each.law.thickness * (_STRAINED * structure.span) ** 2 / 2
-        for each in structure.membranes
+        membrane.law.youngs_modulus * membrane.law.thickness * (_STRAINED * structure.span) ** 2 / 2
+        for membrane in structure.membranes
     ]
     return max([*tendons, *hinges, *springs, *membranes], default=0.0)
 

@@ -39,7 +39,7 @@ def add_bodies(spec: mujoco.MjSpec, structure: Structure) -> None:
             _add_node(bodies[-1], body)
     for closure in structure.closures:
         _add_mass(bodies[closure.bodies[1]], closure.bodies[1], structure)
-    for number in sorted({each.body for each in structure.masses}):
+    for number in sorted({mass.body for mass in structure.masses}):
         # carried masses are not part of the shape
         _add_mass(bodies[number], number, structure)
     for bar in structure.bars:

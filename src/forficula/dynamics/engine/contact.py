@@ -41,7 +41,7 @@ def add_panels(spec: mujoco.MjSpec, structure: Structure) -> None:
     middle of their nodes, because the origins of veins at the hub do not move.
     """
     contact = structure.contact
-    surfaces = [each.surface for each in structure.membranes if each.surface is not None]
+    surfaces = [membrane.surface for membrane in structure.membranes if membrane.surface is not None]
     if contact is None or not surfaces:
         return
     joined = Counter(place for surface in surfaces for place in surface.carried)

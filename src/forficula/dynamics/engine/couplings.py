@@ -28,7 +28,7 @@ def add_couplings(spec: mujoco.MjSpec, structure: Structure, timestep: float) ->
 def coupling_energies(structure: Structure, angles: Array) -> Array:
     """Return energies of couplings, 0 for rigid ones, (..., coupling), for angles in own senses, rad, (..., hinge)."""
     built = np.array([hinge.built for hinge in structure.hinges])
-    stiffness = np.array([0.0 if each.rigid else each.stiffness for each in structure.couplings])
+    stiffness = np.array([0.0 if coupling.rigid else coupling.stiffness for coupling in structure.couplings])
     return np.asarray(stiffness / 2 * ((angles - built) @ coupling_rows(structure).T) ** 2)
 
 

@@ -33,7 +33,7 @@ class MembraneMesh:
 
 def joined_mesh(membranes: Sequence[Membrane]) -> MembraneMesh:
     """Join membranes of one law into one mesh, with their nodes one after another."""
-    first = np.cumsum([0, *(len(each.built) for each in membranes)])
+    first = np.cumsum([0, *(len(membrane.built) for membrane in membranes)])
     return MembraneMesh(
         bodies=np.concatenate([np.zeros(0, dtype=np.int64), *(each.bodies for each in membranes)]),
         places=np.concatenate([np.zeros((0, 3)), *(each.places for each in membranes)]),

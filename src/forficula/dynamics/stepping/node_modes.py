@@ -81,7 +81,7 @@ def node_timestep(structure: Structure) -> float:
         _lines(structure),
         _servos(structure),
         _creases(structure),
-        *(_strains(structure, each) for each in structure.membranes),
+        *(_strains(structure, membrane) for membrane in structure.membranes),
     ]
     free = np.array([[axis in body.slides for axis in range(3)] for body in structure.bodies]).ravel()
     masses = np.repeat([body.mass for body in structure.bodies], 3)[free]
@@ -100,7 +100,10 @@ def node_timestep(structure: Structure) -> float:
         matrices.append((csr_array(gradient[:, free] @ diags_array(1 / np.sqrt(masses))), stiffness, damping))
     square, rate = (
         _largest(
-            sum((csr_array(each[0].T @ diags_array(each[kind]) @ each[0]) for each in matrices), start=_none(masses))
+            sum(
+                (csr_array(matrix[0].T @ diags_array(matrix[kind]) @ matrix[0]) for matrix in matrices),
+                start=_none(masses),
+            )
         )
         for kind in (1, 2)
     )

@@ -139,7 +139,11 @@ def _rests(
     """Return where the net rests, by the names of the protocol, and whether it is within the named state."""
     places = [(first_state(structure, [state.name for state in structure.states]), first)]
     by_name = {course.name: course for course in courses}
-    places += [(each.state, by_name[each.name].rest) for each in structure.transitions if each.name in by_name]
+    places += [
+        (transition.state, by_name[transition.name].rest)
+        for transition in structure.transitions
+        if transition.name in by_name
+    ]
     found = []
     for name, rest in places:
         state = state_of(structure, name)
@@ -233,7 +237,7 @@ def _alone(count: int, passes: Sequence[Pass]) -> list[int]:
     """Return the states that no chain of passes joins to the first."""
     if not count:
         return []
-    rows, columns = [each.ends[0] for each in passes], [each.ends[1] for each in passes]
+    rows, columns = [saddle.ends[0] for saddle in passes], [saddle.ends[1] for saddle in passes]
     graph = coo_array((np.ones(len(passes)), (rows, columns)), shape=(count, count))
     _, part = connected_components(graph, directed=False)
     return np.flatnonzero(part != part[0]).tolist()

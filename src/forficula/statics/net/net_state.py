@@ -118,7 +118,7 @@ def net_state(structure: Structure, net: Net, rest: NetRest, name: str, found: i
         rest=rest,
         energy=known(net, rest.energy),
         stored=stored_parts(structure, net, rest.shape),
-        readings={each.name: readings(structure, net, each, rest.shape) for each in structure.measures},
+        readings={measure.name: readings(structure, net, measure, rest.shape) for measure in structure.measures},
         frequencies=modes.frequencies[deforming],
         modes=modes.shapes[deforming],
         mobility=mobility(structure, net, rest.shape),
@@ -235,7 +235,7 @@ def _loads(structure: Structure, net: Net, shape: NetShape) -> list[tuple[str, s
 
 def _groups(structure: Structure) -> list[tuple[str, Motor]]:
     """Return the groups of creases that measures use, as motors for a torque; all creases if no group is chosen."""
-    watched = [each for each in structure.measures if each.kind == "angle"]
+    watched = [measure for measure in structure.measures if measure.kind == "angle"]
     chosen = [each for each in watched if each.name != "creases"] or watched
     return [(each.name, Motor(name=each.name, hinges=each.hinges)) for each in chosen if each.hinges]
 

@@ -203,7 +203,7 @@ def _name(structure: Structure, path: FoldPath, state: PathState) -> str:
 def _unfold_rate(structures: Ensemble, fold: RigidFold, fold_slope: Array) -> Array:
     """Return `FoldPath.unfold_rate`; for torques on the folding hinges if no transition leads back."""
     built, turns, folds = structures.structure, list(fold.turns), list(fold.folds)
-    back = next((each for each in built.transitions if each.state != fold.end), None)
+    back = next((transition for transition in built.transitions if transition.state != fold.end), None)
     torques = np.zeros(structures.size)
     torques[folds] = 1.0
     if back is not None:

@@ -69,7 +69,7 @@ def lines_of(structures: Sequence[Structure], tree: Tree) -> Lines | None:
         bodies += [end.body for end in ends]
         places += [end.place for end in ends]
     pieces = [LinePiece(points=(2 * each, 2 * each + 1), sides=np.array([[-1.0, 1.0]])) for each in range(len(numbers))]
-    laws = [[each.tendons[number].law.elastic for number in numbers] for each in structures]
+    laws = [[structure.tendons[number].law.elastic for number in numbers] for structure in structures]
     parts: Any = {
         name: np.array([[getattr(law, name) for law in row] for row in laws])
         for name in ("rest_length", "linear", "quadratic", "cubic")

@@ -125,7 +125,7 @@ def ensemble(structures: Sequence[Structure]) -> Ensemble:
         ties=ties_of(first),
         crossed=span(crossed),
         crossings=unit[crossed],
-        tendons=stacked_hinges([hinges_in_own_senses(each) for each in structures]),
+        tendons=stacked_hinges([hinges_in_own_senses(structure) for structure in structures]),
         stiffness=np.array([hinge.stiffness for hinge in first.hinges]),
         rest_angles=np.array([hinge.rest_angle for hinge in first.hinges]),
         motors=tuple(span(motor.hinges) for motor in first.motors),

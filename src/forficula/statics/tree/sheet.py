@@ -82,10 +82,10 @@ def sheet_of(structure: Structure, tree: Tree) -> Sheet:
         laid=laid,
         patches=tuple(
             Patch(
-                volumes=np.array([volumes[number] for number in each])[..., None],
-                law=np.array([_stiffness(laws[number]) for number in each]),
+                volumes=np.array([volumes[number] for number in group])[..., None],
+                law=np.array([_stiffness(laws[number]) for number in group]),
             )
-            for each in of_membranes
+            for group in of_membranes
         ),
         lengths=tuple(most[each - len(laws)] for each in numbers[len(of_membranes) :]),
         spring=_LIMIT_STIFFNESS * _stiffest(structure),
