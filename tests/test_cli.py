@@ -765,7 +765,7 @@ def test_missing_shards_are_counted_in_one_line(capsys, call, study_file):
     with pytest.raises(SystemExit) as caught:
         main(["study", "small.toml", "--out", "there", "--collect"])
     assert caught.value.code == 1
-    expected = "forficula: there: 2 runs are missing; run the shards that are not done, then collect\n"
+    expected = "forficula: there: 2 runs are missing; run the remaining shards, then collect\n"
     assert capsys.readouterr() == ("", expected)
 
 

@@ -134,7 +134,10 @@ def test_a_study_whose_workers_all_leave_ends_with_one_error_and_keeps_what_is_d
 def test_a_scheduler_that_is_gone_is_one_error_and_what_is_done_is_kept(cluster, study, tmp_path):
     with (
         dask_cluster(cluster.scheduler_address) as workers,
-        pytest.raises(InputError, match=r"^--dask: the scheduler at tcp://\S+ is gone; the same command goes on"),
+        pytest.raises(
+            InputError,
+            match=r"^--dask: the scheduler at tcp://\S+ is gone; the same command continues where it stopped",
+        ),
     ):
         ff.run_study(study, tmp_path / "out", cluster=workers, progress=lambda *_: cluster.close())
     assert 0 < len(read_rows(tmp_path / "out", study.base)) < len(study.points)

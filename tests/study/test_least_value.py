@@ -75,7 +75,10 @@ def test_the_least_value_is_the_first_whose_run_alone_reaches_the_state(
 def test_least_values_exist_and_depend_on_the_point(study_file, tmp_path):
     study, table = searched(study_file, tmp_path, STIFFNESS)
     assert table["least_stiffness"].values.tolist() == [200.0, 800.0]
-    assert table["least_stiffness"].attrs == {"units": "N/m", "long_name": "least tendon.stiffness that folds"}
+    assert table["least_stiffness"].attrs == {
+        "units": "N/m",
+        "long_name": "least tendon.stiffness with which the structure folds",
+    }
     assert table.attrs["ask"] == "least-value"
     assert table["stiffness"].values.tolist() == [200.0, 800.0, 1400.0, 2000.0]
     assert table["folded_by_value"].values.tolist() == [[True] * 4, [False, True, True, True]]

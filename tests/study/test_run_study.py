@@ -234,7 +234,7 @@ def test_shards_joined_are_the_undivided_study(tmp_path, study_file, whole, coun
     for number in range(1, count):
         assert run_study(study, out, shard=(number, count)) is None
     missing = 6 // count
-    with pytest.raises(InputError, match=f": {missing} runs are missing; run the shards that are not done"):
+    with pytest.raises(InputError, match=f": {missing} runs are missing; run the remaining shards, then collect"):
         collect(study, out)
     last = run_study(study, out, shard=(count, count))
     assert last.identical(whole(path))

@@ -101,7 +101,7 @@ def test_coordinates_are_in_si_with_key_and_units(searched):
     assert table["fold_torque"].values == pytest.approx([0.1, 0.5])
     assert table["fold_work"].attrs["units"] == "J"
     # a failed run has them, too
-    assert table["fold_work"].attrs["long_name"] == "work of folding, done or not"
+    assert table["fold_work"].attrs["long_name"] == "work of folding, even if it failed"
     assert table["flat_energy"].attrs["long_name"] == "energy of the tendons, flat"
     assert table["folded_energy"].attrs["long_name"] == "energy of the tendons, folded, or where folding ended"
     assert table["fold_time_by_torque"].dims[-1] == "fold_torque"

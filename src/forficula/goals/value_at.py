@@ -11,7 +11,7 @@ _DIGITS = 6
 
 
 def choice_at(choices: Sequence[object], share: float) -> object:
-    """Return the choice at a fraction in [0, 1] of the range, of which each choice has an equal part."""
+    """Return the choice at a fraction in [0, 1] of the range, which is divided equally among the choices."""
     return choices[min(int(share * len(choices)), len(choices) - 1)]
 
 

@@ -142,7 +142,7 @@ def test_unreliable_runs_are_counted_separately_and_widen_the_interval(design, t
     assert works.count == found.probability.count
     assert works.low < found.probability.low
     assert works.high >= works.share
-    assert "not to be trusted" in " ".join(advice(doubtful))
+    assert "unreliable or cannot be built" in " ".join(advice(doubtful))
     # an inconclusive run does not count as a failure of a single value
     assert doubtful.reaches[0][1].fails is None
 
@@ -287,7 +287,7 @@ def test_values_beyond_bounds_are_built_at_the_bound_and_reported(design, tmp_pa
     at_bound = int(np.sum(np.isclose(limits, np.pi, rtol=1e-12)))
     assert at_bound == pytest.approx(64 * (1 - 5 / 17.5) / 2, abs=2)
     assert table["map_x" if found.map.first == 0 else "map_y"].values.max() <= np.pi * (1 + 1e-12)
-    says = f"crease.fold_limit cannot go beyond 180 deg: {at_bound} of 64 designs have that value"
+    says = f"crease.fold_limit cannot go beyond 180 deg: {at_bound} of 64 designs would exceed this bound"
     assert any(each.startswith(says) for each in advice(found))
     assert not any("facet.thickness cannot" in each for each in advice(found))
 

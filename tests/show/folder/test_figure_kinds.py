@@ -100,7 +100,7 @@ def test_a_table_that_does_not_name_its_transitions_is_refused(tmp_path):
     old = planted(TWO)
     del old.attrs["transitions"]
     write_bytes(tmp_path / "table.nc", old.to_netcdf(engine="h5netcdf"))
-    with pytest.raises(InputError, match=r"table\.nc: of an earlier forficula; run `forficula study …` again$"):
+    with pytest.raises(InputError, match=r"table\.nc: written by an earlier forficula; run `forficula study …` again$"):
         write_figure(tmp_path, "energy", tmp_path / "energy.svg")
 
 

@@ -113,7 +113,7 @@ def optimise_goal(
         discarded=tuple(discarded),
         effort=_effort(goal, candidates, runs),
         relaxations=() if any(trial.feasible for trial in trials) else tuple(relaxations(trials)),
-        table=optimum_table(goal, candidates, *([each.candidate for each in group] for group in (best, discarded))),
+        table=optimum_table(goal, candidates, *([trial.candidate for trial in group] for group in (best, discarded))),
     )
 
 

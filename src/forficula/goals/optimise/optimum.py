@@ -30,7 +30,7 @@ class Effort:
     Attributes:
         tried: designs that were tried.
         runs: designs that were simulated, without neighbours and finer timesteps.
-        ruled_out: designs that closed forms, statics or the builder ruled out before any run, by which of them.
+        ruled_out: designs that were ruled out before any run, by method: closed forms, statics or the builder.
         neighbour_runs: neighbours that were simulated.
         spared_neighbours: neighbours that were not evaluated, because too few could work any more, or because their
             design was worse than a known good one.

@@ -46,15 +46,15 @@ def value_texts(goal: Goal, candidate: Candidate) -> list[str]:
 
 def _answer(result: Optimum) -> str:
     goal, count = result.goal, result.effort.tried
-    asked = " and ".join(f"the {objective.kind} {objective.quantity.name}" for objective in goal.objectives)
+    objectives = " and ".join(f"the {objective.kind} {objective.quantity.name}" for objective in goal.objectives)
     if not result.best:
         what = "passes verification" if result.discarded else "meets every limit"
         return f"none of {counted(count, 'design')} {what}"
     if len(goal.objectives) > 1:
-        return f"{counted(len(result.best), 'design')} on the Pareto front of {asked}, of {count} that were tried"
+        return f"{counted(len(result.best), 'design')} on the Pareto front of {objectives}, of {count} that were tried"
     best = result.best[0].candidate
     values = ", ".join(f"{key} = {value}" for key, value in best.values.items())
-    return f"{asked} of {counted(count, 'design')}: {', '.join(value_texts(goal, best))}, with {values}"
+    return f"{objectives} of {counted(count, 'design')}: {', '.join(value_texts(goal, best))}, with {values}"
 
 
 def _verified(best: tuple[Verification, ...]) -> str:
@@ -153,7 +153,7 @@ def _relaxed(result: Optimum, relaxation: Relaxation, limit: Limit | None) -> st
             else f"all designs miss it by {_missed(relaxation.best)} or more"
         )
         return f"{name}: {best}, and no design meets all other limits"
-    candidate = next(each for each in result.candidates if each.point == relaxation.trial.point)
+    candidate = next(candidate for candidate in result.candidates if candidate.point == relaxation.trial.point)
     value = None if limit is None else candidate.value(limit.quantity)
     reached = "" if limit is None or value is None else f" ({show_quantity(value, limit.quantity.unit)})"
     missed = _missed(relaxation.alone)

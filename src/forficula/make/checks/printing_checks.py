@@ -17,7 +17,7 @@ _LINES = 2
 # cos of the steepest overhang that filament needs no support for, 45 deg from the vertical
 _SLOPE = np.sqrt(0.5)
 # [chosen] allowed overhanging area / area on the bed
-_HANGS = 0.05
+_LARGEST_OVERHANG = 0.05
 # m, largest diameter of a round hole that filament bridges
 _BRIDGED = 5e-3
 # mm: surfaces this near to the bed count as on it
@@ -67,18 +67,18 @@ def _overhang(part: Part) -> Check:
     areas = np.linalg.norm(normals, axis=1)
     down = -normals[:, 2] / np.where(areas > 0, areas, 1.0)
     on_bed = corners[:, :, 2].max(axis=1) < corners[:, :, 2].min() + _ON_BED
-    lies = float(np.sum(areas[on_bed]))
-    hangs = float(np.sum(areas[~on_bed & (down > _SLOPE)]))
-    share = hangs / lies if lies else np.inf
+    bed_area = float(np.sum(areas[on_bed]))
+    overhang_area = float(np.sum(areas[~on_bed & (down > _SLOPE)]))
+    share = overhang_area / bed_area if bed_area else np.inf
     return Check(
         name="overhang",
         part=part.name,
-        ok=bool(share <= _HANGS),
+        ok=bool(share <= _LARGEST_OVERHANG),
         value=float(share),
-        limit=_HANGS,
+        limit=_LARGEST_OVERHANG,
         unit="",
-        text=f"{lies:.0f} mm^2 are on the bed, and {hangs:.0f} mm^2 overhang by more than 45 deg"
-        + ("" if share <= _HANGS else ': print it with supports, or by make.process = "powder"'),
+        text=f"{bed_area:.0f} mm^2 are on the bed, and {overhang_area:.0f} mm^2 overhang by more than 45 deg"
+        + ("" if share <= _LARGEST_OVERHANG else ': print it with supports, or by make.process = "powder"'),
     )
 
 

@@ -98,7 +98,7 @@ def whole_dashes(low: float, high: float, cut: float, bridge: float) -> list[tup
 
 
 def clipped_dashes(low: float, high: float, cut: float, bridge: float, middle: float) -> list[tuple[float, float]]:
-    """Return cuts with bridges between them, one of which is centred at `middle`, clipped at the ends, m."""
+    """Return cuts with bridges between them, clipped at the ends, m; one cut is centred at `middle`."""
     period = cut + bridge
     first, last = math.floor((low - middle) / period), math.ceil((high - middle) / period)
     cuts = [(middle + k * period - cut / 2, middle + k * period + cut / 2) for k in range(first, last + 1)]

@@ -291,7 +291,8 @@ def _dampings(name: str, parts: str, keys: re.Pattern[str], label: str) -> tuple
 ASSUMPTIONS: tuple[Assumption, ...] = (
     Assumption(
         name="slow rise",
-        meaning="The drives rise as the design says; instead they rise over 120 of the structure's own times.",
+        meaning="The drives rise over the times that the design gives; instead they rise over 120 times the"
+        " structure's time scale t*.",
         change=_slow_rise,
     ),
     Assumption(
@@ -363,7 +364,7 @@ ASSUMPTIONS: tuple[Assumption, ...] = (
     ),
     Assumption(
         name="start",
-        meaning="The structure starts as the design says; instead it starts slightly differently.",
+        meaning="The structure starts in the state that the design gives; instead it starts slightly differently.",
         change=_other_start,
     ),
 )

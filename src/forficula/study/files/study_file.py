@@ -207,7 +207,7 @@ def _repeated_grid(file: StudyFile, factors: tuple[Factor, ...], folder: Path, b
 
 
 def _search(file: StudyFile, base: Design, factors: Sequence[Factor]) -> Search | None:
-    """Read the search of a study and check that no factor is what it searches for; None if it runs the protocol."""
+    """Read the search of a study and check that its key is not a factor; None if the study runs the protocol."""
     if file.ask == "run":
         if file.search is not None:
             raise InputError('search: needs ask = "least-torques" or "least-value"')
