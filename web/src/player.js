@@ -135,7 +135,7 @@ export function viewButtons(eye, whole, follows = true) {
     return made;
   };
   const frames = [
-    ...(follows ? [switched("follow", "follow: keep the picture filled during the motion", "following")] : []),
+    ...(follows ? [switched("follow", "follow: keep the picture filled as the structure moves", "following")] : []),
     ...(whole ? [switched("one scale", `one scale: draw all ${whole}s at the same scale`, "oneScale")] : []),
   ];
   const zooms = [button("+", "nearer", () => eye.zoom(1)), button("\u2212", "further", () => eye.zoom(-1))];

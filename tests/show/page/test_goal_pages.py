@@ -83,8 +83,8 @@ def test_the_best_that_is_shown_first_is_verified_and_has_the_largest_margin_of_
 
 def test_runs_that_were_made_and_those_that_were_saved_are_counted(optimised, optimum_page):
     effort = optimised.asked.effort
-    rows = dict(cells(optimum_page, "Runs that were made"))
-    assert rows["designs that were tried"] == str(effort.tried)
+    rows = dict(cells(optimum_page, "Number of runs"))
+    assert rows["designs tried"] == str(effort.tried)
     assert rows["runs saved"] == str(effort.spared_runs + effort.spared_neighbours)
 
 
@@ -98,7 +98,7 @@ def test_without_a_feasible_design_the_page_lists_the_largest_margins(optimised)
     given = (Relaxation(limit=0, best=-0.2, alone=-0.3, unseen=float("nan"), trial=None),)
     page = goal_page(replace(found, best=(), table=table, relaxations=given), NOTHING)
     assert "which comes nearest: none meets all" in page
-    assert cells(page, "The largest margin")[0][2:] == ["−20 %", "−30 %"]
+    assert cells(page, "Largest margins")[0][2:] == ["−20 %", "−30 %"]
     assert data(page)["views"]["best_word"] == "nearest"
 
 
@@ -123,7 +123,7 @@ def test_probabilities_have_intervals_and_the_most_sensitive_factor_is_first(goa
     page = goals["tolerance"][1].read_text("utf-8")
     share = float(built.table["probability"].values[0])
     assert cells(page, "Probability")[0][2].startswith(f"{100 * share:.3g} % (")
-    rows = cells(page, "Shares of the scatter")
+    rows = cells(page, "Shares of the variance")
     assert [row[0] for row in rows] == ["tendon rest length", "tendon area", "the others"]
     assert rows[0][2:] == ["60 % (52 to 70)", "72 % (63 to 85)"]
 
@@ -136,11 +136,11 @@ def test_groups_are_ordered_by_sensitivity_and_the_remaining_factors_are_last(bu
     assert ranked_keys(table) == ["tendon.rest_length", "tendon.area"]
     design, deviations = built.asked
     page = tolerance_page(design, deviations, table, NOTHING)
-    assert [len(row) for row in cells(page, "Shares of the scatter")] == [3, 3, 3]
+    assert [len(row) for row in cells(page, "Shares of the variance")] == [3, 3, 3]
 
 
 def test_the_nearest_failure_is_listed_in_both_directions(goals):
-    rows = {row[0]: row[2:] for row in cells(goals["tolerance"][1].read_text("utf-8"), "The nearest failure")}
+    rows = {row[0]: row[2:] for row in cells(goals["tolerance"][1].read_text("utf-8"), "Smallest deviation")}
     assert next(iter(rows)) == "tendon rest length"
     assert rows["tendon rest length"] == ["0.4", "beyond 3"]
     assert rows["tendon distal offset"] == ["1.6", "2.4"]

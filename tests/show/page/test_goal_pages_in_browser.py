@@ -248,7 +248,7 @@ def test_samples_that_agree_are_drawn_in_front_of_all_drawn_samples(identify, go
     assert drawn == [["all", int((~tried.table["directed"].values & ~agrees).sum())], ["agree", int(agrees.sum())]]
     rest = 100 * np.sort(tried.table["tendon_rest_length"].values[agrees])
     text = page.locator(".marginals figure", has_text="tendon rest length").locator("small").inner_text()
-    low, high = (float(part) for part in text.removeprefix("half of it: ").split(" to "))
+    low, high = (float(part) for part in text.removeprefix("middle half: ").split(" to "))
     assert rest[0] <= low <= high <= rest[-1]
     assert np.mean((rest >= low - 0.01) & (rest <= high + 0.01)) == pytest.approx(0.5, abs=0.2)
 

@@ -86,7 +86,7 @@ def test_a_run_that_diverged_is_shown_up_to_where_its_hinges_pass_their_stops_by
     turn = record.structure.motors[0].hinges
     series["hinge_angle"][shown:, turn] = 7.0
     turned = replace(record, series=series)
-    assert "in which a hinge has passed its stops by a full turn, are not shown." in run_page(turned, measure(turned))
+    assert "in which a hinge is a full turn beyond its stops, are not shown." in run_page(turned, measure(turned))
     clip = make_clip(turned, measure(turned))
     assert clip.time[-1] == record.time[shown - 1]
     # 0 and 1 are within a turn, but follow meaningless rows

@@ -223,7 +223,7 @@ def test_from_every_side_the_wing_fills_the_picture_and_stays_in_it_all_through_
 def test_without_following_the_camera_is_fixed(opened):
     page = opened.page
     places = []
-    follow = page.get_by_role("button", name="follow: keep the picture filled during the motion")
+    follow = page.get_by_role("button", name="follow: keep the picture filled as the structure moves")
     for pressed in ("false", "true"):
         follow.click()
         assert follow.get_attribute("aria-pressed") == pressed
@@ -282,7 +282,7 @@ def test_the_sheet_takes_the_colours_of_its_strains_with_their_scale_and_its_own
     expected = face_strains(shape, surface_at(short_run, shape, end.start))
     assert max(found) == pytest.approx(expected.max(), rel=1e-2)
     scale = opened.page.locator(".legend .energy:visible").last.inner_text()
-    assert re.fullmatch(r"membrane strain, Green’s: 0\s*[\d.]+ %", scale)
+    assert re.fullmatch(r"Green strain of the membrane: 0\s*[\d.]+ %", scale)
     assert opened.page.locator(".legend .of-region:visible").count() == 0
     own.click()
     assert opened.page.locator(".legend .of-region:visible").count() == 2

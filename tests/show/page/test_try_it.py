@@ -78,7 +78,7 @@ def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(tri
     trial.live.put("tendon.stiffness", 0.6)
     speed.select_option("real time")
     trial.live.until("document.querySelector('.verdict').textContent !== ''")
-    assert "which no run of a design file does" in note.inner_text()
+    assert "which no run of a design file repeats" in note.inner_text()
     begin_again(trial)
     assert note.inner_text() == ""
     # a torque that does not act yet does not change the motion so far
@@ -89,7 +89,7 @@ def test_changes_and_pushes_are_reported_as_different_from_a_run_of_the_file(tri
     trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 5, force: [0, 0, 1] })")
     trial.page.evaluate("forficula.trial.panel.engine.tell({ act: 'push', point: 0, force: null })")
     trial.live.do("Fold")
-    assert "which no run of a design file does" in note.inner_text()
+    assert "which no run of a design file repeats" in note.inner_text()
 
 
 def test_a_diverged_simulation_stays_diverged_until_a_restart(watch, diverging_page):

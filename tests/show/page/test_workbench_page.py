@@ -224,7 +224,7 @@ def test_a_bad_value_is_reported_beside_its_key_and_the_last_working_model_is_ke
 
 def test_values_that_are_only_allowed_together_are_accepted_together(bench):
     bench.put("protocol.initial_overbend", "4 deg")
-    assert "last good model" in bench.alert()
+    assert "last working model" in bench.alert()
     bench.put("hinge.overbend", "5 deg")
     design = bench.design()
     assert (design.protocol.initial_overbend, design.hinge.overbend) == pytest.approx(np.radians([4, 5]))

@@ -81,7 +81,7 @@ def study_data(study: Study, table: Dataset) -> dict[str, Any]:
         "name": study.name,
         "noun": "point",
         "file": "table.csv",
-        "keeps": "The option --keep says how many points keep their runs.",
+        "keeps": "The option --keep sets the number of points whose runs are kept.",
         "unbuilt": unbuilt_text("point"),
         "design": study.base.name,
         "points": len(study.points),
