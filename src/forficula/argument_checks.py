@@ -78,7 +78,11 @@ _KNOWN = {
         lambda value: value is None or isinstance(value, bool) or callable(value),
     ),
     "Building": _FUNCTION,
-    "Frame": _accepted("a frame, which is a name and coordinates", "frames, each a name and coordinates", _is_list),
+    "Frame": _accepted(
+        "a frame, which is a title, positions and fold angles",
+        "frames, each a title, positions and fold angles",
+        _is_list,
+    ),
     "Evaluate": _FUNCTION,
 }
 # function that returns an object of a class, as users call it

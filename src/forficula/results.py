@@ -12,6 +12,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from forficula.argument_checks import checked
 from forficula.displayed import Displayed
 from forficula.errors import InputError
 from forficula.names import one_of
@@ -138,8 +139,11 @@ def pandas_module() -> Any:
 
 
 def call(name: str) -> Any:
-    """Return a function of `forficula.calls`. Methods of results use it because `calls` is a layer above them."""
-    return getattr(import_module("forficula.calls"), name)
+    """Return a function of `forficula.calls` that checks its arguments.
+
+    Methods of results use it because `calls` is a layer above them.
+    """
+    return checked(getattr(import_module("forficula.calls"), name), name)
 
 
 @dataclass(frozen=True, kw_only=True)

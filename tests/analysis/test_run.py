@@ -61,6 +61,10 @@ def test_a_run_draws_saves_and_shows_itself(run, tmp_path):
     assert loaded.data.identical(run.data)
     with pytest.raises(ff.InputError, match='did you mean "angles"'):
         run.figure("angels")
+    with pytest.raises(ff.InputError, match=r"^folder: need a path, got 3"):
+        run.save(3)
+    with pytest.raises(ff.InputError, match=r"^path: need a path, got None"):
+        run.page(None)
 
 
 def test_tables_of_a_run_are_not_empty_and_have_a_row_for_each_time(run):
