@@ -116,7 +116,7 @@ def faults(path: str, source: str) -> Iterator[tuple[int, str, str]]:
 def files() -> list[str]:
     """Return the paths of all files that are read, relative to the repository."""
     listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
-    folders = ("src/", "tests/", "docs/", "benchmarks/", "web/src/")
+    folders = ("src/", "tests/", "docs/", "benchmarks/", "release/", "web/src/")
     kinds = (".py", ".pyi", ".md", ".rst", ".js", ".toml")
     return [
         path
