@@ -1,4 +1,4 @@
-"""Vertices added to a sheet of triangles, where something acts on it between those that it has."""
+"""Addition of vertices to a sheet of triangles, at places between its vertices where something acts on it."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.geometry import triangle_areas
 from forficula.pattern.triangulation import Triangulation
 
-# share of the sheet's size: a place this near to a vertex or an edge is on it
+# share of the sheet's size: a place nearer than this to a vertex or an edge is on it
 _NEAR = 1e-6
 
 
 class AddedVertices(NamedTuple):
-    """A pattern of triangles with more vertices, and where its parts come from.
+    """A pattern of triangles with added vertices.
 
     Attributes:
-        pattern: of triangles; vertices and edges that it had keep their numbers.
-        facets: number of the facet that every triangle is part of, shape (triangles,).
-        sources: number of the edge that every edge is part of, its own if it is whole or new, shape (edges,).
-        vertices: number of the vertex at each place, in their order.
+        pattern: pattern of triangles; existing vertices and edges keep their numbers.
+        facets: number of the facet to which each triangle belongs, shape (triangles,).
+        sources: number of the edge to which each edge belongs, its own number if it is whole or new, shape (edges,).
+        vertices: number of the vertex at each place, in the order of the places.
     """
 
     pattern: CreasePattern
@@ -34,7 +34,7 @@ class AddedVertices(NamedTuple):
 
 
 class _Edge(NamedTuple):
-    """A further edge, and what it is part of."""
+    """An additional edge, and the edge to which it belongs."""
 
     ends: tuple[int, int]
     letter: str = "F"
@@ -44,17 +44,17 @@ class _Edge(NamedTuple):
 
 
 def with_vertices(split: Triangulation, places: Sequence[tuple[int, Array]]) -> AddedVertices:
-    """Make vertices of places on facets.
+    """Add vertices at places on facets.
 
-    A place within 1e-6 of the sheet's size of a vertex of its triangle is that vertex. One as near to an edge splits
-    it: the first part, from its tail, keeps its number, the other follows all edges with its letter, angle and role,
-    and flat edges run from the vertex to the corners beside it. One inside a triangle splits that into three by flat
-    edges. Along a cut only the side of the facet is split.
+    A place whose distance from a vertex of its triangle is less than 1e-6 of the sheet's size is that vertex. A place
+    as near to an edge splits the edge: the part from the tail keeps its number, the other part follows all edges with
+    the same letter, angle and role, and flat edges connect the new vertex with the opposite corners. A place inside a
+    triangle splits it into three by flat edges. Along a cut only the side of the place's facet is split.
 
     Args:
         split: the sheet in triangles.
-        places: numbers of facets, and positions on them, m, (3,); where a facet is not flat they move onto its nearest
-            triangle.
+        places: numbers of facets with positions on them, m, (3,); on a facet that is not flat, a position is moved to
+            the nearest triangle.
     """
     count = len(split.pattern.edges_vertices)
     sheet = AddedVertices(split.pattern, split.facets, np.arange(count), ())
@@ -65,17 +65,17 @@ def with_vertices(split: Triangulation, places: Sequence[tuple[int, Array]]) -> 
 
 
 def _with_vertex(sheet: AddedVertices, facet: int, position: Array, near: float) -> AddedVertices:
-    """One more place."""
+    """Add one vertex."""
     coords = sheet.pattern.vertices_coords
-    own = np.flatnonzero(sheet.facets == facet).tolist()
-    shares = [_shares(coords[list(sheet.pattern.faces_vertices[face])], position) for face in own]
-    best = int(np.argmax([each.min() for each in shares]))
-    face, share = own[best], np.maximum(shares[best], 0.0)
+    triangles = np.flatnonzero(sheet.facets == facet).tolist()
+    shares = [_shares(coords[list(sheet.pattern.faces_vertices[face])], position) for face in triangles]
+    best = int(np.argmax([share.min() for share in shares]))
+    face, share = triangles[best], np.maximum(shares[best], 0.0)
     corners = sheet.pattern.faces_vertices[face]
     places = coords[list(corners)]
     sides = np.linalg.norm(np.roll(places, -2, axis=0) - np.roll(places, -1, axis=0), axis=1)
     double = 2 * float(triangle_areas(places))
-    # of an edge that it is on, so that all lies on it
+    # move a position near an edge exactly onto the edge
     share[share * double / sides <= near] = 0.0
     position = share @ places / share.sum()
     away = np.linalg.norm(places - position, axis=1)
@@ -88,7 +88,7 @@ def _with_vertex(sheet: AddedVertices, facet: int, position: Array, near: float)
 
 
 def _shares(corners: Array, position: Array) -> Array:
-    """Barycentric coordinates of the foot of a position in a triangle's plane, (3,)."""
+    """Compute barycentric coordinates of the projection of a position on a triangle's plane, (3,)."""
     along = (corners[1:] - corners[0]).T
     two = np.linalg.lstsq(along, position - corners[0], rcond=None)[0]
     return np.array([1 - two.sum(), *two])
@@ -130,7 +130,7 @@ def _rebuilt(
     edges: list[_Edge],
     shortened: tuple[int, tuple[int, int]] | None,
 ) -> AddedVertices:
-    """The sheet with triangles replaced by parts, further edges with what they are part of, and one shortened."""
+    """Return the sheet with some triangles replaced by parts, additional edges, and one edge shortened."""
     pattern = sheet.pattern
     pairs, first = pattern.edges_vertices.tolist(), len(pattern.edges_vertices)
     if shortened is not None:
@@ -143,12 +143,12 @@ def _rebuilt(
         edges_assignment=(*pattern.edges_assignment, *(edge.letter for edge in edges)),
         edges_fold_angle=np.array([*pattern.edges_fold_angle, *(edge.angle for edge in edges)]),
         edges_role=(*pattern.edges_role, *(edge.role for edge in edges)),
-        faces_vertices=tuple(corners for each in faces for corners in each),
+        faces_vertices=tuple(corners for pieces in faces for corners in pieces),
     )
-    sources = [first + place if edge.source is None else edge.source for place, edge in enumerate(edges)]
+    sources = [first + index if edge.source is None else edge.source for index, edge in enumerate(edges)]
     return AddedVertices(
         changed,
-        np.repeat(sheet.facets, [len(each) for each in faces]),
+        np.repeat(sheet.facets, [len(pieces) for pieces in faces]),
         np.array([*sheet.sources, *sources], dtype=np.int64),
         (*sheet.vertices, len(pattern.vertices_coords)),
     )

@@ -1,4 +1,4 @@
-"""The sheet: where it folds, which way, and whether every vertex can fold flat."""
+"""Crease patterns: vertices, edges and faces of a sheet, and conditions for flat folding of its vertices."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class CreasePattern:
         vertices_coords: positions, m, shape (N, 3).
         edges_vertices: the two vertices of every edge, shape (E, 2).
         edges_assignment: E letters: "B" border, "M" mountain, "V" valley, "F" flat, "U" unassigned, "C" cut.
-        edges_fold_angle: rad, shape (E,), valley positive, flat 0; nan where there is none, as on a border.
+        edges_fold_angle: rad, shape (E,), valley positive, flat 0; nan without a fold angle, as on a border.
         faces_vertices: the vertices of every face, counterclockwise seen from +z; each side is an edge.
-        edges_role: E labels such as "ring"; left empty, every label is "".
-        title: what the sheet is.
+        edges_role: E labels such as "ring"; if empty, every label is "".
+        title: title of the sheet.
     """
 
     vertices_coords: Array
@@ -93,17 +93,17 @@ def check_edges(values: object, coords: Array) -> Indices:
         coords: positions of the vertices, m, shape (N, 3).
 
     Returns:
-        The same, shape (E, 2).
+        The checked edges, shape (E, 2).
 
     Raises:
-        InputError: no such vertex, an edge without length, an edge twice.
+        InputError: a vertex that does not exist, an edge without length, a repeated edge.
     """
-    given = np.asarray(values)
-    if given.ndim != 2 or given.shape[1] != 2 or len(given) == 0:
-        raise InputError(f"edges_vertices: need shape (edges, 2), got {given.shape}")
-    if given.dtype.kind not in "iu":
-        raise InputError(f"edges_vertices: need whole numbers, got {given.dtype}")
-    edges = given.astype(np.int64)
+    array = np.asarray(values)
+    if array.ndim != 2 or array.shape[1] != 2 or len(array) == 0:
+        raise InputError(f"edges_vertices: need shape (edges, 2), got {array.shape}")
+    if array.dtype.kind not in "iu":
+        raise InputError(f"edges_vertices: need whole numbers, got {array.dtype}")
+    edges = array.astype(np.int64)
     seen: dict[tuple[int, int], int] = {}
     for edge, (tail, head) in enumerate(edges.tolist()):
         for vertex in (tail, head):
@@ -117,10 +117,10 @@ def check_edges(values: object, coords: Array) -> Indices:
 
 
 def check_vertex(key: str, vertex: int, count: int) -> None:
-    """Refuse a vertex that is not there.
+    """Refuse a vertex that does not exist.
 
     Raises:
-        InputError: not from 0 to count - 1.
+        InputError: the number is not between 0 and count - 1.
     """
     if not 0 <= vertex < count:
         plural = "vertex" if count == 1 else "vertices"
@@ -128,7 +128,7 @@ def check_vertex(key: str, vertex: int, count: int) -> None:
 
 
 def _check_letters(letters: Sequence[str], edge_count: int) -> None:
-    """Refuse letters that FOLD does not know."""
+    """Refuse letters that the FOLD format does not define."""
     if len(letters) != edge_count:
         raise InputError(f"edges_assignment: need one letter for each of the {edge_count} edges, got {len(letters)}")
     for edge, letter in enumerate(letters):
@@ -138,7 +138,7 @@ def _check_letters(letters: Sequence[str], edge_count: int) -> None:
 
 
 def _checked_faces(faces: Sequence[Sequence[int]], vertex_count: int, edges: Indices) -> tuple[tuple[int, ...], ...]:
-    """Copy the faces: existing vertices, every side an edge, nothing twice."""
+    """Copy and check the faces: vertices exist, every side is an edge, nothing is repeated."""
     if len(faces) == 0:
         raise InputError("faces_vertices: need at least one face, got none")
     known = {frozenset(pair) for pair in edges.tolist()}
@@ -168,11 +168,11 @@ def face_sides(face: Sequence[int]) -> list[tuple[int, int]]:
 
 
 def face_area(points: Array, face: Sequence[int]) -> float:
-    """Measure the area of a face, positive where it runs counterclockwise (shoelace formula).
+    """Compute the area of a face, positive if it is counterclockwise (shoelace formula).
 
     Args:
-        points: m, shape (N, 2) or (N, 3), of which z is left out.
-        face: its vertices.
+        points: m, shape (N, 2) or (N, 3); z is ignored.
+        face: vertices of the face.
 
     Returns:
         m^2.
@@ -181,7 +181,7 @@ def face_area(points: Array, face: Sequence[int]) -> float:
 
 
 def check_flat(pattern: CreasePattern) -> None:
-    """Refuse a sheet that does not lie in one plane of constant z, or is folded onto itself there.
+    """Refuse a sheet that does not lie in a plane of constant z, or is folded onto itself.
 
     Raises:
         InputError: the vertices differ in z, or a face is turned over.
@@ -200,7 +200,7 @@ def check_flat(pattern: CreasePattern) -> None:
 
 
 def is_unfolded(pattern: CreasePattern) -> bool:
-    """Whether a sheet lies in one plane of constant z with no face turned over, as folded flat it would have some."""
+    """Whether a sheet lies in a plane of constant z and no face is turned over, as in a flat-folded sheet."""
     coords = pattern.vertices_coords
     if np.ptp(coords[:, 2]) > 0:
         return False
@@ -209,9 +209,9 @@ def is_unfolded(pattern: CreasePattern) -> bool:
 
 
 def interior_vertices(pattern: CreasePattern) -> Indices:
-    """Find the vertices that the sheet surrounds.
+    """Find the interior vertices of a sheet.
 
-    These have edges, none of them border or cut, and every one of their edges lies between two faces.
+    An interior vertex has edges, none of them is a border or a cut, and each lies between two faces.
 
     Returns:
         Vertex numbers in increasing order, shape (n_interior,).
@@ -228,16 +228,16 @@ def interior_vertices(pattern: CreasePattern) -> Indices:
     return np.flatnonzero(inside).astype(np.int64)
 
 
-@lru_cache(maxsize=4)  # each of the checks of a pattern begins with it
+@lru_cache(maxsize=4)  # all checks of a pattern need the result
 def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, Indices], ...]:
-    """List every interior vertex with the edges at it, flat ones left out.
+    """List every interior vertex with its edges, except flat ones.
 
     Args:
         pattern: a flat sheet.
 
     Returns:
-        Of every vertex, in the order of `interior_vertices`: its number, and those of its edges, shape (degree,),
-        counterclockwise seen from +z, the lowest first.
+        For every vertex, in the order of `interior_vertices`: its number, and the numbers of its edges, shape
+        (degree,), counterclockwise seen from +z, the lowest first.
 
     Raises:
         InputError: the sheet is not flat.
@@ -255,7 +255,7 @@ def creases_inside(pattern: CreasePattern) -> tuple[tuple[int, Indices], ...]:
 
 
 def _counterclockwise(pattern: CreasePattern, vertex: int, edges: Indices) -> Indices:
-    """Sort edges at a vertex counterclockwise, the lowest number first; they come in increasing order."""
+    """Sort edges at a vertex counterclockwise, starting with the lowest number."""
     if len(edges) == 0:
         return edges
     away = _away_from(pattern, vertex, edges)
@@ -264,25 +264,25 @@ def _counterclockwise(pattern: CreasePattern, vertex: int, edges: Indices) -> In
 
 
 def _away_from(pattern: CreasePattern, vertex: int, edges: Indices) -> Array:
-    """Vectors along the edges, pointing away from the vertex, m, shape (degree, 3)."""
+    """Compute vectors along the edges, pointing away from the vertex, m, shape (degree, 3)."""
     far_ends = pattern.edges_vertices[edges].sum(axis=1) - vertex
     vectors: Array = pattern.vertices_coords[far_ends] - pattern.vertices_coords[vertex]
     return vectors
 
 
 def sectors_between(pattern: CreasePattern, vertex: int, edges: Indices) -> Array:
-    """Measure the angles between neighbouring creases at a vertex.
+    """Compute the angles between neighbouring creases at a vertex.
 
-    Each comes from the cross and the dot product of two edge vectors, so it is good to a few units in the last place
-    of the coordinates divided by the shorter edge.
+    Each angle follows from the cross and the dot product of two edge vectors, so its error is a few units in the last
+    place of the coordinates divided by the shorter edge.
 
     Args:
         pattern: a flat sheet.
-        vertex: its number.
+        vertex: number of the vertex.
         edges: numbers of its creases, counterclockwise, as `creases_inside` lists them.
 
     Returns:
-        rad, shape (degree,), counterclockwise: number i lies between creases i and i + 1.
+        Angles, rad, shape (degree,), counterclockwise; number i lies between creases i and i + 1.
     """
     if len(edges) == 1:
         return np.array([2 * math.pi])
@@ -296,11 +296,12 @@ def sectors_between(pattern: CreasePattern, vertex: int, edges: Indices) -> Arra
 
 
 def kawasaki_residuals(pattern: CreasePattern) -> Array:
-    """Measure how far every interior vertex is from folding flat on its own.
+    """Compute the residual of Kawasaki's condition for flat folding at every interior vertex.
 
-    The sectors around a vertex that folds flat sum to 180 deg over every second one (Kawasaki 1989; Justin 1986).
-    The residual is their alternating sum, first minus second plus third and so on. In a flat sheet all of them sum to
-    360 deg, so 0 says that both halves are 180 deg. An odd number of creases never folds flat: inf.
+    Around a vertex that folds flat, every second sector sums to 180 deg (Kawasaki 1989; Justin 1986). The residual is
+    the alternating sum of the sectors: first minus second plus third and so on. In a flat sheet all sectors sum to
+    360 deg, so a residual of 0 means that both halves are 180 deg. A vertex with an odd number of creases never folds
+    flat; its residual is inf.
 
     Args:
         pattern: a flat sheet.
@@ -322,11 +323,11 @@ def kawasaki_residuals(pattern: CreasePattern) -> Array:
 
 
 def maekawa_residuals(pattern: CreasePattern) -> Indices:
-    """Count how far mountains and valleys at every interior vertex are from differing by two.
+    """Compute the residual of Maekawa's condition for flat folding at every interior vertex.
 
-    In a vertex that folds flat the two numbers differ by exactly two (Maekawa; Justin 1986; proof in Hull 1994).
-    The residual is |mountains - valleys| - 2. Flat and unassigned creases are not counted; a vertex where nothing folds
-    has residual 0.
+    At a vertex that folds flat, the numbers of mountains and valleys differ by two (Maekawa; Justin 1986; proof in Hull
+    1994). The residual is |mountains - valleys| - 2. Flat and unassigned creases are not counted; a vertex without
+    creases has residual 0.
 
     Args:
         pattern: a flat sheet.
@@ -345,12 +346,12 @@ def maekawa_residuals(pattern: CreasePattern) -> Indices:
 
 
 def big_little_big_residuals(pattern: CreasePattern) -> Indices:
-    """Count the sectors of every interior vertex that would be trapped between two larger ones.
+    """Count, at every interior vertex, the sectors that would be trapped between two larger ones.
 
-    A sector strictly smaller than both its neighbours needs one mountain and one valley as its sides, or the large
-    sectors would pass through each other (big-little-big lemma; Kawasaki 1989, Hull 1994). The residual is the number
-    of such sectors whose sides are alike. Equal sectors, to 1e-9 rad, are not strictly smaller; unassigned sides count
-    as free to choose, flat creases are ignored.
+    A sector that is strictly smaller than both neighbours needs one mountain and one valley as its sides, because
+    otherwise the large sectors would pass through each other (big-little-big lemma; Kawasaki 1989, Hull 1994). The
+    residual is the number of such sectors with two mountains or two valleys. Sectors that are equal to 1e-9 rad are not
+    strictly smaller; unassigned sides may be either; flat creases are ignored.
 
     Args:
         pattern: a flat sheet.

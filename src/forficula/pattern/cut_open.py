@@ -1,4 +1,4 @@
-"""A sheet opened along its cuts: what lies on both sides of one has vertices of its own."""
+"""Opening of a sheet along its cuts, so that the facets on both sides of a cut have separate vertices."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from forficula.pattern.shared_edges import shared_edges
 
 
 class OpenSheet(NamedTuple):
-    """A pattern without cuts between faces, and where its vertices come from.
+    """A pattern without cuts between faces.
 
     Attributes:
-        pattern: with a vertex for every part of the sheet that meets at one.
-        vertices: number of the vertex that each was, shape (vertices,).
+        pattern: pattern with a separate vertex for every part of the sheet that meets at a vertex.
+        vertices: number of the original vertex for each vertex, shape (vertices,).
     """
 
     pattern: CreasePattern
@@ -25,14 +25,14 @@ class OpenSheet(NamedTuple):
 
 
 def cut_open(pattern: CreasePattern) -> OpenSheet:
-    """Split the vertices at which cuts, "C", keep faces apart.
+    """Split the vertices at which cuts, "C", separate faces.
 
-    At every vertex the faces that hang together around it, across edges that are no cuts, share one vertex; those of
-    lowest number keep its number, new ones follow all others. A cut that comes apart is a border on either side: the
-    side of the lower face keeps its number, the other follows all edges. One that comes apart at no end stays a cut.
+    Faces around a vertex that are connected across edges other than cuts share one vertex. The group with the lowest
+    face keeps the number of the vertex, new vertices follow all others. A cut that opens has an edge on each side: that
+    of the lower face keeps the number, the other follows all edges. A cut that opens at neither end stays one edge.
 
     Returns:
-        The same pattern where it has no cuts between faces.
+        The opened sheet; the same pattern if it has no cuts.
     """
     if "C" not in pattern.edges_assignment:
         return OpenSheet(pattern, np.arange(len(pattern.vertices_coords)))
@@ -43,18 +43,18 @@ def cut_open(pattern: CreasePattern) -> OpenSheet:
     for face, vertices in enumerate(pattern.faces_vertices):
         row = []
         for vertex in vertices:
-            part = (vertex, corners[face, vertex])
-            if part not in numbers:
+            group = (vertex, corners[face, vertex])
+            if group not in numbers:
                 taken = any(known == vertex for known, _ in numbers)
-                numbers[part] = len(sources) if taken else vertex
+                numbers[group] = len(sources) if taken else vertex
                 sources += [vertex] if taken else []
-            row.append(numbers[part])
+            row.append(numbers[group])
         faces.append(tuple(row))
     return OpenSheet(_with_faces(pattern, faces, np.array(sources, dtype=np.int64)), np.array(sources, dtype=np.int64))
 
 
 def _corner_vertices(pattern: CreasePattern) -> dict[tuple[int, int], int]:
-    """The lowest face that hangs together around a vertex with a face, by face and vertex."""
+    """Return, by face and vertex, the lowest face that is connected to the face around the vertex."""
     first = {(face, vertex): face for face, vertices in enumerate(pattern.faces_vertices) for vertex in vertices}
     joined = [
         ((left, vertex), (right, vertex))
@@ -72,7 +72,7 @@ def _corner_vertices(pattern: CreasePattern) -> dict[tuple[int, int], int]:
 
 
 def _with_faces(pattern: CreasePattern, faces: list[tuple[int, ...]], sources: Indices) -> CreasePattern:
-    """The pattern with other vertices at its faces, and the edges along these."""
+    """Return the pattern with new vertices of its faces, and the edges along these faces."""
     sides: dict[frozenset[int], list[frozenset[int]]] = {}
     for face in faces:
         for tail, head in face_sides(face):

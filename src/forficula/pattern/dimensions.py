@@ -1,4 +1,4 @@
-"""Numbers that patterns are drawn with, checked under the names that a design file has for them."""
+"""Checks of the dimensions of patterns, with error messages that name the keys of a design file."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from collections.abc import Mapping
 
 from forficula.errors import InputError
 
-# share of the longest length; a shorter one is lost in the rounding of the coordinates
+# share of the longest length; a shorter length is below the rounding of coordinates
 _POINT = 1e-12
 
 
 def check_count(key: str, count: object, least: int) -> None:
-    """Refuse what is no whole number, or too few.
+    """Refuse a value that is not a whole number, or is too small.
 
     Raises:
-        InputError: so it is.
+        InputError: the value is not allowed.
     """
     if isinstance(count, bool) or not isinstance(count, numbers.Integral) or count < least:
         raise InputError(f"pattern.{key}: need a whole number, {least} or more, got {count!r}")
 
 
 def check_lengths(lengths: Mapping[str, float]) -> None:
-    """Refuse lengths, in m by key, of which no sheet can be drawn.
+    """Refuse lengths, in m by key, with which no sheet can be drawn.
 
     Raises:
-        InputError: one that is not > 0 and finite, or too short to be drawn beside the longest.
+        InputError: a length that is not > 0 and finite, or too short compared with the longest.
     """
     for key, length in lengths.items():
         if not 0 < length < math.inf:
@@ -41,11 +41,11 @@ def check_lengths(lengths: Mapping[str, float]) -> None:
 
 
 def check_angle(key: str, angle: float, low: float, high: float, low_too: bool = False) -> None:
-    """Refuse an angle, in rad, that does not lie between two others; low_too says that it may be the lower one.
+    """Refuse an angle, in rad, that is not between two bounds; with `low_too` the lower bound is allowed.
 
     Raises:
-        InputError: so it is.
+        InputError: the angle is out of bounds.
     """
     if not (low < angle < high or (low_too and angle == low)):
-        least, most, got = (f"{math.degrees(each):.6g} deg" for each in (low, high, angle))
+        least, most, got = (f"{math.degrees(value):.6g} deg" for value in (low, high, angle))
         raise InputError(f"pattern.{key}: need {'>=' if low_too else '>'} {least} and < {most}, got {got}")

@@ -1,4 +1,4 @@
-"""Points of a sheet as its facets hold them: what a cut parts, or what hangs together by a corner only, are two."""
+"""Points of a sheet by its facets: a vertex where a cut or a single corner separates facets has several points."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, kw_only=True)
 class FacetNodes:
-    """Facets by the points that they share across edges; a point is a vertex, or one of several at it.
+    """Facets and the points that they share across edges; a vertex may have several points.
 
     Attributes:
-        vertices: the vertex of every point, shape (points,).
-        facets: the points of every facet, in the order of its vertices.
-        shared: the edges between two facets, but for cuts.
-        plates: of every facet, the number of the plate that it makes with those beyond its flat edges, shape (facets,).
-        parts: of every facet, the number of the piece of the sheet that it is in, shape (facets,).
+        vertices: vertex of every point, shape (points,).
+        facets: points of every facet, in the order of its vertices.
+        shared: edges between two facets, except cuts.
+        plates: number of the plate of every facet; flat edges join facets to plates, shape (facets,).
+        parts: number of the connected piece of the sheet of every facet, shape (facets,).
     """
 
     vertices: Numbers
@@ -34,25 +34,25 @@ class FacetNodes:
 
 
 def facet_nodes(pattern: CreasePattern) -> FacetNodes:
-    """Take a sheet apart where nothing holds it together.
+    """Separate the points of a sheet where facets are not connected.
 
     Raises:
         InputError: faces that are not counterclockwise.
     """
     shared, faces = tuple(shared_edges(pattern)), pattern.faces_vertices
     first = np.cumsum([0, *map(len, faces)])
-    corner = {(facet, v): int(first[facet]) + place for facet, face in enumerate(faces) for place, v in enumerate(face)}
+    corner = {(facet, v): int(first[facet]) + index for facet, face in enumerate(faces) for index, v in enumerate(face)}
     pairs = [
-        (corner[each.left, vertex], corner[each.right, vertex]) for each in shared for vertex in (each.tail, each.head)
+        (corner[edge.left, vertex], corner[edge.right, vertex]) for edge in shared for vertex in (edge.tail, edge.head)
     ]
     points = parts_of(int(first[-1]), pairs)
     vertices = np.zeros(int(points.max()) + 1, dtype=np.int64)
     vertices[points] = [vertex for face in faces for vertex in face]
-    flat = [(each.left, each.right) for each in shared if pattern.edges_assignment[each.edge] == "F"]
+    flat = [(edge.left, edge.right) for edge in shared if pattern.edges_assignment[edge.edge] == "F"]
     return FacetNodes(
         vertices=vertices,
         facets=tuple(np.split(points, first[1:-1])),
         shared=shared,
         plates=parts_of(len(faces), flat),
-        parts=parts_of(len(faces), [(each.left, each.right) for each in shared]),
+        parts=parts_of(len(faces), [(edge.left, edge.right) for edge in shared]),
     )

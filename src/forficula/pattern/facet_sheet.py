@@ -1,4 +1,4 @@
-"""A sheet drawn facet by facet: its edges are the sides of the facets."""
+"""Construction of a pattern from its facets, whose sides are the edges."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from forficula.arrays import Array
 from forficula.pattern.crease_pattern import CreasePattern, face_sides
 
 Creases = dict[frozenset[int], tuple[str, str]]
-FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}  # rad, where a crease goes that is folded flat
+FOLDED = {"M": -math.pi, "V": math.pi, "F": 0.0}  # rad, fold angles of a flat-folded sheet
 
 
 def sheet_of_facets(
@@ -20,18 +20,18 @@ def sheet_of_facets(
     creases: Mapping[frozenset[int], tuple[str, str]],
     title: str,
 ) -> CreasePattern:
-    """Draw a sheet of which facets and creases are known.
+    """Build a pattern from facets and creases.
 
     Args:
         coords: positions of the vertices, m, shape (N, 3).
-        faces: the vertices of every facet, counterclockwise seen from +z or from outside.
-        creases: letter and role by the two ends; those of sides that are no creases are passed over.
-        title: what the sheet is.
+        faces: vertices of every facet, counterclockwise seen from +z or from outside.
+        creases: letter and role by the two ends; entries for sides of a single facet are ignored.
+        title: title of the sheet.
 
     Returns:
-        The pattern. Its edges are the sides between two facets, as the facets have them one after another, then the
-        others, "B" with the role "border". Fold angles are 180 deg on valleys, -180 deg on mountains, 0 on flat
-        creases, nan on unassigned ones and on borders.
+        The pattern. Its edges are the sides between two facets, in the order of the facets, then the other sides, "B"
+        with the role "border". Fold angles are 180 deg on valleys, -180 deg on mountains, 0 on flat creases, and nan on
+        unassigned creases and borders.
     """
     facets_at: dict[frozenset[int], int] = {}
     for face in faces:

@@ -1,4 +1,4 @@
-"""Facets of a sheet as a tree: each hangs on another by one crease; creases beyond those close loops."""
+"""The facets of a sheet as a tree: a crease connects each facet to its parent, and all other creases close loops."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from forficula.pattern.shared_edges import shared_edges
 
 @dataclass(frozen=True, kw_only=True)
 class FacetLink:
-    """A facet and what it hangs on.
+    """The connection of a facet to its parent.
 
     Attributes:
-        facet: its number.
-        parent: number of the facet that it hangs on; None of the first.
-        edge: number of the edge between the two; None of the first.
-        tail: vertex from which that edge runs with its parent on the left, seen from +z.
-        head: vertex to which it runs.
-        closes: whether the crease closes a loop: the facet hangs on another one, too.
+        facet: number of the facet.
+        parent: number of the parent; None for a root.
+        edge: number of the edge between the two facets; None for a root.
+        tail: start vertex of the edge, with the parent on the left, seen from +z.
+        head: end vertex of the edge.
+        closes: whether the crease closes a loop, so that the facet is also connected to another parent.
     """
 
     facet: int
@@ -40,29 +40,29 @@ class FacetLink:
 def facet_tree(
     pattern: CreasePattern, root: int | Sequence[int] = 0, apart: Collection[int] = ()
 ) -> tuple[FacetLink, ...]:
-    """Hang all facets of a sheet on one of them, by as few creases as can be.
+    """Connect all facets of a sheet to a root by a tree with the shortest paths.
 
-    Facets hang together along mountains, valleys, unassigned and flat edges, not along cuts. Nothing moves at a flat
-    edge: facets along these hang on each other first. Every crease that the tree leaves out closes a loop.
+    Mountains, valleys, unassigned and flat edges connect facets, cuts do not. Facets along flat edges are connected
+    first, because nothing moves there. Every crease that is not in the tree closes a loop.
 
     Args:
-        pattern: with faces counterclockwise.
-        root: the facet that the others hang on, or several that do not hang together.
-        apart: numbers of edges at which facets do not hang together, like cuts; what hangs on no root then hangs on the
-            first of it.
+        pattern: pattern with faces counterclockwise.
+        root: root of the tree, or several roots that are not connected.
+        apart: numbers of edges that do not connect facets, like cuts. A group of facets without a root then has its
+            first facet as a root.
 
     Returns:
-        The facets depth first: each follows its parent, and all that hangs on it follows before anything else, the
-        creases that close loops on its right last.
+        The facets depth first: each follows its parent, and its subtree follows before all others. Creases that close
+        loops follow last among the children of the facet on their left.
 
     Raises:
-        InputError: no such facet, roots that hang together, an edge between facets that says nothing of them, a crease
-            within what flat edges make one plate, facets that hang on nothing, or faces that are not counterclockwise.
+        InputError: a facet that does not exist, connected roots, a border edge between facets, a crease inside a plate
+            of facets that flat edges join, facets that are not connected, or faces that are not counterclockwise.
     """
     return _hung(pattern, (root,) if isinstance(root, int) else tuple(root), frozenset(apart))
 
 
-@lru_cache(maxsize=64)  # a pattern is frozen, and each of the values that a design may change is checked with the same
+@lru_cache(maxsize=64)  # a pattern is frozen, and designs that differ in other values have the same pattern
 def _hung(pattern: CreasePattern, roots: Sequence[int], apart: Collection[int]) -> tuple[FacetLink, ...]:
     above, starts, around = _rooted(pattern, roots, apart)
     _check_plates(pattern, above, apart)
@@ -85,7 +85,7 @@ def _hung(pattern: CreasePattern, roots: Sequence[int], apart: Collection[int]) 
 def _rooted(
     pattern: CreasePattern, roots: Sequence[int], apart: Collection[int]
 ) -> tuple[dict[int, FacetLink], list[int], list[list[FacetLink]]]:
-    """What every facet hangs on, the facets that hang on nothing, and the neighbours of each."""
+    """Return the link of every facet to its parent, the roots, and the neighbours of each facet."""
     count = len(pattern.faces_vertices)
     for facet in roots:
         if not 0 <= facet < count:
@@ -95,48 +95,46 @@ def _rooted(
     starts: list[int] = []
     for facet in [*roots, *range(count)]:
         if facet in above and facet in roots and facet not in starts:
-            raise InputError(f"facet {facet} hangs together with another that is held: need one of them")
+            raise InputError(f"facet {facet} is connected to another facet that is held: need one of them")
         if facet in above:
             continue
         if starts and facet not in roots and not apart:
-            raise InputError(
-                f"facet {facet} does not hang together with facet {starts[0]}: need creases that join all facets"
-            )
+            raise InputError(f"facet {facet} is not connected to facet {starts[0]}: need creases that join all facets")
         above |= _parents(pattern, around, facet)
         starts.append(facet)
     return above, starts, around
 
 
 def edges_between(links: Sequence[FacetLink], one: int, other: int) -> tuple[int, ...]:
-    """Numbers of the edges on the way along a tree from one facet to another, in their order."""
+    """Return the numbers of the edges on the path along a tree from one facet to another, in order."""
     above = {link.facet: link for link in links if not link.closes}
 
-    def way(facet: int) -> list[int]:
-        """The edges from a facet up to the first."""
+    def path(facet: int) -> list[int]:
+        """Return the edges from a facet to the root."""
         edges, link = [], above[facet]
         while link.parent is not None and link.edge is not None:
             edges.append(link.edge)
             link = above[link.parent]
         return edges
 
-    up, down = way(one), way(other)
+    up, down = path(one), path(other)
     return (*(edge for edge in up if edge not in down), *(edge for edge in reversed(down) if edge not in up))
 
 
 def central_facet(pattern: CreasePattern) -> int:
-    """The facet from which the furthest one is the fewest edges away; the first of several.
+    """Return the facet with the smallest number of edges to the furthest facet; the first one if there are several.
 
     Raises:
         InputError: faces that are not counterclockwise.
     """
-    pairs = np.array([(each.left, each.right) for each in shared_edges(pattern)], dtype=np.int64).reshape(-1, 2).T
+    pairs = np.array([(edge.left, edge.right) for edge in shared_edges(pattern)], dtype=np.int64).reshape(-1, 2).T
     count = len(pattern.faces_vertices)
     graph = coo_array((np.ones(pairs.shape[1]), (pairs[0], pairs[1])), shape=(count, count)).tocsr()
     return int(np.argmin(shortest_path(graph, directed=False, unweighted=True).max(axis=1)))
 
 
 def _neighbours(pattern: CreasePattern, apart: Collection[int]) -> list[list[FacetLink]]:
-    """The neighbours of every facet, in the order of the edges between them."""
+    """Return the neighbours of every facet, in the order of the edges between them."""
     around: list[list[FacetLink]] = [[] for _ in pattern.faces_vertices]
     for edge, tail, head, left, right in shared_edges(pattern):
         if (letter := pattern.edges_assignment[edge]) == "B":
@@ -152,7 +150,7 @@ def _neighbours(pattern: CreasePattern, apart: Collection[int]) -> list[list[Fac
 
 
 def _parents(pattern: CreasePattern, around: Sequence[Sequence[FacetLink]], root: int) -> dict[int, FacetLink]:
-    """What every facet that can be reached hangs on, breadth first; along flat edges at once."""
+    """Return the link of every reachable facet to its parent, breadth first; flat edges count as no distance."""
     above: dict[int, FacetLink] = {}
     waiting = deque([FacetLink(facet=root)])
     while waiting:
@@ -160,14 +158,14 @@ def _parents(pattern: CreasePattern, around: Sequence[Sequence[FacetLink]], root
         if link.facet in above:
             continue
         above[link.facet] = link
-        flat = [each for each in around[link.facet] if pattern.edges_assignment[each.edge or 0] == "F"]
+        flat = [child for child in around[link.facet] if pattern.edges_assignment[child.edge or 0] == "F"]
         waiting.extendleft(reversed(flat))
-        waiting += [each for each in around[link.facet] if each not in flat]
+        waiting += [child for child in around[link.facet] if child not in flat]
     return above
 
 
 def _check_plates(pattern: CreasePattern, above: dict[int, FacetLink], apart: Collection[int]) -> None:
-    """Refuse a crease between two facets of one plate, which flat edges make of them."""
+    """Refuse a crease between two facets that flat edges join to one plate."""
     plate: dict[int, int] = {}
     for facet, link in above.items():
         flat = link.edge is not None and pattern.edges_assignment[link.edge] == "F"
@@ -175,6 +173,6 @@ def _check_plates(pattern: CreasePattern, above: dict[int, FacetLink], apart: Co
     for edge, _, _, left, right in shared_edges(pattern):
         if pattern.edges_assignment[edge] != "F" and edge not in apart and plate[left] == plate[right]:
             raise InputError(
-                f"edge {edge} lies between facets {left} and {right}, which flat edges make one plate: need"
-                ' "F" (flat) there, too, or a fold that parts the two'
+                f"edge {edge} lies between facets {left} and {right}, which flat edges join to one plate: need"
+                ' "F" (flat) for this edge, too, or a fold that separates the facets'
             )

@@ -1,4 +1,4 @@
-"""How far a sheet is folded as its vertices lie."""
+"""Fold angles of a sheet, computed from the positions of its vertices."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.shared_edges import shared_edges
 from forficula.pattern.triangulation import triangulated
 
-_ONTO_ITSELF = 1e-6  # rad from 180 deg; nearer, rounding may turn the sense around, and the letter says it
-_FLAT = 1e-9  # rad; what folds less is flat but for rounding
+_ONTO_ITSELF = 1e-6  # rad from 180 deg; nearer, rounding may change the sign, and the letter defines the sense
+_FLAT = 1e-9  # rad; smaller fold angles are rounding
 
 
 def built_fold_angles(pattern: CreasePattern) -> Array:
-    """Measure the fold angle of every edge between two facets.
+    """Compute the fold angle of every edge between two facets.
 
-    With e along the edge, p in the facet to its left, q in that to its right, all from its tail, the fold angle is
-    that between the normals e x p and q x e, with the sign of q . (e x p): positive where the right facet rises on the
-    side from which both are seen counterclockwise. Facets of more than three corners count as `triangulated` splits
-    them: where one is not flat, the triangle at the edge says how it lies there.
+    With the vectors e along the edge, p in the facet to its left and q in the facet to its right, all from the tail of
+    the edge, the fold angle is the angle between the normals e x p and q x e. Its sign is that of q . (e x p): positive
+    if the right facet rises to the side from which both are seen counterclockwise. Facets with more than three corners
+    are split as in `triangulated`: for one that is not flat, the triangle at the edge is used.
 
     Args:
-        pattern: with faces counterclockwise seen from +z or, of a closed surface, from outside.
+        pattern: pattern with faces counterclockwise seen from +z or, for a closed surface, from outside.
 
     Returns:
-        rad, shape (E,), from -pi to pi, valley positive, nan on borders and cuts. An edge within 1e-6 rad of being
-        folded onto itself has the sense of its letter, if that is "M" or "V".
+        Fold angles, rad, shape (E,), from -pi to pi, valley positive, nan on borders and cuts. An edge within 1e-6 rad
+        of 180 deg has the sense of its letter, if that is "M" or "V".
 
     Raises:
         InputError: faces that are not counterclockwise, or that cannot be split into triangles.
@@ -49,19 +49,19 @@ def built_fold_angles(pattern: CreasePattern) -> Array:
     letters = np.array(pattern.edges_assignment)
     closed = np.abs(angles) > math.pi - _ONTO_ITSELF
     for letter, sense in (("M", -1.0), ("V", 1.0)):
-        these = closed & (letters == letter)
-        angles[these] = sense * np.abs(angles[these])
+        selected = closed & (letters == letter)
+        angles[selected] = sense * np.abs(angles[selected])
     return angles
 
 
 def kept_as_built(pattern: CreasePattern) -> CreasePattern:
-    """Let the fold angles of a pattern be those that it has as built.
+    """Return a pattern with its fold angles as built.
 
     Returns:
-        The pattern with `built_fold_angles`; creases that were unassigned ("U") get the letter of how they fold.
+        The pattern with `built_fold_angles`; unassigned creases ("U") get the letter of their fold angle.
 
     Raises:
-        InputError: as `built_fold_angles`.
+        InputError: the errors of `built_fold_angles`.
     """
     angles = built_fold_angles(pattern)
     letters = tuple(

@@ -6,24 +6,24 @@ import numpy as np
 
 from forficula.arrays import Array
 
-# coordinates, so that the first three of four are those after each, and the last three those before
+# indices of coordinates: the first three are the next coordinate of x, y, z, the last three the previous one
 _AROUND = np.array([1, 2, 0, 1])
 
 
 def dot(one: Array, other: Array) -> Array:
-    """Compute products of vectors, coordinates first, (3, ...), with as many dimensions."""
+    """Compute dot products of vectors with the coordinates on the first axis, (3, ...)."""
     products = one * other
     return np.asarray(products[0] + products[1] + products[2])
 
 
 def cross(one: Array, other: Array) -> Array:
-    """Compute cross products, coordinates first, (3, ...), with as many dimensions; much faster than `np.cross`."""
+    """Compute cross products with the coordinates on the first axis, (3, ...); much faster than `np.cross`."""
     one, other = one[_AROUND], other[_AROUND]
     return np.asarray(one[:3] * other[1:] - one[1:] * other[:3])
 
 
 def triangle_normals(corners: Array) -> Array:
-    """Compute the normals of triangles, each twice as long as the area, m^2, (..., 3), from corners, (..., 3, 3)."""
+    """Compute normals of triangles with a length of twice the area, m^2, (..., 3), from corners, (..., 3, 3)."""
     return np.cross(corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :])
 
 
@@ -33,16 +33,17 @@ def triangle_areas(corners: Array) -> Array:
 
 
 def polygon_normal(corners: Array) -> Array:
-    """Compute the normal of a polygon, twice as long as the area, m^2, (..., 3), from corners, (..., corner, 3).
+    """Compute the normal of a polygon with a length of twice the area, m^2, (..., 3), from corners, (..., corner, 3).
 
-    The corners run counterclockwise seen from its tip. Of a polygon that is not flat, the normal is that of Newell.
+    The corners are counterclockwise seen from the tip of the normal. For a polygon that is not flat, the result is
+    Newell's normal.
     """
     away = corners - corners[..., :1, :]
     return np.asarray(np.cross(away, np.roll(away, -1, axis=-2)).sum(axis=-2))
 
 
 def distance_to_sides(sides: Array, place: Array) -> float:
-    """Compute the distance of a position from the nearest of some straight lines, m, (side, 2 ends, axis)."""
+    """Compute the distance of a position from the nearest of some line segments, m, (side, 2 ends, axis)."""
     start, side = sides[:, 0], sides[:, 1] - sides[:, 0]
     share = np.clip(((place - start) * side).sum(axis=1) / (side**2).sum(axis=1), 0, 1)
     return float(np.linalg.norm(start + share[:, None] * side - place, axis=1).min())
@@ -53,8 +54,8 @@ def is_inside(place: Array, corners: Array, beside: float = 0.0) -> bool:
 
     Args:
         place: m, (2,).
-        corners: of the polygon, m, (corner, 2).
-        beside: the distance, m; with 0 a position on a side may count either way.
+        corners: corners of the polygon, m, (corner, 2).
+        beside: the distance, m; with 0 the result for a position on a side is undefined.
     """
     after = np.roll(corners, -1, axis=0)
     if beside and distance_to_sides(np.stack([corners, after], axis=1), place) <= beside:

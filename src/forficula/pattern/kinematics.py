@@ -1,7 +1,7 @@
-"""How a pattern folds: closed-form fold angles of a vertex and of the fan, and the folded shape.
+"""Rigid folding of a pattern: closed-form fold angles of a vertex and of the fan, and the folded shape.
 
-Fold angles are 0 where the sheet is flat and +180 deg or -180 deg where it is folded onto itself; a valley, whose two
-panels rise towards the viewer on +z, is positive.
+A fold angle is 0 if the sheet is flat and +180 deg or -180 deg if it is folded onto itself. A valley, whose two panels
+rise towards the viewer on +z, is positive.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from forficula.pattern.rotation import STILL, RigidMotion, turn_about
 from forficula.pattern.shared_edges import shared_edges
 
 Mode = Literal["earwig", "miura"]
-_CLOSES = 1e-9  # share of the pattern's size by which two ways to the same vertex may differ
+_CLOSES = 1e-9  # largest gap of a vertex that is reached on two paths, as a share of the pattern's size
 
 
 def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLike, mode: Mode = "earwig") -> Array:
@@ -35,18 +35,17 @@ def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLik
     - "miura": distal = - proximal, previous ring = next ring,
       t_ring_next = - cos((alpha - beta) / 2) / cos((alpha + beta) / 2) t_proximal
 
-    The signs are those for which the product of Rx(fold angle) Rz(sector) around the vertex is the identity, whichever
-    way around.
+    With these signs, the product of Rx(fold angle) Rz(sector) around the vertex is the identity, in either direction.
 
     Args:
         alpha: sector between the proximal and the next ring crease, rad.
         beta: sector between the proximal and the previous ring crease, rad.
         proximal_fold_angle: from -pi to pi, rad, any shape.
-        mode: which of the two ways to fold.
+        mode: one of the two modes of folding.
 
     Returns:
-        rad, shape (4, ...): proximal, next ring, distal, previous ring. At -pi and pi the limits; in mode "earwig" with
-        alpha = beta the ring creases stay flat all the way.
+        Fold angles, rad, shape (4, ...): proximal, next ring, distal, previous ring. At -pi and pi the limits; in mode
+        "earwig" with alpha = beta the ring creases stay flat.
 
     Raises:
         InputError: a sector outside 0 to 180 deg, a fold angle outside -180 to 180 deg, an unknown mode.
@@ -65,9 +64,9 @@ def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLik
         numerator, denominator = math.sin((alpha - beta) / 2), math.sin((alpha + beta) / 2)
     else:
         numerator, denominator = -math.cos((alpha - beta) / 2), math.cos((alpha + beta) / 2)
-    if denominator < 0:  # arctan2 needs the fold angle's cosine to keep its sign
+    if denominator < 0:  # so that arctan2 gets the cosine of the fold angle with its sign
         numerator, denominator = -numerator, -denominator
-    # the float pi is short of 180 deg, and its cosine would open a ring of small ratio that is folded shut
+    # the float pi is slightly less than 180 deg, so the cosine would open a closed ring with a small ratio
     half_cosine = np.where(np.abs(proximal) == math.pi, 0.0, np.cos(proximal / 2))
     ring = 2 * np.arctan2(numerator * np.sin(proximal / 2), denominator * half_cosine)
     if mode == "earwig":
@@ -76,21 +75,21 @@ def degree4_fold_angles(alpha: float, beta: float, proximal_fold_angle: ArrayLik
 
 
 def fan_fold_angles(fan: EarwigFan, pleat_angle: float) -> Array:
-    """Fold the whole fan the earwig's way, mode "earwig" at every ring vertex.
+    """Compute the fold angles of a fan in mode "earwig" at every ring vertex.
 
-    All veins fold equally far and all ring creases, too, with the senses of `earwig_pattern`:
+    All veins have the same fold angle, and so have all ring creases, with the senses of `earwig_pattern`:
     tan(ring / 2) = sin(epsilon) / cos(sector_angle / 2) tan(pleat / 2).
 
     Args:
         fan: the fan.
-        pleat_angle: size of the fold angle of the veins, 0 (flat) to pi (folded flat), rad.
+        pleat_angle: magnitude of the fold angle of the veins, 0 (flat) to pi (folded flat), rad.
 
     Returns:
-        rad, shape (E,), in the order of the edges of `earwig_pattern`, nan on borders. With hub radius 0 the ring
-        creases stay at 0: they may fold only once the pleats are closed.
+        Fold angles, rad, shape (E,), in the order of the edges of `earwig_pattern`, nan on borders. With hub radius 0
+        the ring creases stay at 0, because they can fold only after the pleats are closed.
 
     Raises:
-        InputError: a pleat angle outside 0 to 180 deg, or two ring folds, about which rigid panels do not fold.
+        InputError: a pleat angle outside 0 to 180 deg, or two ring folds, with which rigid panels do not fold.
     """
     if fan.ring_folds != 1:
         raise InputError("pattern.ring_folds: rigid panels fold about one ring fold only, got 2")
@@ -108,8 +107,8 @@ def folded_frames(fan: EarwigFan) -> list[tuple[str, Array, Array]]:
     """Fold a fan in four steps, from half closed pleats to flat-folded.
 
     Returns:
-        By step: title, positions of the vertices of `earwig_pattern` (m, shape (N, 3)), and fold angles (rad, shape
-        (E,)).
+        For each step: title, positions of the vertices of `earwig_pattern` (m, shape (N, 3)), and fold angles (rad,
+        shape (E,)).
     """
     pattern = earwig_pattern(fan)
     frames = []
@@ -120,23 +119,22 @@ def folded_frames(fan: EarwigFan) -> list[tuple[str, Array, Array]]:
 
 
 def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_face: int = 0) -> Array:
-    """Fold a pattern rigidly and say where its vertices go.
+    """Fold a pattern rigidly and compute the positions of its vertices.
 
-    From the fixed face on, every neighbour is turned about the shared edge by its fold angle; cut edges do not connect.
-    Every edge is checked, also those that the walk did not need: where faces come back to a place already taken,
-    they must fit.
+    Starting from the fixed face, every neighbour is turned about the shared edge by its fold angle; cuts do not connect
+    faces. Edges that the walk does not use are also checked: faces that meet again must fit.
 
     Args:
-        pattern: with faces counterclockwise.
-        fold_angles: rad, shape (E,), valley positive; nan only where no two faces meet, on cuts, and on flat edges.
-        fixed_face: the face that stays where it is.
+        pattern: pattern with faces counterclockwise.
+        fold_angles: rad, shape (E,), valley positive; nan only on edges of a single face, on cuts, and on flat edges.
+        fixed_face: number of the face that does not move.
 
     Returns:
         Folded positions, m, shape (N, 3), in the order of the vertices.
 
     Raises:
-        InputError: fold angles of another shape or missing, faces not counterclockwise or not connected, or fold angles
-            for which the sheet would tear, by more than 1e-9 of its size.
+        InputError: missing fold angles or another shape, faces that are not counterclockwise or not connected, or fold
+            angles for which the sheet would tear by more than 1e-9 of its size.
     """
     coords, faces = pattern.vertices_coords, pattern.faces_vertices
     around = _neighbours(pattern, np.asarray(fold_angles, dtype=np.float64))
@@ -149,16 +147,16 @@ def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_fac
                 placed[neighbour] = placed[face].after(turn)
                 reached.append(neighbour)
     if len(placed) < len(faces):
-        lost = next(face for face in range(len(faces)) if face not in placed)
+        missing = next(face for face in range(len(faces)) if face not in placed)
         raise InputError(
-            f"faces_vertices[{lost}]: need a face that hangs together with face {fixed_face}, got one apart"
+            f"faces_vertices[{missing}]: need a face that is connected to face {fixed_face}, got one that is not"
         )
     folded = np.full_like(coords, np.nan)
     for face in reached:
         folded[list(faces[face])] = placed[face].of(coords[list(faces[face])])
     if np.isnan(folded).any():
-        lost = int(np.argmax(np.isnan(folded).any(axis=1)))
-        raise InputError(f"vertices_coords[{lost}]: need a vertex of a face, got one that no face holds")
+        missing = int(np.argmax(np.isnan(folded).any(axis=1)))
+        raise InputError(f"vertices_coords[{missing}]: need a vertex of a face, got one without a face")
     size = float(np.linalg.norm(np.ptp(coords, axis=0)))
     for face, beyond in enumerate(around):
         for edge, neighbour, turn in beyond:
@@ -173,7 +171,7 @@ def folded_coordinates(pattern: CreasePattern, fold_angles: ArrayLike, fixed_fac
 
 
 def _neighbours(pattern: CreasePattern, fold_angles: Array) -> list[list[tuple[int, int, RigidMotion]]]:
-    """For each face, the edges to its neighbours, these, and how they turn about the edges in the axes of the face."""
+    """Return, for each face, the edges to its neighbours, the neighbours, and their turns about these edges."""
     if fold_angles.shape != (len(pattern.edges_vertices),):
         raise InputError(f"fold_angles: need shape ({len(pattern.edges_vertices)},), got {fold_angles.shape}")
     around: list[list[tuple[int, int, RigidMotion]]] = [[] for _ in pattern.faces_vertices]
@@ -184,7 +182,7 @@ def _neighbours(pattern: CreasePattern, fold_angles: Array) -> list[list[tuple[i
             raise InputError(f"fold_angles[{edge}]: need a finite angle between two faces, got {fold:g}")
         for face, neighbour, ends in ((left, right, [tail, head]), (right, left, [head, tail])):
             start, end = pattern.vertices_coords[ends]
-            # the neighbour lies to the right of the side; turning it up, towards +z, is negative about its direction
+            # the neighbour is on the right of the side, so turning it up, towards +z, is a negative turn about the side
             turn = turn_about(start, (end - start) / np.linalg.norm(end - start), -fold)
             around[face].append((edge, neighbour, turn))
     return around

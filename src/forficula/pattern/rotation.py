@@ -1,4 +1,4 @@
-"""Rotations about an axis, about a line, and onto an axis; and rigid motions."""
+"""Rotations about an axis, about a line and onto an axis, and rigid motions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from forficula.arrays import Array
 
 
 class RigidMotion(NamedTuple):
-    """A rotation and then a shift: x -> rotation x + shift.
+    """A rotation followed by a shift: x -> rotation x + shift.
 
     Attributes:
         rotation: (3, 3).
@@ -27,7 +27,7 @@ class RigidMotion(NamedTuple):
         return moved
 
     def after(self, first: RigidMotion) -> RigidMotion:
-        """Return the motion that does another one first, and then this one."""
+        """Return the motion that applies another one first, then this one."""
         return RigidMotion(self.rotation @ first.rotation, self.rotation @ first.shift + self.shift)
 
 
@@ -38,7 +38,7 @@ def rotation_about(axis: Array, angle: float) -> Array:
     """Compute the rotation by an angle about a unit vector, (3, 3) (Rodrigues' formula)."""
     x, y, z = axis.tolist()
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    # the double half sine keeps the digits that 1 - cos loses at small angles
+    # 2 sin^2(angle / 2) is accurate at small angles, unlike 1 - cos(angle)
     return np.asarray(np.eye(3) + math.sin(angle) * cross + 2 * math.sin(angle / 2) ** 2 * cross @ cross)
 
 
@@ -49,7 +49,7 @@ def turn_about(origin: Array, axis: Array, angle: float) -> RigidMotion:
 
 
 def rotation_to_z(direction: Array) -> Array:
-    """Compute the rotation about an axis across both that brings a unit vector to +z, (3, 3) (Rodrigues 1840)."""
+    """Compute the rotation that turns a unit vector to +z, about an axis normal to both, (3, 3) (Rodrigues 1840)."""
     x, y, z = direction.tolist()
     if z < -1 + 1e-12:
         return np.diag([1.0, -1.0, -1.0])
@@ -58,7 +58,7 @@ def rotation_to_z(direction: Array) -> Array:
 
 
 def frame_along(direction: Array) -> Array:
-    """Return axes of which the third is a unit vector, in columns, (3, 3); rounding does not change the others."""
+    """Return axes in columns, (3, 3), the third of which is a given unit vector; robust to rounding of this vector."""
     across = np.cross(direction, np.eye(3)[int(np.argmin(np.round(np.abs(direction), 9)))])
     across /= np.linalg.norm(across)
     return np.column_stack([across, np.cross(direction, across), direction])

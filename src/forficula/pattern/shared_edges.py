@@ -1,4 +1,4 @@
-"""Edges that join two faces of a sheet."""
+"""Edges between two faces of a sheet."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from forficula.pattern.crease_pattern import CreasePattern, face_sides
 
 
 class SharedEdge(NamedTuple):
-    """An edge that joins two faces.
+    """An edge between two faces.
 
     Attributes:
-        edge: its number.
-        tail: vertex from which it runs.
-        head: vertex to which it runs.
-        left: number of the face to its left, seen from +z.
-        right: number of the face to its right.
+        edge: number of the edge.
+        tail: start vertex.
+        head: end vertex.
+        left: number of the face on the left, seen from +z.
+        right: number of the face on the right.
     """
 
     edge: int
@@ -28,7 +28,7 @@ class SharedEdge(NamedTuple):
 
 
 def shared_edges(pattern: CreasePattern) -> list[SharedEdge]:
-    """List the edges between two faces, but for cuts.
+    """List the edges between two faces, except cuts.
 
     Raises:
         InputError: faces that are not counterclockwise.
@@ -36,7 +36,7 @@ def shared_edges(pattern: CreasePattern) -> list[SharedEdge]:
     return list(_shared(pattern))
 
 
-@lru_cache(maxsize=64)  # a pattern is frozen, and all that is checked of a design or built of it asks for them
+@lru_cache(maxsize=64)  # a pattern is frozen, and all checks and structures of a design need its edges
 def _shared(pattern: CreasePattern) -> tuple[SharedEdge, ...]:
     left_of: dict[tuple[int, int], int] = {}
     for face, vertices in enumerate(pattern.faces_vertices):

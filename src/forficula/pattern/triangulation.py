@@ -1,4 +1,4 @@
-"""Facets split into triangles by diagonals that do not fold."""
+"""Splitting of facets into triangles by diagonals that do not fold."""
 
 from __future__ import annotations
 
@@ -15,39 +15,38 @@ from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import frame_along
 
-# shares of a facet's size: diagonals that differ by less are equal, so that turning a sheet does not change which one
-# is taken, and corners this near a line lie on it
-_ALIKE = 1e-9
+# share of a facet's size: diagonals whose lengths differ by less are equal, so that the choice does not depend on the
+# orientation of a sheet; corners nearer than this to a line are on it
+_EQUAL = 1e-9
 
 
 class Triangulation(NamedTuple):
-    """A pattern of triangles, and where they come from.
+    """A pattern of triangles.
 
     Attributes:
-        pattern: with triangles only.
-        facets: number of the facet that every triangle was cut from, shape (triangles,).
+        pattern: pattern with triangles only.
+        facets: number of the facet to which each triangle belongs, shape (triangles,).
     """
 
     pattern: CreasePattern
     facets: Indices
 
 
-@lru_cache(maxsize=16)  # of one sheet many structures are built, whose creases differ
+@lru_cache(maxsize=16)  # many structures with different creases are built from one sheet
 def triangulated(pattern: CreasePattern) -> Triangulation:
-    """Split every facet of more than three corners by diagonals.
+    """Split every facet with more than three corners by diagonals.
 
-    From every facet, projected on its own plane, the corner is cut off that leaves the shortest diagonal, until a
-    triangle is left: so a quadrilateral that is convex is split along its shorter diagonal, and a regular hexagon into
-    one large triangle and three around it. Of diagonals of one length, to 1e-9, that with the lowest vertex numbers is
-    taken. The plane of a facet that is not flat is the one across its vector area (Newell's normal).
+    Each facet is projected on its own plane, and the corner with the shortest diagonal is cut off repeatedly until a
+    triangle is left. A convex quadrilateral is thus split along its shorter diagonal, and a regular hexagon into one
+    large triangle and three around it. Of diagonals with equal lengths, to 1e-9, the one with the lowest vertex numbers
+    is used. The plane of a facet that is not flat is normal to its vector area (Newell's normal).
 
     Returns:
-        The pattern with the same vertices and, under their numbers, the same edges; the diagonals follow, "F" with
-        the role "diagonal" and the fold angle 0. The triangles of a facet follow one another, in the order of the
-        facets, with its sense around.
+        The pattern with the same vertices and edges, followed by the diagonals, "F" with the role "diagonal" and the
+        fold angle 0. The triangles are in the order of the facets and have their orientation.
 
     Raises:
-        InputError: a facet that crosses itself or has no area, or that cannot be split but along an edge there is.
+        InputError: a facet that crosses itself, has no area, or can be split only along existing edges.
     """
     taken = {frozenset(ends) for ends in pattern.edges_vertices.tolist()}
     triangles: list[tuple[int, int, int]] = []
@@ -75,19 +74,19 @@ def triangulated(pattern: CreasePattern) -> Triangulation:
 def ears(
     coords: Array, corners: Sequence[int], facet: int = 0, taken: set[frozenset[int]] | None = None
 ) -> list[tuple[int, int, int]]:
-    """Cut one corner of a polygon off after another, as `triangulated` does.
+    """Split a polygon by cutting off one corner after another, as `triangulated` does.
 
     Args:
-        coords: m, shape (N, 3).
-        corners: of the polygon, numbers in these.
-        facet: the polygon's number, for messages.
-        taken: edges that no diagonal may lie on; the diagonals are added to them.
+        coords: positions, m, shape (N, 3).
+        corners: corners of the polygon, as indices of `coords`.
+        facet: number of the polygon, for messages.
+        taken: existing edges, which cannot be diagonals; the diagonals are added to this set.
 
     Returns:
-        The triangles. Every one but the last lies beyond the diagonal from its end to its start.
+        The triangles. The diagonal of each triangle except the last is the side from its end to its start.
 
     Raises:
-        InputError: a polygon that crosses itself or has no area, or that cannot be split but along an edge there is.
+        InputError: a polygon that crosses itself, has no area, or can be split only along existing edges.
     """
     taken = set() if taken is None else taken
     if len(corners) == 3:
@@ -101,8 +100,8 @@ def ears(
         if not free:
             _refuse(facet)
         lengths = [abs(places[ear[0]] - places[ear[2]]) for ear in free]
-        alike = [ear for ear, length in zip(free, lengths, strict=True) if length <= min(lengths) + _ALIKE * size]
-        best = min(alike, key=lambda ear: sorted((ear[0], ear[2])))
+        shortest = [ear for ear, length in zip(free, lengths, strict=True) if length <= min(lengths) + _EQUAL * size]
+        best = min(shortest, key=lambda ear: sorted((ear[0], ear[2])))
         taken.add(frozenset((best[0], best[2])))
         left.remove(best[1])
         cut.append(best)
@@ -113,35 +112,35 @@ def ears(
 
 
 def _refuse(facet: int) -> NoReturn:
-    """Say that no diagonals split a facet."""
+    """Raise the error for a facet that diagonals cannot split."""
     raise InputError(
-        f"faces_vertices[{facet}]: need a face that diagonals split into triangles, got one that crosses itself, or of"
-        " which every diagonal is an edge already"
+        f"faces_vertices[{facet}]: need a face that diagonals split into triangles, got one that crosses itself, or"
+        " whose diagonals are all edges already"
     )
 
 
 def _in_own_plane(points: Array, facet: int) -> list[complex]:
-    """The corners of a facet in its own plane, counterclockwise, m."""
+    """Return the corners of a facet in its own plane, counterclockwise, m."""
     away = points - points.mean(axis=0)
     area = polygon_normal(points)
     length = float(np.linalg.norm(area))
-    if not length > _ALIKE * float(np.square(away).sum()):
+    if not length > _EQUAL * float(np.square(away).sum()):
         raise InputError(f"faces_vertices[{facet}]: need a face with an area, got {length / 2e-4:.3g} cm2")
     return [complex(x, y) for x, y, _ in (away @ frame_along(area / length)).tolist()]
 
 
 def _is_ear(ear: tuple[int, int, int], left: list[int], places: dict[int, complex], size: float) -> bool:
-    """Whether a corner is convex, and no other one lies in its triangle or on the rim of that."""
+    """Whether a corner is convex, and no other corner lies in its triangle or on its sides."""
     start, corner, end = (places[vertex] for vertex in ear)
     sides = [(start, corner), (corner, end), (end, start)]
     heights = [_beside(side, third) for side, third in zip(sides, [end, start, corner], strict=True)]
-    if min(heights) <= _ALIKE * size:
+    if min(heights) <= _EQUAL * size:
         return False
     others = [places[vertex] for vertex in left if vertex not in ear]
-    return not any(all(_beside(side, place) >= -_ALIKE * size for side in sides) for place in others)
+    return not any(all(_beside(side, place) >= -_EQUAL * size for side in sides) for place in others)
 
 
 def _beside(side: tuple[complex, complex], place: complex) -> float:
-    """How far a place lies to the left of the line through a side."""
+    """Compute the distance of a point to the left of the line through a side."""
     along = side[1] - side[0]
     return (along.conjugate() * (place - side[0])).imag / abs(along)

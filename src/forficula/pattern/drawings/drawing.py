@@ -1,4 +1,4 @@
-"""The lines of a drawing, whatever file they come from, and the colours and layers by which they mean creases."""
+"""Lines of drawings, independent of the file format, and the colours that define the kinds of edges."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ class DrawnLine(NamedTuple):
         start: x and y, y up, in the drawing's unit.
         end: the other end.
         letter: one of "BMVFUC".
-        fold_angle: rad; nan where the drawing says none.
-        name: what the line is called in the file, such as "line 3 (id a1)".
+        fold_angle: rad; nan if the drawing gives none.
+        name: name of the line in the file, such as "line 3 (id a1)".
     """
 
     start: tuple[float, float]
@@ -38,14 +38,14 @@ class DrawnLine(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Drawing:
-    """What a drawing holds.
+    """Content of a drawing.
 
     Attributes:
-        lines: that are part of a sheet.
-        unit: length of the drawing's unit as the file says it, m; None where it says none.
-        assumed_unit: what to take where neither file nor user says a length, m; None where nothing can be assumed.
-        title: of the drawing.
-        remarks: what was left out.
+        lines: lines of the sheet.
+        unit: unit of length in the file, m; None if the file gives none.
+        assumed_unit: unit of length if neither the file nor the user gives one, m; None if none can be assumed.
+        title: title of the drawing.
+        remarks: remarks on lines that were left out.
     """
 
     lines: tuple[DrawnLine, ...]
@@ -56,10 +56,10 @@ class Drawing:
 
 
 def letter_of_colour(red: float, green: float, blue: float) -> str | None:
-    """Find what kind of edge a colour means.
+    """Return the kind of edge that a colour means.
 
-    Black is border, red mountain, blue valley, green cut, yellow and grey flat, magenta unassigned; what a printer or
-    an office makes of these colours counts, too: hues within 15 to 40 deg, and any black below a quarter of white.
+    Black is border, red mountain, blue valley, green cut, yellow and grey flat, magenta unassigned. Similar colours
+    also count: hues within 15 to 40 deg, and any colour darker than a quarter of white as black.
 
     Args:
         red: 0 to 1.
@@ -78,13 +78,13 @@ def letter_of_colour(red: float, green: float, blue: float) -> str | None:
 
 
 def check_some(lines: Sequence[DrawnLine], left_out: Counter[str]) -> tuple[str, ...]:
-    """Remark on lines that mean nothing, and refuse a drawing without any that do.
+    """Return remarks on lines without a meaning, and refuse a drawing without any line of a sheet.
 
     Raises:
-        InputError: there is no line of a sheet.
+        InputError: the drawing has no line of a sheet.
     """
     others = ", ".join(f"{count} of {what}" for what, count in sorted(left_out.items()))
     if not lines:
         got = f"only {others}" if others else "none"
         raise InputError(f"need lines in {COLOURS_MEANT}, or in layers or groups with these names, got {got}")
-    return (f"lines left out, as neither colour nor layer says what they are: {others}",) if others else ()
+    return (f"lines left out, because neither colour nor layer defines their kind: {others}",) if others else ()

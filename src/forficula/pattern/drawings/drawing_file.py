@@ -1,4 +1,4 @@
-"""Crease patterns read from drawings: lines become edges, what they enclose becomes faces."""
+"""Reading of crease patterns from drawings: lines become edges, and the areas that they enclose become faces."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from forficula.pattern.drawings.svg_reader import read_svg
 from forficula.pattern.files.fold_frame import CHOSEN_UNIT, chosen_unit, target_angles
 from forficula.quantities import show_value
 
-_TOLERANCE = 1e-4  # of the drawing's size: drawing programs round to 1e-5 of it, people see 1e-3
+_TOLERANCE = 1e-4  # share of the drawing's size: drawing programs round to 1e-5, and 1e-3 is visible
 _SMALLEST, _LARGEST = 1e-12, 1e6  # m
 
 
@@ -36,29 +36,28 @@ def read_drawing(
 ) -> tuple[CreasePattern, list[str]]:
     """Read a crease pattern from an SVG or DXF drawing.
 
-    Colours, or the names of layers and groups, say what a line is (see `read_svg` and `read_dxf`). Ends that nearly
-    meet are joined, lines are split where they cross or touch, and lines drawn twice are one. What lines enclose is a
-    face, but for holes: what border and cuts alone enclose. An edge with a face on one side only is border, border
-    between two faces is a cut. Flat lines that end inside a face are left out.
+    Colours, or the names of layers and groups, define the kinds of lines (see `read_svg` and `read_dxf`). Ends that
+    nearly meet are joined, lines are split where they cross or touch, and duplicate lines are merged. An area that
+    lines enclose is a face, except for holes, which only border and cuts enclose. An edge of a single face is a border,
+    and a border between two faces is a cut. Flat lines that end inside a face are left out.
 
     Args:
-        path: the file, .svg or .dxf.
-        unit: length of the drawing's unit, m, where the file does not say it; an SVG of pixels has 96 of them in an
-            inch if nothing else is given.
-        tolerance: how near ends and lines must be to meet, m; without it 1e-4 of the larger side of the drawing.
+        path: path of the file, .svg or .dxf.
+        unit: unit of length, m, if the file does not give it; pixels of an SVG are 1/96 inch by default.
+        tolerance: largest gap between ends and lines that are joined, m; by default 1e-4 of the drawing's larger side.
         choose_unit: as for `read_pattern`.
 
     Returns:
-        The pattern in metres, flat in z = 0, its lower left corner in the origin and y up, and remarks: what was
+        The pattern in metres, flat in z = 0 with its lower left corner at the origin and y up; and remarks on what was
         joined, split, found and left out.
 
     Raises:
-        InputError: the file cannot be read, has no unit of length, has curves or lines that mean nothing, or its lines
-            are no pattern; the message names the file and the line.
+        InputError: the file cannot be read, has no unit of length, or has curves, or its lines do not form a pattern;
+            the message names the file and the line.
     """
     file = Path(path)
     try:
-        with np.errstate(over="ignore", invalid="ignore"):  # what comes of it has no size, and is refused
+        with np.errstate(over="ignore", invalid="ignore"):  # the resulting size is checked later
             drawing = read_dxf(file) if file.suffix.lower() == ".dxf" else read_svg(file)
             metres, remarks = _metres(drawing, unit, choose_unit=choose_unit)
             pattern, more = _pattern_of(drawing, metres, tolerance)
@@ -68,7 +67,7 @@ def read_drawing(
 
 
 def _metres(drawing: Drawing, unit: float | None, *, choose_unit: bool) -> tuple[float, list[str]]:
-    """Length of the drawing's unit, m."""
+    """Return the unit of length of the drawing, m, and remarks."""
     if unit is not None:
         if not (math.isfinite(unit) and unit > 0):
             raise InputError(f"unit: need a length > 0, got {unit:g} m")
@@ -81,7 +80,7 @@ def _metres(drawing: Drawing, unit: float | None, *, choose_unit: bool) -> tuple
     if drawing.unit is not None:
         return drawing.unit, []
     if drawing.assumed_unit is not None:
-        return drawing.assumed_unit, ["the file gives its size in pixels: taken as 96 an inch, if no unit is given"]
+        return drawing.assumed_unit, ["the file gives its size in pixels: taken as 1/96 inch, as no unit is given"]
     if choose_unit:
         ends = np.array([(line.start, line.end) for line in drawing.lines])
         return chosen_unit(float(np.ptp(ends, axis=(0, 1)).max())), [CHOSEN_UNIT]
@@ -92,7 +91,7 @@ def _metres(drawing: Drawing, unit: float | None, *, choose_unit: bool) -> tuple
 
 
 def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tuple[CreasePattern, list[str]]:
-    """Make a pattern of lines."""
+    """Convert the lines of a drawing to a pattern."""
     lines = drawing.lines
     ends = metres * np.array([(line.start, line.end) for line in lines])
     ends -= ends.min(axis=(0, 1))
@@ -132,12 +131,12 @@ def _pattern_of(drawing: Drawing, metres: float, tolerance: float | None) -> tup
 
 
 def _in_order(edges: Indices) -> list[int]:
-    """The vertices of edges in order of appearance."""
+    """Return the vertices of edges in order of appearance."""
     return list(dict.fromkeys(edges.ravel().tolist()))
 
 
 def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
-    """What was done to the lines."""
+    """Return remarks on the changes of the lines."""
     remarks = []
     near = f"the tolerance is {show_value(tolerance, 'm')}"
     if count := len(network.gaps):
@@ -147,12 +146,12 @@ def _network_remarks(network: LineNetwork, tolerance: float) -> list[str]:
         places = "1 place" if network.crossings == 1 else f"{network.crossings} places"
         remarks.append(f"lines split where they cross, at {places}")
     if network.lost:
-        remarks.append(f"lines left out as too short, {network.lost}; {near}")
+        remarks.append(f"lines left out because they are too short, {network.lost}; {near}")
     return remarks
 
 
 def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: list[str]) -> Indices:
-    """Numbers of the edges without flat ones that end freely; raise InputError where others do, or lie apart."""
+    """Return the edges without flat ones with free ends; raise InputError for other free ends and separate parts."""
     edges, kept = network.edges, np.arange(len(network.edges))
     flat = np.array([lines[line].letter == "F" for line in network.lines.tolist()], dtype=bool)
     while True:
@@ -169,7 +168,7 @@ def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: lis
         name, distance = lines[network.lines[edge]].name, _nearest_line(network, kept, edge, end)
         far = f"; the nearest other line is {show_value(distance, 'm')} away: draw it to there, or give a tolerance"
         raise InputError(
-            f"{name}: need lines that go on to others, got a free end {place_text(network.points[end])}"
+            f"{name}: need lines that continue to others, got a free end {place_text(network.points[end])}"
             f"{f'{far} above that' if math.isfinite(distance) else ', and no other line'}"
         )
     if len(kept) == 0:
@@ -179,33 +178,33 @@ def _closed_edges(network: LineNetwork, lines: Sequence[DrawnLine], remarks: lis
     if len(numbers) > 1:
         edge = int(kept[np.argmax(parts == numbers[np.argmin(sizes)])])
         raise InputError(
-            f"{lines[network.lines[edge]].name}: need lines that hang together, got {len(numbers)} parts; that of this"
+            f"{lines[network.lines[edge]].name}: need lines that are connected, got {len(numbers)} parts; that of this"
             f" line has {sizes.min()} lines and lies {place_text(network.points[edges[edge, 0]])}"
         )
     return kept
 
 
 def _nearest_line(network: LineNetwork, kept: Indices, edge: int, end: int) -> float:
-    """How far a free end is from the nearest other line, m."""
+    """Compute the distance of a free end from the nearest other line, m."""
     others = network.edges[kept[kept != edge]]
     starts, along = network.points[others[:, 0]], network.points[others[:, 1]] - network.points[others[:, 0]]
-    way = network.points[end] - starts
-    share = np.clip((way * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
-    distances = np.linalg.norm(way - share[:, np.newaxis] * along, axis=1)
+    offset = network.points[end] - starts
+    share = np.clip((offset * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
+    distances = np.linalg.norm(offset - share[:, np.newaxis] * along, axis=1)
     return float(distances[~(others == network.edges[edge].sum() - end).any(axis=1)].min(initial=np.inf))
 
 
 def _faces(points: Array, edges: Indices, drawn: Sequence[DrawnLine], remarks: list[str]) -> list[list[int]]:
-    """The faces between the edges, without holes."""
+    """Return the faces between the edges, without holes."""
     lines = {frozenset(pair): line for pair, line in zip(edges.tolist(), drawn, strict=True)}
-    found = faces_between(points, edges)
-    for face in found:
+    enclosed = faces_between(points, edges)
+    for face in enclosed:
         _check_surrounded(points, face, lines)
-    faces = [face for face in found if any(lines[frozenset(side)].letter not in "BC" for side in face_sides(face))]
-    if len(found) == 1:
-        return found
-    if holes := len(found) - len(faces):
-        remarks.append(f"holes, which border and cuts alone enclose, {holes}")
+    faces = [face for face in enclosed if any(lines[frozenset(side)].letter not in "BC" for side in face_sides(face))]
+    if len(enclosed) == 1:
+        return enclosed
+    if holes := len(enclosed) - len(faces):
+        remarks.append(f"holes, which only border and cuts enclose, {holes}")
     if not faces:
         raise InputError("need faces with creases between them, got border and cuts only")
     remarks.append(f"faces found between the lines, {len(faces)}")
@@ -213,25 +212,25 @@ def _faces(points: Array, edges: Indices, drawn: Sequence[DrawnLine], remarks: l
 
 
 def _check_surrounded(points: Array, face: Sequence[int], lines: Mapping[frozenset[int], DrawnLine]) -> None:
-    """Refuse a face that lines do not go around once."""
+    """Refuse a face whose boundary is not a simple polygon."""
     if len(set(face)) == len(face):
         return
     sides = face_sides(face)
     for tail, head in sides:
         if (head, tail) in sides:
             raise InputError(
-                f"{lines[frozenset((tail, head))].name}: need a face on either side that is another, got one face"
-                f" around it, {place_text((points[tail] + points[head]) / 2)}; join what it leads to by others, too"
+                f"{lines[frozenset((tail, head))].name}: need different faces on both sides, got the same face"
+                f" around it, {place_text((points[tail] + points[head]) / 2)}; connect what it leads to by other lines"
             )
     twice = next(vertex for place, vertex in enumerate(face) if vertex in face[:place])
     raise InputError(
-        f"need faces that lines go around once, got one that touches itself {place_text(points[twice])}; join what lies"
-        " in it by other lines, too"
+        f"need faces that are simple polygons, got one that touches itself {place_text(points[twice])}; connect what"
+        " lies inside by other lines"
     )
 
 
 def _letters_by_faces(letters: Sequence[str], counts: Indices, remarks: list[str]) -> list[str]:
-    """Letters with border at the rim and nowhere else."""
+    """Return the letters, with border on all edges of a single face and on no others."""
     rim = Counter(
         letter for letter, count in zip(letters, counts.tolist(), strict=True) if count == 1 and letter != "B"
     )

@@ -1,4 +1,4 @@
-"""The straight lines of a DXF drawing, with the kinds of creases that their layers or colours mean."""
+"""Reading of straight lines from a DXF drawing, with the kinds of edges that their layers or colours mean."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _METRES = {
 _INSERT_UNITS = re.compile(rb"^\$INSUNITS\n70\n(.*)$", re.MULTILINE)
 _HANDLES = re.compile(rb"^5\n([0-9A-F]+)$", re.MULTILINE)
 _OLD_RELEASE = re.compile(rb"^(\$ACADVER\n1\n)AC10(06|09)$", re.MULTILINE)
-# groups: the type of the entity, and the codes that all entities have; then comes a code of polylines only
+# the type of the entity and the group codes that all entities have, before the first code of polylines only
 _LWPOLYLINE = re.compile(rb"^(0\nLWPOLYLINE\n)((?:(?!0\n).*\n.*\n)*?)(?=(?:10|38|39|43|70|90|210)\n)", re.MULTILINE)
 _LINES = {"LINE", "LWPOLYLINE", "POLYLINE"}
 _CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX"}
@@ -73,11 +73,11 @@ logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # otherwise its wa
 def read_dxf(file: Path) -> Drawing:
     """Read the straight lines of a DXF drawing: LINE, LWPOLYLINE and POLYLINE of the model, seen from +z.
 
-    The name of its layer says what a line is, such as "mountain" or "V", or else its colour: red (1) mountain, blue
-    (5) valley, black or white (7) border, green (3) cut, yellow (2) and greys flat, magenta (6) unassigned.
+    The name of the layer, such as "mountain" or "V", defines the kind of a line, or else its colour: red (1) mountain,
+    blue (5) valley, black or white (7) border, green (3) cut, yellow (2) and greys flat, magenta (6) unassigned.
 
     Raises:
-        InputError: the file cannot be read, is no DXF drawing, or has curves or blocks among its creases.
+        InputError: the file cannot be read, is not a DXF drawing, or has curves or blocks among its creases.
     """
     content = read_bytes(file)
     binary = content.startswith(_BINARY)
@@ -133,7 +133,7 @@ def _document(content: bytes) -> tuple[Document, list[str]]:
         if binary:
             raise InputError(f"need a DXF drawing, got a damaged binary one: {_reason(error)}") from None
     try:
-        # errors name the lines of the file itself; without an end, its last section is lost
+        # the original content, so that errors name its lines; without an end mark, the last section would be lost
         document, audit = recover.read(io.BytesIO(content + b"0\nEOF\n"))
     except Exception as error:
         raise InputError(f"need a DXF drawing, got a damaged one: {_reason(error)}") from None
@@ -240,7 +240,7 @@ def _points(entity: DXFGraphic) -> list[Point]:
         return [(end.x, end.y) for end in (entity.dxf.start, entity.dxf.end)]
     normal = entity.dxf.extrusion
     if normal.x or normal.y:
-        raise InputError("need a polyline in the plane of the drawing, got one that stands on it (codes 210 to 230)")
+        raise InputError("need a polyline in the plane of the drawing, got one out of it (codes 210 to 230)")
     if entity.has_arc:
         raise InputError("need straight lines, got an arc in a polyline (bulge, code 42)")
     if isinstance(entity, Polyline) and not all(vertex.dxf.hasattr("location") for vertex in entity.vertices):

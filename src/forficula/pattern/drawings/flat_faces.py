@@ -1,4 +1,4 @@
-"""The faces between the edges of a flat sheet, and what keeps edges and faces from being a sheet."""
+"""Faces between the edges of a flat sheet, and checks that edges and faces form a sheet."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from forficula.pattern.geometry import is_inside
 
 Side = tuple[int, int]
 
-_TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at one place
-_ON_EDGE = 1e-5  # rad off the direction of an edge; files of single precision are good to 1e-6 on most edges
+_TOUCHING = 1e-9  # share of the sheet's size within which two vertices are at the same place
+_ON_EDGE = 1e-5  # rad, deviation from the direction of an edge; single precision has errors of 1e-6 on most edges
 
 
 def parts_of(count: int, edges: ArrayLike) -> Indices:
-    """Number the parts that hang together by edges.
+    """Number the connected components of a graph.
 
     Args:
-        count: N, of vertices or other things.
-        edges: pairs of these, shape (E, 2).
+        count: N, number of vertices or other items.
+        edges: pairs of connected items, shape (E, 2).
 
     Returns:
-        The part of every vertex, shape (N,).
+        The number of the component of every item, shape (N,).
     """
     pairs = np.asarray(edges, dtype=np.int64).reshape(-1, 2)
     joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
@@ -40,14 +40,14 @@ def parts_of(count: int, edges: ArrayLike) -> Indices:
 
 
 def next_sides(points: Array, edges: Indices) -> dict[Side, Side]:
-    """Say along which side a face goes on: at every vertex it turns left as sharply as the edges allow.
+    """Find the next side of the face on the left: at every vertex the face turns left as sharply as possible.
 
     Args:
-        points: m, shape (N, 2) or (N, 3), of which z is left out.
-        edges: that do not cross, shape (E, 2).
+        points: m, shape (N, 2) or (N, 3); z is ignored.
+        edges: edges that do not cross, shape (E, 2).
 
     Returns:
-        Of every edge, in both directions, the side that follows.
+        The next side for every edge in both directions.
     """
     around: dict[int, list[int]] = {}
     for tail, head in edges.tolist():
@@ -66,15 +66,15 @@ def faces_between(points: Array, edges: Indices) -> list[list[int]]:
     """Find the faces of a flat sheet.
 
     Args:
-        points: m, shape (N, 2) or (N, 3), of which z is left out.
-        edges: that do not cross, shape (E, 2).
+        points: m, shape (N, 2) or (N, 3); z is ignored.
+        edges: edges that do not cross, shape (E, 2).
 
     Returns:
-        The vertices of every face, counterclockwise; the outside is none.
+        The vertices of every face, counterclockwise, without the outside.
     """
     following = next_sides(points, edges)
     faces: list[list[int]] = []
-    # sides leave the table as their faces are found; a loop over it would pass all of these again for every face
+    # sides are removed from the table when their face is found, so iterate over a copy
     for start in [*following]:
         side = following.pop(start, None)
         if side is None:
@@ -88,15 +88,15 @@ def faces_between(points: Array, edges: Indices) -> list[list[int]]:
 
 
 def check_edges_apart(points: Array, edges: Indices, numbers: Indices) -> None:
-    """Refuse edges of a flat sheet that meet anywhere but at their vertices.
+    """Refuse edges of a flat sheet that meet anywhere except at common vertices.
 
     Args:
-        points: m, shape (N, 2); those without an edge may lie anywhere.
+        points: m, shape (N, 2); points without an edge are ignored.
         edges: shape (E, 2).
-        numbers: by which the edges are called, shape (E,).
+        numbers: numbers of the edges for messages, shape (E,).
 
     Raises:
-        InputError: two vertices at one place, a vertex on an edge, edges that cross.
+        InputError: two vertices at the same place, a vertex on an edge, or edges that cross.
     """
     used = np.unique(edges)
     size = float(np.ptp(points[used], axis=0).max())
@@ -123,7 +123,7 @@ def check_edges_apart(points: Array, edges: Indices, numbers: Indices) -> None:
 
 
 def _check_places(points: Array, edges: Indices, tolerance: float) -> None:
-    """Refuse two vertices at one place; those of very short edges are none."""
+    """Refuse two vertices at the same place, except the ends of very short edges."""
     used = np.unique(edges)
     pairs = used[scipy.spatial.cKDTree(points[used]).query_pairs(tolerance, output_type="ndarray")]
     if len(pairs):
@@ -133,16 +133,16 @@ def _check_places(points: Array, edges: Indices, tolerance: float) -> None:
             if parts[one] != parts[other]:
                 raise InputError(
                     f"vertices_coords[{other}]: need every vertex of a flat sheet at a place of its own, got that of"
-                    f" vertex {one}; name vertex {one} in its stead"
+                    f" vertex {one}; use vertex {one} instead"
                 )
 
 
 def check_face_sides(points: Array, faces: Sequence[Sequence[int]]) -> None:
-    """Refuse faces that cross themselves, each seen straight on.
+    """Refuse faces that cross themselves, in the plane that fits each of them best.
 
     Args:
         points: m, shape (N, 3).
-        faces: their vertices.
+        faces: vertices of the faces.
 
     Raises:
         InputError: sides of a face cross.
@@ -163,9 +163,9 @@ def check_face_sides(points: Array, faces: Sequence[Sequence[int]]) -> None:
 
 
 def _not_convex(points: Array, faces: Sequence[Sequence[int]]) -> list[int]:
-    """List the faces that may cross themselves: those that do not turn to one side only, and once around."""
+    """List the faces that are not convex, which may cross themselves."""
     sizes = np.array([len(face) for face in faces])
-    found: list[int] = []
+    concave: list[int] = []
     for size in np.unique(sizes[sizes > 3]).tolist():
         numbers = np.flatnonzero(sizes == size)
         corners = points[np.array([faces[number] for number in numbers.tolist()])]
@@ -176,8 +176,8 @@ def _not_convex(points: Array, faces: Sequence[Sequence[int]]) -> list[int]:
         cross = side[..., 0] * after[..., 1] - side[..., 1] * after[..., 0]
         turns = np.arctan2(cross, (side * after).sum(axis=2))
         convex = (np.abs(np.sign(cross).sum(axis=1)) == size) & (np.abs(turns.sum(axis=1)) < 3 * math.pi)
-        found += numbers[~convex].tolist()
-    return sorted(found)
+        concave += numbers[~convex].tolist()
+    return sorted(concave)
 
 
 def check_faces_apart(points: Array, edges: Indices, faces: Sequence[Sequence[int]]) -> None:
@@ -185,11 +185,11 @@ def check_faces_apart(points: Array, edges: Indices, faces: Sequence[Sequence[in
 
     Args:
         points: m, shape (N, 2).
-        edges: that do not cross, shape (E, 2).
-        faces: their vertices, counterclockwise.
+        edges: edges that do not cross, shape (E, 2).
+        faces: vertices of the faces, counterclockwise.
 
     Raises:
-        InputError: two faces on one side of an edge, an edge or a part of the sheet inside a face.
+        InputError: two faces on the same side of an edge, or an edge or a part of the sheet inside a face.
     """
     following = next_sides(points, edges)
     left_of: dict[Side, int] = {}
@@ -214,14 +214,14 @@ def check_faces_apart(points: Array, edges: Indices, faces: Sequence[Sequence[in
 def _check_islands(points: Array, edges: Indices, faces: Sequence[Sequence[int]]) -> None:
     """Refuse parts of a sheet that lie inside a face of another part."""
     parts = parts_of(len(points), edges)
-    found = set(parts[np.unique(edges)].tolist())
-    if len(found) == 1:
+    used = set(parts[np.unique(edges)].tolist())
+    if len(used) == 1:
         return
     for number, face in enumerate(faces):
-        for part in found - {int(parts[face[0]])}:
+        for part in used - {int(parts[face[0]])}:
             vertex = int(np.argmax(parts == part))
             if is_inside(points[vertex], points[list(face)]):
                 raise InputError(
-                    f"faces_vertices[{number}]: need faces side by side, got vertex {vertex}, of a part that does not"
-                    " hang together with the face, inside it"
+                    f"faces_vertices[{number}]: need faces side by side, got vertex {vertex}, of a part that is not"
+                    " connected to the face, inside it"
                 )

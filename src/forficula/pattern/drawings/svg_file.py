@@ -14,7 +14,7 @@ from forficula.files import write_text
 from forficula.pattern.crease_pattern import ASSIGNMENTS, CreasePattern, check_flat
 from forficula.quantities import round_below
 
-# colours as origami programs read them; the dashes (lengths in mm) tell the lines apart in grey
+# colours that origami programs read; the dashes (lengths in mm) distinguish the lines in grey
 COLOURS = {"B": "#000000", "M": "#ff0000", "V": "#0000ff", "F": "#808080", "U": "#ff00ff", "C": "#00ff00"}
 DASHES = {"M": "4 1 0.5 1", "V": "2 1", "F": "0.5 1", "U": "6 2", "C": "1 0.5"}
 _LINES = {
@@ -28,7 +28,7 @@ _LINES = {
 STROKE = 0.35  # mm
 _MARGIN = 3.0  # mm
 _LEAST_BAR = 1e-6  # mm
-_DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm of a dot's radius, and of what is beneath a scale bar's top
+_DOT, _ATTACHMENT, _BAR_HEIGHT = 1.2, "#e69f00", 6.0  # mm, radius of a dot; colour; mm, height of scale bar and label
 _MILLIMETRES = 1e3
 
 
@@ -36,15 +36,15 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str], attachments:
     """Draw a flat pattern in true size, millimetres, y axis up.
 
     Mountains are red and dash-dotted, valleys blue and dashed, borders black and solid, cuts green, flat edges grey,
-    unassigned ones magenta. The size of a fold angle is the opacity of its line, 1 at 180 deg. What the lines mean
-    stands in the description of the file and not beside the drawing, where a program would take it for creases. Where
-    tendons end there are dots, and beneath is a scale bar; both are filled and have no line, so that no program takes
-    them for creases either.
+    unassigned edges magenta. The magnitude of a fold angle is the opacity of its line, 1 at 180 deg. The legend is in
+    the description of the file instead of the drawing, where programs would read it as creases. Dots mark the ends of
+    tendons, and a scale bar is below the drawing; both are filled without lines, so that programs do not read them as
+    creases.
 
     Args:
         pattern: a flat sheet.
-        path: the file, replaced where it exists.
-        attachments: where tendons end, m, (end, 3).
+        path: path of the file; an existing file is replaced.
+        attachments: ends of tendons, m, (end, 3).
 
     Raises:
         InputError: the sheet is not flat, or the file cannot be written.
@@ -97,12 +97,12 @@ def write_svg(pattern: CreasePattern, path: str | os.PathLike[str], attachments:
 
 
 def printable(text: str) -> str:
-    """Leave out what XML cannot hold."""
+    """Remove characters that are not printable, which XML does not allow."""
     return "".join(character for character in text if character.isprintable())
 
 
 def _legend(pattern: CreasePattern) -> str:
-    """Say what the lines mean."""
+    """Return the legend of the lines."""
     used = [letter for letter in ASSIGNMENTS if letter in pattern.edges_assignment]
     lines = "; ".join(f"{ASSIGNMENTS[letter]}: {_LINES[letter]}" for letter in used)
     return f"Millimetres, seen from +z. {lines}. Opacity of a mountain or valley: fold angle / 180 deg."

@@ -1,4 +1,4 @@
-"""The straight lines of an SVG drawing, with the kinds of creases that their colours, groups or data mean."""
+"""Reading of straight lines from an SVG drawing, with the kinds of edges that colours, groups or data mean."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ Line = tuple[tuple[float, float], tuple[float, float]]
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Place:
-    """What the groups around a shape say of it."""
+    """Style, transform and kind of edge that a shape inherits from the groups around it."""
 
     style: Style
     to_page: Array  # matrix, shape (3, 3)
@@ -52,12 +52,12 @@ class _Place:
 def read_svg(file: Path) -> Drawing:
     """Read the straight lines of an SVG drawing.
 
-    What a line is says, in this order: its data-assignment, as Rabbit Ear writes it; the name of a group around it,
-    such as a layer "mountain"; the colour of its stroke. The opacity of mountains and valleys is the size of their
-    fold angle, 1 at 180 deg, as Origami Simulator has it; data-foldAngle goes before, in degrees.
+    The kind of a line follows, in this order, from its data-assignment, as written by Rabbit Ear; from the name of a
+    group around it, such as a layer "mountain"; or from the colour of its stroke. The fold angle of mountains and
+    valleys follows from data-foldAngle, in degrees, or else from the opacity, 1 at 180 deg, as in Origami Simulator.
 
     Raises:
-        InputError: the file cannot be read, is no SVG, or has curves or copies among its creases.
+        InputError: the file cannot be read, is not an SVG drawing, or has curves or copies among its creases.
     """
     try:
         root = ElementTree.fromstring(read_bytes(file))
@@ -74,7 +74,7 @@ def read_svg(file: Path) -> Drawing:
 
 
 def _drawing(root: ElementTree.Element) -> Drawing:
-    """The drawing that an SVG file's root is."""
+    """Convert the root element of an SVG file to a drawing."""
     rules, seen, left_out = rules_of(root), Counter[str](), Counter[str]()
     check_rules(rules)
     unit, assumed, stretch = _scale(root)
@@ -82,9 +82,10 @@ def _drawing(root: ElementTree.Element) -> Drawing:
     page = _Place(style={}, to_page=np.eye(3), letter=None)
     for shape, place in _shapes(root, page, rules, np.diag([1.0, stretch, 1.0])):
         seen[_tag(shape)] += 1
-        own = f" (id {as_written(shape.get('id'))})" if shape.get("id") else ""
-        with error_prefix(f"{_tag(shape)} {seen[_tag(shape)]}{own}: "):
-            lines += _drawn_lines(shape, place, rules, left_out, f"{_tag(shape)} {seen[_tag(shape)]}{own}")
+        identifier = f" (id {as_written(shape.get('id'))})" if shape.get("id") else ""
+        name = f"{_tag(shape)} {seen[_tag(shape)]}{identifier}"
+        with error_prefix(f"{name}: "):
+            lines += _drawn_lines(shape, place, rules, left_out, name)
     remarks = check_some(lines, left_out)
     title = next((child.text or "" for child in root if _tag(child) == "title"), "")
     return Drawing(lines=tuple(lines), unit=unit, assumed_unit=assumed, title=one_line(title), remarks=remarks)
@@ -95,11 +96,11 @@ def _tag(element: ElementTree.Element) -> str:
 
 
 def _scale(root: ElementTree.Element) -> tuple[float | None, float | None, float]:
-    """How large a drawing is: SVG 2, section 8.2, without where on the page it lies.
+    """Compute the unit of length of a drawing (SVG 2, section 8.2), without its position on the page.
 
     Returns:
-        Length of the drawing's unit along x, m, as the file says it, and as it may be assumed where it speaks of
-        pixels; and by how much that along y is larger.
+        Unit of length along x, m, if the file gives one; the assumed unit, m, if the file uses pixels; and the ratio of
+        the units along y and x.
     """
     if not root.get("viewBox", "").strip():
         return None, PIXEL, 1.0
@@ -118,7 +119,7 @@ def _scale(root: ElementTree.Element) -> tuple[float | None, float | None, float
             "preserveAspectRatio: need none, or an alignment such as xMidYMid with meet or slice,"
             f" got {as_written(root.get('preserveAspectRatio'))}"
         )
-    # both directions alike, as large as the page allows or as large as covers it; or each as large as the page
+    # one scale for both directions, to fit or to cover the page; or a separate scale for each direction
     stretched = fit[0] == "none" and len(scales) == 2
     scale = scales[0] if stretched else max(scales) if fit[1:] == ["slice"] and fit[0] != "none" else min(scales)
     says_length = all(metres is not None for _, metres, _ in known)
@@ -128,9 +129,9 @@ def _scale(root: ElementTree.Element) -> tuple[float | None, float | None, float
 def _shapes(
     group: ElementTree.Element, above: _Place, rules: Rules, stretch: Array | None = None
 ) -> Iterator[tuple[ElementTree.Element, _Place]]:
-    """The shapes of a group, and of the groups in it, with what the groups say of them.
+    """Yield the shapes of a group and of groups inside it, with the properties that they inherit.
 
-    The drawing itself is a group that a stretch may turn into its page, before its own transform.
+    The root element is also a group; `stretch` is applied before its transform.
     """
     style = style_of(group, above.style, rules)
     if style.get("display") == "none":
@@ -138,7 +139,7 @@ def _shapes(
     with error_prefix(f"{_tag(group)} {as_written(group.get('id', ''))}: "):
         to_page = above.to_page @ matrix_of(group, style)
         to_page = to_page if stretch is None else to_page @ stretch
-    # an id of one letter may be the work of a program that makes files short
+    # an id with a single letter may come from a program that shortens files, so it has no meaning
     names = [group.get(_LABEL, ""), group.get("id", "").rjust(2, "_")] if _tag(group) == "g" else []
     letters = (letter_of_name(name) for name in names)
     place = _Place(style=style, to_page=to_page, letter=next(filter(None, letters), above.letter))
@@ -152,7 +153,7 @@ def _shapes(
 def _drawn_lines(
     shape: ElementTree.Element, place: _Place, rules: Rules, left_out: Counter[str], name: str
 ) -> list[DrawnLine]:
-    """The lines of a shape that are part of a sheet; count one that means nothing."""
+    """Return the lines of a shape that belong to the sheet; count shapes without a meaning in `left_out`."""
     style = style_of(shape, place.style, rules)
     stroke = style.get("stroke", "none")
     colour = colour_of(stroke)
@@ -180,7 +181,7 @@ def _drawn_lines(
 
 
 def _fold_angle(shape: ElementTree.Element, letter: str, opacity: float) -> float:
-    """The fold angle of a line, rad."""
+    """Return the fold angle of a line, rad."""
     if letter not in "MV":
         return math.nan
     sense = -1.0 if letter == "M" else 1.0
@@ -193,7 +194,7 @@ def _fold_angle(shape: ElementTree.Element, letter: str, opacity: float) -> floa
 
 
 def _lines_of(shape: ElementTree.Element) -> Iterator[Line]:
-    """The straight lines of a shape, before its transform."""
+    """Yield the straight lines of a shape, before its transform."""
     match _tag(shape):
         case "line":
             x, y, other_x, other_y = (_coordinate(shape, key) for key in ("x1", "y1", "x2", "y2"))
@@ -219,7 +220,7 @@ def _lines_of(shape: ElementTree.Element) -> Iterator[Line]:
 
 
 def _coordinate(shape: ElementTree.Element, key: str) -> float:
-    """A coordinate in the drawing's unit."""
+    """Return a coordinate in the drawing's unit."""
     if key not in shape.attrib:
         return 0.0
     length = length_of(shape.get(key))
@@ -229,8 +230,8 @@ def _coordinate(shape: ElementTree.Element, key: str) -> float:
 
 
 def _lines_of_path(data: str) -> Iterator[Line]:
-    """The straight lines of a path (SVG 2, section 9.3)."""
-    here = first = (0.0, 0.0)
+    """Yield the straight lines of a path (SVG 2, section 9.3)."""
+    point = first = (0.0, 0.0)
     if data.strip() and data.strip()[0] not in "Mm":
         raise InputError(f"d: need a path that begins with M, got {as_written(data)}")
     for command, text in re.findall(r"([A-DF-Za-df-z])([^A-DF-Za-df-z]*)", data):
@@ -243,17 +244,17 @@ def _lines_of_path(data: str) -> Iterator[Line]:
         if (len(numbers) % count if count else len(numbers)) or (count and not numbers):
             raise InputError(f'd: need {count} numbers a point after "{command}", got {len(numbers)}')
         if kind == "z":
-            yield here, first
-            here = first
-        for place in range(0, len(numbers), count or 1):
-            x, y = here if command.islower() else (0.0, 0.0)
-            values = numbers[place : place + count]
-            there = {
-                "h": (x + values[0], here[1]),
-                "v": (here[0], y + values[0]),
+            yield point, first
+            point = first
+        for index in range(0, len(numbers), count or 1):
+            x, y = point if command.islower() else (0.0, 0.0)
+            values = numbers[index : index + count]
+            following = {
+                "h": (x + values[0], point[1]),
+                "v": (point[0], y + values[0]),
             }.get(kind) or (x + values[0], y + values[1])
-            if kind == "m" and place == 0:
-                first = there
+            if kind == "m" and index == 0:
+                first = following
             else:
-                yield here, there
-            here = there
+                yield point, following
+            point = following

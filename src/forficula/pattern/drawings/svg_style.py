@@ -1,4 +1,4 @@
-"""How the elements of an SVG drawing are styled: attributes, style sheets, colours and lengths."""
+"""Styles of the elements of an SVG drawing: attributes, style sheets, colours and lengths."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ _NAMED = {
 _SIMPLE = re.compile(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)")
 _INHERITED = ("stroke", "stroke-opacity", "visibility")
 _OWN = ("opacity", "display")
-# m; CSS: 96 px are an inch of paper
+# m; in CSS, 96 px are one inch
 _LENGTHS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "pt": 0.0254 / 72, "pc": 0.0254 / 6, "q": 2.5e-4, "m": 1.0}
 PIXEL = 0.0254 / 96
 
 
 def rules_of(root: ElementTree.Element) -> Rules:
-    """List the rules of the style sheets of a drawing: simple selectors, the most general first."""
+    """List the rules of the style sheets of a drawing, those with the most general selectors first."""
     rules: Rules = []
     for sheet in root.iter():
         if sheet.tag.rpartition("}")[2] != "style":
@@ -60,26 +60,26 @@ def rules_of(root: ElementTree.Element) -> Rules:
 
 
 def declarations(text: str) -> Style:
-    """Take CSS declarations apart, such as "stroke:#f00; opacity:.5"."""
+    """Parse CSS declarations, such as "stroke:#f00; opacity:.5"."""
     pairs = (part.split(":", 1) for part in text.split(";") if ":" in part)
     return {key.strip().lower(): value.replace("!important", "").strip() for key, value in pairs}
 
 
 def style_of(element: ElementTree.Element, above: Style, rules: Rules) -> Style:
-    """Work out the style of an element; its opacity is that with all groups around it."""
+    """Compute the style of an element; its opacity includes that of all groups around it."""
     style = {key: value for key, value in above.items() if key in _INHERITED}
-    own = {key: element.attrib[key] for key in (*_INHERITED, *_OWN) if key in element.attrib}
+    values = {key: element.attrib[key] for key in (*_INHERITED, *_OWN) if key in element.attrib}
     for selector, declared in rules:
         if _selects(selector, element):
-            own |= declared
-    own |= declarations(element.get("style", ""))
-    style |= {key: value for key, value in own.items() if value != "inherit"}
-    style["opacity"] = str(number_of(above.get("opacity")) * number_of(own.get("opacity")))
+            values |= declared
+    values |= declarations(element.get("style", ""))
+    style |= {key: value for key, value in values.items() if value != "inherit"}
+    style["opacity"] = str(number_of(above.get("opacity")) * number_of(values.get("opacity")))
     return style
 
 
 def is_simple(selector: str) -> bool:
-    """Whether a selector names elements by tag, classes and id alone, not by what is around them."""
+    """Whether a selector consists of tag, classes and id only, without combinators."""
     return bool(selector) and _SIMPLE.fullmatch(selector) is not None
 
 
@@ -99,7 +99,7 @@ def _selects(selector: str, element: ElementTree.Element) -> bool:
 
 
 def number_of(text: str | None) -> float:
-    """Take an opacity, such as "0.5" or "50%"; 1 where there is none."""
+    """Parse an opacity, such as "0.5" or "50%"; return 1 for other text."""
     match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(%?)\s*", text or "", re.I)
     if match is None:
         return 1.0
@@ -107,15 +107,15 @@ def number_of(text: str | None) -> float:
 
 
 def colour_of(text: str) -> tuple[float, float, float, float] | None:
-    """Take a colour: "#f00", "#ff0000", "rgb(255, 0, 0)", "rgba(100%, 0%, 0%, .5)" or a name.
+    """Parse a colour: "#f00", "#ff0000", "rgb(255, 0, 0)", "rgba(100%, 0%, 0%, .5)" or a name.
 
     Returns:
-        Red, green, blue and opacity, 0 to 1; None for "none" and for what is no such colour.
+        Red, green, blue and opacity, 0 to 1; None for "none" and other text.
     """
     text = _NAMED.get(text.strip().lower(), text.strip().lower())
     if match := re.fullmatch(r"#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})", text):
         digits = match[1] if len(match[1]) > 4 else "".join(2 * digit for digit in match[1])
-        return _four(int(digits[place : place + 2], 16) / 255 for place in range(0, len(digits), 2))
+        return _four(int(digits[index : index + 2], 16) / 255 for index in range(0, len(digits), 2))
     if match := re.fullmatch(r"rgba?\(([^()]*)\)", text):
         parts = [part for part in re.split(r"[\s,/]+", match[1].strip()) if part]
         if len(parts) in (3, 4) and all(re.fullmatch(r"[+-]?[\d.]+%?", part) for part in parts):
@@ -132,16 +132,16 @@ def colour_of(text: str) -> tuple[float, float, float, float] | None:
 
 
 def _four(shares: Iterable[float]) -> tuple[float, float, float, float]:
-    """Red, green, blue and opacity within 0 to 1."""
+    """Clip red, green, blue and opacity to 0 to 1; the opacity is 1 if it is missing."""
     red, green, blue, *opacity = (min(max(share, 0.0), 1.0) for share in shares)
     return red, green, blue, opacity[0] if opacity else 1.0
 
 
 def length_of(text: str | None) -> tuple[float, float | None] | None:
-    """Take a length, such as "210mm".
+    """Parse a length, such as "210mm".
 
     Returns:
-        The number and the length of its unit, m, None for pixels and plain numbers; None for no length or for "100%".
+        The number, and the length of its unit, m, or None for pixels and plain numbers; None for other text and "100%".
     """
     match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*([a-z]*)\s*", text or "", re.I)
     if match is None:

@@ -1,4 +1,4 @@
-"""Lists of numbers of an SVG drawing, and the transforms of its elements: attributes and CSS."""
+"""Parsing of lists of numbers and of transforms in SVG drawings, in attributes and CSS."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from forficula.quantities import as_written
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _FUNCTION = r"(\w+)\s*\(([^()]*)\)"
 _NO_ORIGIN = re.compile(r"(?:(?:0|0px|0%|left|top)\s*)+")
-# of CSS: what else moves an element
+# other CSS properties that move an element
 _MOVES = ("translate", "rotate", "scale", "zoom", "offset-path")
 _ANGLES = {"": 1.0, "deg": 1.0, "rad": 180 / math.pi, "grad": 0.9, "turn": 360.0}  # deg
 _CSS_UNITS = {
@@ -26,10 +26,10 @@ _CSS_UNITS = {
 
 
 def numbers_of(key: str, text: str) -> list[float]:
-    """Take a list of numbers apart, between which are spaces or a comma; SVG 2 lets out both before a sign.
+    """Parse a list of numbers separated by spaces or commas; SVG 2 allows a sign without a separator.
 
     Raises:
-        InputError: anything else is between them, a comma without a number, or a number is not finite.
+        InputError: other text between the numbers, a comma without a number, or a number that is not finite.
     """
     between = re.sub(NUMBER, lambda number: " " * len(number[0]), text)
     if other := re.search(r"[^\s,]+", between):
@@ -44,16 +44,16 @@ def numbers_of(key: str, text: str) -> list[float]:
 
 
 def _word_at(text: str, place: int) -> str:
-    """The letters around a place, up to spaces and commas."""
+    """Return the word at a position, up to spaces and commas."""
     start = max((match.end() for match in re.finditer(r"[\s,]", text[:place])), default=0)
     return re.split(r"[\s,]", text[start:], maxsplit=1)[0]
 
 
 def check_rules(rules: Rules) -> None:
-    """Refuse rules that move elements which no simple selector names: who they are for is not worked out.
+    """Refuse rules with transforms whose selectors are not simple, because such selectors are not evaluated.
 
     Raises:
-        InputError: the selector.
+        InputError: a rule with a transform; the message names the selector.
     """
     for selector, declared in rules:
         if not is_simple(selector) and ({"transform", "transform-origin", *_MOVES} & declared.keys()):
@@ -63,10 +63,10 @@ def check_rules(rules: Rules) -> None:
 
 
 def matrix_of(element: ElementTree.Element, style: Style) -> Array:
-    """The matrix of an element's transform, shape (3, 3); that of its style goes before that of its attribute.
+    """Compute the matrix of an element's transform, shape (3, 3); the style has priority over the attribute.
 
     Raises:
-        InputError: it is no transform in the plane, or has an origin of its own.
+        InputError: the transform is not one in the plane, or has an origin other than 0 0.
     """
     for key in _MOVES:
         if style.get(key, "none") not in ("none", "normal", "auto"):
@@ -93,7 +93,7 @@ def matrix_of(element: ElementTree.Element, style: Style) -> Array:
 
 
 def _in_css(kind: str, arguments: str) -> list[float] | None:
-    """The numbers of a CSS function, lengths in pixels and angles in degrees; None where a unit is another one."""
+    """Parse the numbers of a CSS function, lengths in pixels and angles in degrees; return None for other units."""
     values = []
     for argument in arguments.split(","):
         for word in argument.split():
@@ -106,7 +106,7 @@ def _in_css(kind: str, arguments: str) -> list[float] | None:
 
 
 def _step(kind: str, values: list[float]) -> Array | None:
-    """One step of a transform (SVG 2, section 8.5); None where it is none."""
+    """Return the matrix of one transform function (SVG 2, section 8.5); None for an unknown one."""
     match kind, values:
         case "matrix", [a, b, c, d, e, f]:
             return np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])

@@ -1,4 +1,4 @@
-"""Whether a crease pattern folds flat, and why, in sentences."""
+"""Check the conditions of flat folding of a crease pattern, and describe the result in sentences."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from forficula.pattern.crease_pattern import (
     maekawa_residuals,
 )
 
-# of the alternating sum of sectors, rad: what files with seven digits leave, far below what a real sheet could tell
+# of the alternating sum of sectors, rad: the rounding of files with seven digits, far below the accuracy of a sheet
 _ALLOWED = 1e-6
 _ROUNDING = 256 * float(np.finfo(np.float64).eps)
 
 
 @dataclass(frozen=True, kw_only=True)
 class VertexCheck:
-    """How far an interior vertex is from folding flat; see `kawasaki_residuals` and the others.
+    """Residuals of the flat-folding conditions at an interior vertex; see `kawasaki_residuals` and the others.
 
     Attributes:
-        vertex: its number.
-        creases: how many meet there, flat ones left out.
-        kawasaki: alternating sum of its sectors, rad; inf of an odd number of creases.
-        allowed: up to which that is rounding, rad.
-        maekawa: |mountains - valleys| - 2; None where a crease has no sense yet.
-        big_little_big: how many sectors are trapped between two larger ones.
+        vertex: number of the vertex.
+        creases: number of creases at the vertex, without flat ones.
+        kawasaki: alternating sum of the sectors, rad; inf for an odd number of creases.
+        allowed: largest `kawasaki` that counts as rounding, rad.
+        maekawa: |mountains - valleys| - 2; None where a crease is unassigned.
+        big_little_big: number of sectors that are trapped between two larger ones.
     """
 
     vertex: int
@@ -75,7 +75,7 @@ def vertex_checks(pattern: CreasePattern) -> tuple[VertexCheck, ...]:
 
 
 def flat_folding_faults(pattern: CreasePattern) -> list[str]:
-    """Why a sheet does not fold flat, a sentence for each condition that a vertex fails; none of a folded one."""
+    """List why a sheet does not fold flat, one sentence per condition that fails; empty for a folded sheet."""
     if not is_unfolded(pattern):
         return []
     checks = vertex_checks(pattern)
@@ -83,24 +83,24 @@ def flat_folding_faults(pattern: CreasePattern) -> list[str]:
 
 
 def flat_folding_text(pattern: CreasePattern) -> list[str]:
-    """Whether a sheet folds flat, and why, a sentence each."""
+    """Describe in sentences whether a sheet folds flat, and why."""
     if not is_unfolded(pattern):
-        return ["The sheet is not flat, so nothing is said of folding flat."]
+        return ["The sheet is not flat, so flat folding is not checked."]
     checks = vertex_checks(pattern)
     if not checks:
         folds = any(letter in "MVU" for letter in pattern.edges_assignment)
-        return ["No interior vertex: every crease folds on its own." if folds else "No crease to fold."]
+        return ["No interior vertex: every crease folds independently." if folds else "No crease to fold."]
     results = _kawasaki(checks), _maekawa(checks), _big_little_big(checks)
     verdict = (
         "It does not fold flat."
         if any(fails for fails, _ in results)
-        else "Every vertex folds flat by itself; whether layers get into each other's way is not checked."
+        else "Every vertex folds flat by itself; whether layers collide is not checked."
     )
     return [*(sentence for _, sentence in results), verdict]
 
 
 def _kawasaki(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
-    """Whether sectors fail, and what is to say of them."""
+    """Return whether Kawasaki's condition fails, and the sentence about it."""
     odd = [check for check in checks if math.isinf(check.kawasaki)]
     if odd:
         creases = _counted(odd[0].creases, "crease", "creases")
@@ -119,7 +119,7 @@ def _kawasaki(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
 
 
 def _maekawa(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
-    """Whether numbers of mountains and valleys fail, and what is to say of them."""
+    """Return whether Maekawa's condition fails, and the sentence about it."""
     failing = [check for check in checks if check.maekawa]
     unknown = [check for check in checks if check.maekawa is None]
     if failing:
@@ -130,17 +130,17 @@ def _maekawa(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
             f" they differ by {differ}."
         )
     if unknown:
-        return False, f"Maekawa says nothing of {_places(unknown)}, where creases are unassigned."
+        return False, f"Maekawa is not checked at {_places(unknown)}, where creases are unassigned."
     return False, "Maekawa holds: mountains and valleys differ by 2."
 
 
 def _big_little_big(checks: Sequence[VertexCheck]) -> tuple[bool, str]:
-    """Whether trapped sectors fail, and what is to say of them."""
+    """Return whether the big-little-big condition fails, and the sentence about it."""
     failing = [check for check in checks if check.big_little_big]
     if failing:
         return True, (
             f"Big-little-big fails at {_places(failing)}: a sector between two larger ones needs a mountain and a"
-            f" valley beside it, at vertex {failing[0].vertex} {failing[0].big_little_big} have not."
+            f" valley beside it, at vertex {failing[0].vertex} {failing[0].big_little_big} lack them."
         )
     return False, "Big-little-big holds: no sector is trapped between two larger ones."
 

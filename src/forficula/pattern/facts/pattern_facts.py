@@ -1,4 +1,4 @@
-"""What a crease pattern is: its parts, its vertices, whether it folds, and in how many ways."""
+"""Facts about a crease pattern: its pieces, vertices, flat folding, rigid folding and number of mechanisms."""
 
 from __future__ import annotations
 
@@ -20,14 +20,15 @@ from forficula.pattern.kinematics import folded_coordinates
 
 @dataclass(frozen=True, kw_only=True)
 class Freedoms:
-    """In how many ways a sheet moves.
+    """Degrees of freedom of a sheet.
 
     Attributes:
-        rigid: in the shape as given, of rigid facets.
-        bending: the same where facets bend along diagonals.
-        begins: whether every crease can begin to fold in its sense, first order; None of a sheet that is not flat.
-        folded: of rigid facets, in a state where every crease is folded in its sense; None where none was found.
-        fold_range: the least and the largest fold angle of a mountain or valley in that state, rad.
+        rigid: rigidity of the sheet in its drawn shape, with rigid facets.
+        bending: rigidity in the drawn shape where facets bend along diagonals.
+        begins: whether every crease can begin to fold in its sense, to first order; None for a sheet that is not flat.
+        folded: rigidity with rigid facets in a state where every crease is folded in its sense; None where no such
+            state was found.
+        fold_range: smallest and largest fold angle of a mountain or valley in that state, rad.
     """
 
     rigid: Rigidity
@@ -39,23 +40,23 @@ class Freedoms:
 
 @dataclass(frozen=True, kw_only=True)
 class PatternFacts:
-    """What is known of a crease pattern.
+    """Facts about a crease pattern.
 
     Attributes:
-        title: what the sheet is.
-        vertices: how many.
-        facets: how many.
-        edges: how many by letter, those that are there, in the order of `ASSIGNMENTS`.
-        roles: of edges, those that are there.
-        size: along x, y and z, m.
-        flat: whether it lies unfolded in one plane of constant z.
-        flat_folding: whether it folds flat, and why, in sentences.
-        loop: why facets are no tree, that hang on one another one by one; empty where they are.
-        not_counted: why there is nothing of what follows; empty where there is.
-        inside: facts of every interior vertex.
-        parts: pieces that no edge joins.
-        holes: borders beyond the first of a piece; a tube has one.
-        freedoms: in how many ways it moves.
+        title: title of the pattern.
+        vertices: number of vertices.
+        facets: number of facets.
+        edges: number of edges by letter, for the letters that occur, in the order of `ASSIGNMENTS`.
+        roles: roles of edges that occur.
+        size: size along x, y and z, m.
+        flat: whether the sheet lies unfolded in one plane of constant z.
+        flat_folding: sentences about whether the sheet folds flat, and why.
+        loop: why the facets do not form a tree across their shared edges; empty where they do.
+        not_counted: why the facts that follow are missing; empty where they are present.
+        inside: facts about every interior vertex.
+        parts: number of pieces that no edge joins.
+        holes: number of borders beyond the first of every piece; a tube has one.
+        freedoms: degrees of freedom of the sheet.
     """
 
     title: str
@@ -75,7 +76,7 @@ class PatternFacts:
 
 
 def pattern_facts(pattern: CreasePattern) -> PatternFacts:
-    """Find out what a crease pattern is."""
+    """Compute the facts about a crease pattern."""
     x, y, z = np.ptp(pattern.vertices_coords, axis=0).tolist()
     counts = {letter: pattern.edges_assignment.count(letter) for letter in ASSIGNMENTS}
     facts = PatternFacts(
@@ -103,7 +104,7 @@ def pattern_facts(pattern: CreasePattern) -> PatternFacts:
 
 
 def _freedoms(pattern: CreasePattern, flat: bool) -> Freedoms:
-    """Count freedoms as given, and in a folded state where there is one to be found."""
+    """Count the freedoms in the drawn shape, and in a folded state if one is found."""
     freedoms = Freedoms(
         rigid=rigidity(pattern),
         bending=rigidity(pattern, bending=True),
@@ -121,7 +122,7 @@ def _freedoms(pattern: CreasePattern, flat: bool) -> Freedoms:
 
 
 def _loop(pattern: CreasePattern) -> str:
-    """Why facets are no tree, if they are not."""
+    """Return why the facets do not form a tree; empty if they do."""
     try:
         closing = sorted(link.edge for link in facet_tree(pattern) if link.closes and link.edge is not None)
     except InputError as error:
@@ -131,7 +132,7 @@ def _loop(pattern: CreasePattern) -> str:
 
 
 def _holes(nodes: FacetNodes) -> int:
-    """Borders, as closed lines of sides that one facet has, beyond the first of every part."""
+    """Count the borders, closed lines of sides that belong to one facet only, beyond the first of every piece."""
     sides: dict[tuple[int, int], list[int]] = {}
     for facet, points in enumerate(nodes.facets):
         for one, other in zip(points.tolist(), np.roll(points, -1).tolist(), strict=True):

@@ -1,4 +1,4 @@
-"""Whether a flat sheet of rigid facets begins to fold as its creases are assigned, and a state in which it has."""
+"""Check whether a flat sheet of rigid facets can fold as its creases are assigned, and search for a folded state."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ from forficula.pattern.facts.vertex_creases import VertexCreases, vertex_creases
 from forficula.pattern.kinematics import folded_coordinates
 from forficula.pattern.shared_edges import shared_edges
 
-_IN_LINE = 1e-6  # rad; what files with seven digits leave of a straight angle
-_START = math.radians(60)  # by which creases are folded before the sheet closes, at first all alike
-_TRIES, _SPREAD = 6, (0.3, 1.5)  # starts, and by how much those after the first may differ from that
+_IN_LINE = 1e-6  # rad; error of a straight angle in files with seven digits
+_START = math.radians(60)  # start of the fold angles; the first start is the same for all creases
+_TRIES, _SPREAD = 6, (0.3, 1.5)  # number of starts, and range of the factors on the start after the first
 _STEPS = 30
 _CLOSED = 1e-13  # largest entry of the walks around the vertices
-_LEAST_FOLD = math.radians(1)  # of a state that counts as folded
+_LEAST_FOLD = math.radians(1)  # least fold of every mountain and valley in a state that counts as folded
 
 
 def senses(pattern: CreasePattern) -> Indices:
-    """The assigned sense of every edge: 1 valley, -1 mountain, 0 of any other, shape (E,)."""
+    """Return the assigned sense of every edge: 1 for a valley, -1 for a mountain, 0 for others, shape (E,)."""
     return np.array([{"V": 1, "M": -1}.get(letter, 0) for letter in pattern.edges_assignment], dtype=np.int64)
 
 
 def vertex_folds(pattern: CreasePattern, around: VertexCreases) -> bool | None:
-    """Whether a flat vertex alone folds rigidly with every crease in its sense, however little: exact, not first order.
+    """Return whether a flat vertex by itself can start to fold rigidly with every crease in its sense.
 
-    It does where creases of one sense lie in no half plane and one of the other sense is among the rest; and where it
-    is one straight crease (Abel, Cantarella, Demaine, Eppstein, Hull, Ku, Lang and Tachi 2016, J. Comput. Geom. 7,
-    171-184: bird's foot).
+    The result is exact, not first order. The vertex folds if the creases of one sense do not all lie in one half plane
+    and at least one crease has the other sense; a single straight crease folds, too (Abel, Cantarella, Demaine,
+    Eppstein, Hull, Ku, Lang and Tachi 2016, J. Comput. Geom. 7, 171-184: bird's foot).
 
     Returns:
-        None where a crease has no sense and any would do.
+        None where creases are unassigned and their senses decide.
     """
     letters = np.array([pattern.edges_assignment[edge] for edge in around.edges])
     if len(letters) == 0:
@@ -56,7 +56,7 @@ def vertex_folds(pattern: CreasePattern, around: VertexCreases) -> bool | None:
 
 
 def _span(directions: Array) -> bool:
-    """Whether no half plane holds all directions, rad and rising."""
+    """Return whether no half plane contains all directions; directions are in rad and ascending."""
     if len(directions) < 3:
         return False
     gaps = np.diff([*directions, directions[0] + 2 * math.pi])
@@ -64,11 +64,11 @@ def _span(directions: Array) -> bool:
 
 
 def begins_as_assigned(pattern: CreasePattern) -> bool:
-    """Whether a flat sheet has a first-order motion in which every mountain and valley folds in its sense.
+    """Return whether a flat sheet has a first-order motion in which every mountain and valley folds in its sense.
 
     Around every interior vertex the fold rates, as vectors along the creases, add up to 0 (Belcastro and Hull 2002);
-    flat edges stay, unassigned ones are free. Necessary to fold rigidly, not enough: the second order may forbid it. A
-    linear programme looks for the rates.
+    flat edges do not fold, unassigned ones are free. The condition is necessary for rigid folding but not sufficient,
+    because the second order may prevent it. A linear programme computes the rates.
 
     Raises:
         InputError: the sheet is not flat and unfolded.
@@ -89,15 +89,15 @@ def begins_as_assigned(pattern: CreasePattern) -> bool:
 
 
 def folded_as_assigned(pattern: CreasePattern) -> Array | None:
-    """Look for a state of a flat sheet of rigid facets in which every mountain and valley is folded in its sense.
+    """Search for a state of a flat sheet of rigid facets in which every mountain and valley is folded in its sense.
 
-    All creases are folded alike, then moved by damped least squares until the panels around every interior vertex meet
-    (Tachi 2009); a few more starts draw how far each is folded, always the same numbers. It proves nothing where it
-    finds none.
+    The search starts with one fold angle for all creases and changes the angles by damped least squares until the
+    panels around every interior vertex meet (Tachi 2009). Further starts draw the fold angles from a fixed random
+    seed. If the search finds no state, one may still exist.
 
     Returns:
-        Fold angles, rad, shape (E,), 0 on flat edges and borders, each mountain and valley by 1 deg at least; None
-        where none was found, or where no crease has a sense.
+        Fold angles, rad, shape (E,), 0 on flat edges and borders, at least 1 deg in size on mountains and valleys; None
+        where no state was found or no crease is a mountain or valley.
 
     Raises:
         InputError: the sheet is not flat and unfolded.
@@ -124,13 +124,13 @@ def folded_as_assigned(pattern: CreasePattern) -> Array | None:
 
 
 def _check_unfolded(pattern: CreasePattern) -> None:
-    """Refuse a sheet that has begun to fold."""
+    """Raise InputError for a sheet that is not flat and unfolded."""
     if not is_unfolded(pattern):
         raise InputError("vertices_coords: need a sheet that lies flat and unfolded, got one that does not")
 
 
 def _closed(around: Sequence[VertexCreases], angles: Array) -> Array | None:
-    """Move fold angles until all vertices close."""
+    """Change fold angles until all vertices close; return None if they do not."""
     angles = angles.astype(np.float64)
     for _ in range(_STEPS if around else 1):
         gaps, slope = _gaps(around, angles)
@@ -144,7 +144,7 @@ def _closed(around: Sequence[VertexCreases], angles: Array) -> Array | None:
 
 
 def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_array]:
-    """By how much every vertex fails to close, three numbers each, and the slope by every fold angle."""
+    """Compute the closure errors of the vertices, three numbers per vertex, and their derivatives by fold angle."""
     gaps: list[Array] = []
     rows: list[tuple[Array, Indices]] = []
     for degree in sorted({len(each.edges) for each in around}):
@@ -158,7 +158,7 @@ def _gaps(around: Sequence[VertexCreases], angles: Array) -> tuple[Array, csr_ar
 
 
 def _sparse(rows: Sequence[tuple[Array, Indices]], columns: int) -> csr_array:
-    """Rows given by values and columns."""
+    """Assemble a matrix from the values and column numbers of its rows."""
     numbers = np.repeat(np.arange(len(rows)), [len(values) for values, _ in rows]) if rows else np.zeros(0, dtype=int)
     values = np.concatenate([values for values, _ in rows]) if rows else np.zeros(0)
     across = np.concatenate([places for _, places in rows]) if rows else np.zeros(0, dtype=int)

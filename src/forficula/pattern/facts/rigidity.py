@@ -1,4 +1,4 @@
-"""In how many ways a sheet can begin to move, and in how many it can be stressed by itself."""
+"""Count first-order mechanisms and states of self-stress of a sheet."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from forficula.pattern.crease_pattern import CreasePattern
 from forficula.pattern.facet_nodes import FacetNodes, facet_nodes
 from forficula.pattern.triangulation import triangulated
 
-_MOST_DENSE = 900  # columns; the singular values of as many take a second
-_LARGEST_ZERO = 1e-5  # of the largest singular value: what the seven digits of a file leave of a 0, and more
-_ROUNDING = 1e-15  # of the largest singular value: what is smaller is as small as this
-_SHIFTS = (1e-11, 1e-9)  # squares of singular values, of the largest one, between which there should be none
+_MOST_DENSE = 900  # columns; computing that many singular values takes a second
+_LARGEST_ZERO = 1e-5  # share of the largest singular value; above the rounding error of files with seven digits
+_ROUNDING = 1e-15  # share of the largest singular value; smaller ones are set to this
+_SHIFTS = (1e-11, 1e-9)  # shares of the largest squared singular value; none should lie between the two
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rigidity:
-    """First-order freedom of a sheet whose edges keep their length.
+    """First-order freedom of a sheet whose edges do not change length.
 
     Attributes:
-        mechanisms: independent first-order motions, each part's six rigid ones taken out.
-        self_stress: independent sets of forces that balance without a load.
-        parts: pieces that nothing joins.
-        clear: whether rank is told from rounding: no singular value between what counts as 0 and what does not by less
-            than a factor of 100.
+        mechanisms: number of independent first-order motions, without the six rigid ones of every piece.
+        self_stress: number of independent sets of forces that balance without a load.
+        parts: number of pieces that nothing joins.
+        clear: whether the rank is distinct from rounding: the singular values that count as 0 are at least a factor of
+            100 below the others.
     """
 
     mechanisms: int
@@ -42,27 +42,29 @@ class Rigidity:
 def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bool = False) -> Rigidity:
     """Count mechanisms and states of self-stress from the rank of the rigidity matrix.
 
-    With b rows for j points in p parts and the rank r there are 3 j - 6 p - r mechanisms and b - r states of
-    self-stress (Pellegrino and Calladine 1986). A bar along every edge makes a row. A facet of n corners that bends has
-    n - 3 bars more, along the diagonals of `triangulated`, and folds along them (Schenk and Guest 2011). A rigid one
-    has n - 3 rows against bending on top of that: taken together as 3 n - 6 orthonormal rows, which leave a plate of n
-    points its rigid motions. A plate is a facet with those beyond its flat edges, which fold where facets bend.
+    With b rows for j points in p pieces and the rank r there are 3 j - 6 p - r mechanisms and b - r states of
+    self-stress (Pellegrino and Calladine 1986). Every edge is a bar and contributes one row. A facet of n corners that
+    bends has n - 3 further bars along the diagonals of `triangulated`, and folds along them (Schenk and Guest 2011). A
+    rigid facet has n - 3 rows against bending in addition. Its rows are combined to 3 n - 6 orthonormal rows, which
+    leave only the rigid motions of a plate of n points. A plate consists of the facets that flat edges connect; flat
+    edges fold where facets bend.
 
-    Rank is by gap: of the singular values in falling order, it ends at the largest ratio of neighbours of which the
-    smaller one is below 1e-5 of the first. Up to 900 columns all are computed; beyond, those below 3e-6 and below
-    3e-5 of a bound of the largest are counted by the signs of pivots (Sylvester's law of inertia).
+    The rank is determined from a gap: in the descending singular values it ends at the largest ratio of neighbours
+    whose smaller value is below 1e-5 of the first. Up to 900 columns all singular values are computed; beyond, those
+    below 3e-6 and below 3e-5 of an upper bound of the largest are counted by the signs of pivots (Sylvester's law of
+    inertia).
 
     Args:
-        pattern: with faces counterclockwise.
-        coords: where its vertices are, m, shape (N, 3); as in the pattern if not given.
+        pattern: pattern with counterclockwise faces.
+        coords: positions of the vertices, m, shape (N, 3); those of the pattern if not given.
         bending: whether facets bend.
 
     Returns:
-        What was counted; in a flat state there are more first-order motions than become folds.
+        The counts; a flat sheet has more first-order motions than real folding motions.
 
     Raises:
-        InputError: coords of another shape, faces that are not counterclockwise, or facets that bend and that cannot be
-            split into triangles.
+        InputError: coords have another shape, faces are not counterclockwise, or facets bend and cannot be split into
+            triangles.
     """
     places = pattern.vertices_coords if coords is None else np.asarray(coords, dtype=np.float64)
     if places.shape != pattern.vertices_coords.shape:
@@ -83,7 +85,7 @@ def rigidity(pattern: CreasePattern, coords: Array | None = None, *, bending: bo
 
 
 def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[Indices, Array]]:
-    """Points and rows, (rows, points, 3), of every plate: all that is no rigid motion of it."""
+    """Return the points and the rows, (rows, points, 3), of every plate: all motions except rigid ones."""
     for plate in range(int(nodes.plates.max()) + 1):
         facets = np.flatnonzero(nodes.plates == plate)
         held = np.unique(np.concatenate([nodes.facets[facet] for facet in facets]))
@@ -96,7 +98,7 @@ def _plates(nodes: FacetNodes, points: Array) -> Iterator[tuple[Indices, Array]]
 
 
 def _bars(nodes: FacetNodes, points: Array) -> Iterator[tuple[Indices, Array]]:
-    """Points and rows, (1, 2, 3), of every side of a triangle."""
+    """Return the points and the rows, (1, 2, 3), of every side of a triangle."""
     sides = np.concatenate([[facet, np.roll(facet, -1)] for facet in nodes.facets], axis=1).T
     for bar in np.unique(np.sort(sides, axis=1), axis=0):
         along = points[bar[1]] - points[bar[0]]
@@ -117,7 +119,7 @@ def _matrix(blocks: list[tuple[Indices, Array]], columns: int) -> csr_array:
 
 
 def nullity(matrix: csr_array) -> tuple[int, bool]:
-    """Count the independent vectors that a matrix maps to 0, and say whether the count is clear; see `rigidity`."""
+    """Count the independent vectors that a matrix maps to 0, and report whether the count is clear; see `rigidity`."""
     columns = matrix.shape[1]
     if not min(matrix.shape):
         return columns, True
@@ -135,7 +137,7 @@ def nullity(matrix: csr_array) -> tuple[int, bool]:
 
 
 def _eigenvalues_below(gram: csc_array, shift: float) -> int:
-    """How many eigenvalues are below a shift: the negative pivots, for none is exchanged."""
+    """Count the eigenvalues below a shift: the negative pivots of a factorisation without row exchanges."""
     shifted = (gram - shift * eye_array(gram.shape[0], format="csc")).tocsc()
     factors = splu(shifted, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
     return int((factors.U.diagonal() < 0).sum())

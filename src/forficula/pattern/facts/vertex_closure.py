@@ -1,4 +1,4 @@
-"""How the panels around one vertex meet: any number of creases, sectors adding up to 360 deg or not."""
+"""Closure of the panels around one vertex, for any number of creases and any sum of sectors."""
 
 from __future__ import annotations
 
@@ -14,34 +14,33 @@ _REACHABLE = 1e-12  # rounding allowed in the squared sine or cosine of half a f
 
 
 def vertex_freedoms(creases: int) -> int:
-    """How many fold angles of a vertex may be chosen: its creases less the three equations of `vertex_walk`.
+    """Return how many fold angles of a vertex are free: its creases minus the three equations of `vertex_walk`.
 
-    True wherever the creases do not all lie in one plane (Belcastro and Hull 2002; Tachi 2009); in the flat state the
-    equations are only two at first order.
+    This holds if the creases do not all lie in one plane (Belcastro and Hull 2002; Tachi 2009); in the flat state there
+    are only two equations at first order.
 
     Returns:
-        creases - 3, none of three creases or fewer.
+        creases - 3, 0 for three creases or fewer.
     """
     return max(creases - 3, 0)
 
 
 def vertex_walk(sectors: ArrayLike, fold_angles: ArrayLike) -> tuple[Array, Array]:
-    """Walk once around vertices, turning by every fold angle about its crease and by every sector in its panel.
+    """Multiply the rotations once around vertices: by every fold angle about its crease and by every sector.
 
-    The panels meet where the walk leads back to its start: the product of all Rx(fold angle) Rz(sector) is then the
-    identity (Kawasaki 1989; Belcastro and Hull 2002), for any vertex, one with an angle deficit too.
+    The panels meet if the product of all Rx(fold angle) Rz(sector) is the identity (Kawasaki 1989; Belcastro and Hull
+    2002). This holds for any vertex, also one with an angle deficit.
 
     Args:
-        sectors: rad, shape (..., degree); number i lies between creases i and i + 1.
-        fold_angles: rad, shape (..., degree).
+        sectors: sector angles, rad, shape (..., degree); number i lies between creases i and i + 1.
+        fold_angles: fold angles, rad, shape (..., degree).
 
     Returns:
-        The product, shape (..., 3, 3), and the direction of every crease as the walk comes to it, shape (..., degree,
-        3). Where the product is the identity, a small change of the fold angles turns it by the sum of the directions,
-        each times its change.
+        The product, shape (..., 3, 3), and the direction of every crease, shape (..., degree, 3). Where the product is
+        the identity, small changes of the fold angles rotate it by the sum of direction times change over the creases.
 
     Raises:
-        InputError: shapes that differ, or none of a vertex.
+        InputError: the shapes differ, or a vertex has no crease.
     """
     turns, folds = np.asarray(sectors, dtype=np.float64), np.asarray(fold_angles, dtype=np.float64)
     if turns.ndim < 1 or turns.shape != folds.shape or turns.shape[-1] == 0:
@@ -55,7 +54,7 @@ def vertex_walk(sectors: ArrayLike, fold_angles: ArrayLike) -> tuple[Array, Arra
 
 
 def _rotations(angles: Array, axis: int) -> Array:
-    """Turns about a coordinate axis, shape (..., 3, 3)."""
+    """Return the rotations about a coordinate axis, shape (..., 3, 3)."""
     one, other = (axis + 1) % 3, (axis + 2) % 3
     turns = np.zeros((*angles.shape, 3, 3))
     turns[..., axis, axis] = 1.0
@@ -66,24 +65,24 @@ def _rotations(angles: Array, axis: int) -> Array:
 
 
 def degree4_closure(sectors: ArrayLike, fold_angle: ArrayLike) -> Array:
-    """Fold any vertex of four creases by one of them: a spherical linkage of four bars.
+    """Compute the fold angles of a vertex of four creases from one of them, as for a spherical four-bar linkage.
 
-    The panels on either side of creases 2 and 4 span the same angle between these, which gives the size of fold angle 3
-    (spherical law of cosines; Huffman 1976; Izmestiev 2017), here with half angles, which keep all digits at 0 and 180
-    deg. The panel angles that make up folds 2 and 4 are those of the spherical triangles on either side (Napier's
-    analogies).
+    The panels on both sides of creases 2 and 4 span the same angle between these creases, which gives the size of fold
+    angle 3 (spherical law of cosines; Huffman 1976; Izmestiev 2017). The code uses half angles, which are exact at 0
+    and 180 deg. The panel angles that add up to folds 2 and 4 are those of the spherical triangles on both sides
+    (Napier's analogies).
 
     Args:
-        sectors: between creases 1 and 2, 2 and 3, 3 and 4, 4 and 1, rad, shape (4,), adding up to 360 deg or not.
-        fold_angle: of crease 1, from -pi to pi, rad, any shape.
+        sectors: angles between creases 1 and 2, 2 and 3, 3 and 4, 4 and 1, rad, shape (4,), with any sum.
+        fold_angle: fold angle of crease 1, from -pi to pi, rad, any shape.
 
     Returns:
-        rad, shape (2, 4, ...): of both ways to fold, the fold angles of creases 1 to 4; first the way in which crease 3
-        is a valley, then that in which it is a mountain. nan where the panels do not reach around. Where creases 2 and
-        4 are in line or fall together and the others lie still, folds 2 and 4 are free: one choice that closes.
+        Fold angles of creases 1 to 4 in both solutions, rad, shape (2, 4, ...): first the one in which crease 3 is a
+        valley, then the one in which it is a mountain. nan where the panels do not close. Where creases 2 and 4 are in
+        line or coincide and the others do not fold, folds 2 and 4 are not unique; the result is one pair that closes.
 
     Raises:
-        InputError: not four sectors of more than 0 and less than 180 deg, or a fold angle outside -180 to 180 deg.
+        InputError: not four sectors between 0 and 180 deg, or a fold angle outside -180 to 180 deg.
     """
     turns, first = np.asarray(sectors, dtype=np.float64), np.asarray(fold_angle, dtype=np.float64)
     if turns.shape != (4,) or not ((turns > 0) & (turns < math.pi)).all():
@@ -94,16 +93,16 @@ def degree4_closure(sectors: ArrayLike, fold_angle: ArrayLike) -> Array:
         worst = float(first[~inside].flat[0])
         raise InputError(f"fold_angle: need -180 to 180 deg, got {math.degrees(worst):.6g} deg")
     third = _opposite(turns, first)
-    ways = []
+    solutions = []
     for opposite in (third, -third):
         near, far = _panel_angles(turns[0], turns[3], first), _panel_angles(turns[1], turns[2], opposite)
         second, fourth = (_wrapped(math.pi - one - other) for one, other in zip(near, far, strict=True))
-        ways.append(np.stack([first, second, opposite, fourth]))
-    return np.stack(ways)
+        solutions.append(np.stack([first, second, opposite, fourth]))
+    return np.stack(solutions)
 
 
 def _opposite(sectors: Array, fold: Array) -> Array:
-    """Size of the fold angle opposite to a given one, rad, nan out of reach."""
+    """Return the size of the fold angle of the opposite crease, rad; nan where the panels do not close."""
     one, two, three, four = sectors.tolist()
     near, far = math.sin(one) * math.sin(four), math.sin(two) * math.sin(three)
     excess = math.sin((one + two + three + four) / 2) * math.sin((two + three - one - four) / 2)
@@ -116,9 +115,10 @@ def _opposite(sectors: Array, fold: Array) -> Array:
 
 
 def _panel_angles(left: float, right: float, fold: Array) -> tuple[Array, Array]:
-    """Angles, rad, between two panels and the arc that spans them, at the far side of the left one and of the right.
+    """Return the angles, rad, between two panels and the arc across them, at the far ends of the left and right panel.
 
-    Of the triangle whose sides are the sectors and whose angle between them is 180 deg less the fold angle.
+    They are angles of the spherical triangle whose sides are the sectors and whose angle between them is 180 deg minus
+    the fold angle.
     """
     sine, cosine = np.sin(fold / 2), np.cos(fold / 2)
     mean = np.arctan2(math.cos((left - right) / 2) * sine, math.cos((left + right) / 2) * cosine)
@@ -127,5 +127,5 @@ def _panel_angles(left: float, right: float, fold: Array) -> tuple[Array, Array]
 
 
 def _wrapped(angles: Array) -> Array:
-    """The same angles from -pi to pi."""
+    """Return the same angles in the range -pi to pi."""
     return np.asarray(np.remainder(angles + math.pi, 2 * math.pi) - math.pi)

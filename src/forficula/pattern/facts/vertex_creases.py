@@ -1,4 +1,4 @@
-"""The creases and sectors around every vertex that the sheet surrounds, of a sheet that is flat or not."""
+"""The creases and sectors around every interior vertex of a flat or folded sheet."""
 
 from __future__ import annotations
 
@@ -16,13 +16,14 @@ from forficula.pattern.shared_edges import shared_edges
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class VertexCreases:
-    """What meets at a vertex.
+    """Creases and sectors at a vertex.
 
     Attributes:
-        vertex: its number.
-        edges: numbers of its edges, flat ones left out, counterclockwise as its facets are, shape (degree,).
-        sectors: rad, shape (degree,): number i lies between edges i and i + 1; of no edge, empty.
-        total: the angle around it, rad.
+        vertex: number of the vertex.
+        edges: numbers of the edges at the vertex without flat ones, counterclockwise, shape (degree,).
+        sectors: angles between the edges, rad, shape (degree,): number i lies between edges i and i + 1; empty without
+            edges.
+        total: sum of the facet angles around the vertex, rad.
     """
 
     vertex: int
@@ -31,12 +32,12 @@ class VertexCreases:
     total: float
 
 
-@lru_cache(maxsize=4)  # several facts of one pattern begin with it
+@lru_cache(maxsize=4)  # several facts about one pattern need it
 def vertex_creases(pattern: CreasePattern) -> tuple[VertexCreases, ...]:
-    """Walk around every interior vertex, from facet to facet, in the order of `interior_vertices`.
+    """Collect the creases around every interior vertex, in the order of `interior_vertices`.
 
     Raises:
-        InputError: faces that are not counterclockwise.
+        InputError: faces are not counterclockwise.
     """
     left_of = {(each.tail, each.head): (each.left, each.edge) for each in shared_edges(pattern)}
     left_of |= {(each.head, each.tail): (each.right, each.edge) for each in shared_edges(pattern)}
@@ -47,7 +48,7 @@ def vertex_creases(pattern: CreasePattern) -> tuple[VertexCreases, ...]:
 def _around(
     pattern: CreasePattern, vertex: int, start: int, left_of: dict[tuple[int, int], tuple[int, int]]
 ) -> VertexCreases:
-    """Walk around one vertex, from the facet where to start."""
+    """Collect the creases around one vertex, beginning at the facet `start`."""
     edges: list[int] = []
     corners: list[float] = []
     facet = start
@@ -58,7 +59,7 @@ def _around(
         facet, edge = left_of[vertex, face[place - 1]]
         edges.append(edge)
     folds = [place for place, edge in enumerate(edges) if pattern.edges_assignment[edge] != "F"]
-    # the corner after an edge is the next one in the walk
+    # the corner after an edge is the next one in the list
     order = np.roll(corners, -1)
     if folds:
         first = min(folds, key=lambda place: edges[place])
@@ -73,7 +74,7 @@ def _around(
 
 
 def _corner(points: Array, place: int) -> float:
-    """The angle at one of the corners of a facet, rad: more than 180 deg where it points inwards."""
+    """Return the angle at a corner of a facet, rad: more than 180 deg where the corner points inwards."""
     after, before = points[(place + 1) % len(points)] - points[place], points[place - 1] - points[place]
     normal = cross(after, before)
     angle = float(np.arctan2(np.linalg.norm(normal), after @ before))

@@ -1,4 +1,4 @@
-"""What is known of each vertex that the sheet surrounds."""
+"""Facts about every interior vertex of a sheet."""
 
 from __future__ import annotations
 
@@ -11,23 +11,24 @@ from forficula.pattern.facts.rigid_folding import vertex_folds
 from forficula.pattern.facts.vertex_closure import vertex_freedoms
 from forficula.pattern.facts.vertex_creases import VertexCreases, vertex_creases
 
-_SURROUNDED = 1e-6  # rad; what files with seven digits leave of 360 deg
+_SURROUNDED = 1e-6  # rad; error of 360 deg in files with seven digits
 
 
 @dataclass(frozen=True, kw_only=True)
 class VertexFacts:
-    """Facts of an interior vertex.
+    """Facts about an interior vertex.
 
     Attributes:
-        vertex: its number.
-        creases: how many meet there, flat ones left out.
-        total: the angle around it, rad.
-        missing: the angle by which every second sector together falls short of the others, halved, rad: so much must go
-            from these to those for it to fold flat; inf of an odd number of creases (Kawasaki 1989; Justin 1986).
-        check: the conditions of folding flat, None where the sheet is not flat.
-        freedoms: fold angles that may be chosen, once it is folded.
-        folds: whether rigid panels can leave the flat state with every crease in its sense; None where creases have no
-            sense or the sheet is not flat.
+        vertex: number of the vertex.
+        creases: number of creases at the vertex, without flat ones.
+        total: sum of the facet angles around the vertex, rad.
+        missing: half the difference between the sums of every second sector and of the others, rad: the angle to move
+            from one set to the other for the vertex to fold flat; inf for an odd number of creases (Kawasaki 1989;
+            Justin 1986).
+        check: residuals of the flat-folding conditions; None where the sheet is not flat.
+        freedoms: number of free fold angles in a folded state.
+        folds: whether rigid panels can leave the flat state with every crease in its sense; None where creases are
+            unassigned or the sheet is not flat.
     """
 
     vertex: int
@@ -40,15 +41,15 @@ class VertexFacts:
 
     @property
     def developable(self) -> bool:
-        """Whether the angle around it is 360 deg."""
+        """Whether the angles around the vertex add up to 360 deg."""
         return abs(self.total - 2 * math.pi) < _SURROUNDED
 
 
 def vertex_facts(pattern: CreasePattern) -> tuple[VertexFacts, ...]:
-    """Facts of every interior vertex, in the order of `interior_vertices`.
+    """Compute the facts about every interior vertex, in the order of `interior_vertices`.
 
     Raises:
-        InputError: faces that are not counterclockwise.
+        InputError: faces are not counterclockwise.
     """
     flat = is_unfolded(pattern)
     around = vertex_creases(pattern)
@@ -68,7 +69,7 @@ def vertex_facts(pattern: CreasePattern) -> tuple[VertexFacts, ...]:
 
 
 def fault_words(facts: VertexFacts) -> tuple[str, ...]:
-    """Why a flat vertex does not fold flat, a few words for each condition that it fails."""
+    """Return short labels of the flat-folding conditions that a flat vertex fails."""
     check, words = facts.check, []
     if check is None:
         return ()
@@ -84,7 +85,7 @@ def fault_words(facts: VertexFacts) -> tuple[str, ...]:
 
 
 def _missing(around: VertexCreases) -> float:
-    """Half the alternating sum of sectors."""
+    """Return half the alternating sum of sectors."""
     if len(around.edges) % 2:
         return math.inf
     return abs(math.fsum([*around.sectors[0::2], *-around.sectors[1::2]])) / 2

@@ -1,4 +1,4 @@
-"""The earwig's fan: radial veins that leave a hub as tangents, and a ring fold across them, or two for thick sheets."""
+"""The earwig fan: radial veins tangent to a hub, and one ring fold across them, or two for thick sheets."""
 
 from __future__ import annotations
 
@@ -15,36 +15,37 @@ from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 
 Tangent = Literal["left", "right"]
-_POINT = 1e-15  # share of the proximal length; a smaller hub is lost in the rounding of the coordinates
+_POINT = 1e-15  # share of the proximal length; a smaller hub is below the rounding of the coordinates
 
 
 @dataclass(frozen=True, kw_only=True)
 class EarwigFan:
-    """The few numbers that fix a fan; with one ring fold it is flat-foldable by construction.
+    """Dimensions of a fan; a fan with one ring fold is flat-foldable by construction.
 
-    A simplification of the hindwing pattern of Saito et al. 2020, doi 10.1073/pnas.2005769117. Every proximal vein
-    leaves the hub circle as a tangent; at the ring fold it turns by twice epsilon, so that the line of the distal vein
-    touches the hub on its other side.
+    The fan is a simplification of the hindwing pattern of Saito et al. 2020, doi 10.1073/pnas.2005769117. Every
+    proximal vein is tangent to the hub circle. At the ring fold the vein turns by twice epsilon, so that the line of
+    the distal vein touches the hub on the other side.
 
-    A sheet with a thickness stacks at a pitch. A stack cannot fold about one line, for its outer layers would have to
-    go round the inner ones. With two ring folds of 90 deg each and a short gusset between them every layer goes its own
-    way round: k layers lie inside vein k, counted from the vein on whose side the distal stack comes to lie (the first
-    one, with the tangent on the right), so its first ring fold is k pitches further out, and its gusset stands 2 k
-    pitches higher. The folded layers lie j pitches above the outermost one, 2 n proximal ones, then, beyond the
-    lowest gusset, 2 n distal ones. From vein to vein the ring folds tilt, by about atan(pitch / chord) and
-    atan(3 pitch / chord), so their vertices are off Kawasaki and such a fan does not fold flat as paper does: every
-    vein folds along the crease without that tilt, see `ring_directions`, and its membrane gives way.
+    In a thick sheet the folded layers are one pitch apart. A stack cannot fold about one line, because its outer layers
+    must pass around the inner ones. With two ring folds of 90 deg and a short gusset between them, every layer has its
+    own path around the inner ones: k layers lie inside vein k, counted from the vein on whose side the folded distal
+    stack lies (the first one for the tangent on the right). So the first ring fold of vein k is k pitches further out,
+    and its gusset is 2 k pitches higher. The folded layers lie j pitches above the outermost one: 2 n proximal layers,
+    then, beyond the lowest gusset, 2 n distal ones. The ring folds tilt between neighbouring veins, by about
+    atan(pitch / chord) and atan(3 pitch / chord). So their vertices do not satisfy Kawasaki's condition, and such a fan
+    does not fold flat as paper does: every vein folds along the crease without the tilt, see `ring_directions`, and its
+    membrane deforms.
 
     Attributes:
-        proximal_length: from the hub to the ring fold along a vein, m.
-        distal_length: from the ring fold to the tip along a vein, m.
-        hub_radius: of the circle that the lines of the veins touch, m; 0 lets all veins meet in a point.
-        sector_angle: between neighbouring veins, rad.
-        units: fan units of two panels each; n of them have 2 n + 1 veins.
-        tangent: where the proximal veins pass the centre of the hub, seen along the vein outwards.
-        ring_folds: 1, or 2 for a thick sheet.
-        pitch: from one folded layer to the next, m; 0 with one ring fold.
-        gusset_height: between the folded bars of the innermost vein, m; 0 with one ring fold.
+        proximal_length: distance from the hub to the ring fold along a vein, m.
+        distal_length: distance from the ring fold to the tip along a vein, m.
+        hub_radius: radius of the circle that the lines of the veins touch, m; with 0 all veins meet in a point.
+        sector_angle: angle between neighbouring veins, rad.
+        units: number of fan units of two panels; n units have 2 n + 1 veins.
+        tangent: side on which the proximal veins pass the centre of the hub, seen outwards along the vein.
+        ring_folds: number of ring folds, 1, or 2 for a thick sheet.
+        pitch: distance between neighbouring folded layers, m; 0 with one ring fold.
+        gusset_height: distance between the folded bars of the innermost vein, m; 0 with one ring fold.
     """
 
     proximal_length: float
@@ -78,7 +79,7 @@ class EarwigFan:
 
     @property
     def vein_count(self) -> int:
-        """Number of veins, 2 n + 1."""
+        """Number of veins, 2 n + 1 for n units."""
         return 2 * int(self.units) + 1
 
     @property
@@ -101,7 +102,7 @@ def _degrees(angle: float) -> str:
 
 
 def _check_number(key: str, value: object, factor: float, unit: str) -> None:
-    """Refuse what is no finite number."""
+    """Raise InputError for a value that is not a finite number."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise InputError(f"pattern.{key}: need a number, got {value!r}")
     if not math.isfinite(value):
@@ -109,7 +110,7 @@ def _check_number(key: str, value: object, factor: float, unit: str) -> None:
 
 
 def _check_fan_stays_open(fan: EarwigFan) -> None:
-    """Refuse a fan that closes on itself around the hub."""
+    """Raise InputError for a fan that closes on itself around the hub."""
     if 2 * fan.units * fan.sector_angle >= 2 * math.pi:
         most_units = math.ceil(math.pi / fan.sector_angle) - 1
         raise InputError(
@@ -120,18 +121,18 @@ def _check_fan_stays_open(fan: EarwigFan) -> None:
 
 
 def _check_ring_vertices(fan: EarwigFan) -> None:
-    """Refuse a hub so large that a ring crease falls onto a vein."""
+    """Raise InputError for a hub so large that a ring crease coincides with a vein."""
     if fan.epsilon + fan.sector_angle / 2 >= math.pi / 2:
         largest = fan.proximal_length / math.tan(fan.sector_angle / 2)
         raise InputError(
-            f"pattern.hub_radius: need < {_centimetres(largest)}, proximal_length / tan(sector_angle / 2), or the ring "
-            f"fold meets no vein at an angle; take a smaller hub_radius or sector_angle or a longer proximal_length, "
-            f"got {_centimetres(fan.hub_radius)}"
+            f"pattern.hub_radius: need < {_centimetres(largest)}, proximal_length / tan(sector_angle / 2), so that the "
+            f"ring fold meets the veins at an angle; choose a smaller hub_radius or sector_angle or a longer "
+            f"proximal_length, got {_centimetres(fan.hub_radius)}"
         )
 
 
 def _check_ring_folds(fan: EarwigFan) -> None:
-    """Refuse other numbers of ring folds, sizes that do not go with them, and panels that fold over themselves flat."""
+    """Raise InputError for other numbers of ring folds, sizes that contradict them, and panels that overlap flat."""
     if isinstance(fan.ring_folds, bool) or fan.ring_folds not in (1, 2):
         raise InputError(f"pattern.ring_folds: need 1 or 2, got {fan.ring_folds!r}")
     for key in ("pitch", "gusset_height"):
@@ -147,7 +148,7 @@ def _check_ring_folds(fan: EarwigFan) -> None:
     for line, (inner, outer) in enumerate(pairwise(lines)):
         corners = np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]])
         sides = np.roll(corners, -1, axis=0) - corners
-        # at both outer corners, and at the inner ones but for those at the hub, where tangents lie beside its chords
+        # at both outer corners, and at the inner ones except at the hub, where tangents lie beside its chords
         turns = np.cross(sides, np.roll(sides, -1, axis=0))[: 4 if line else 2, :, 2]
         if (turns <= 0).any():
             raise InputError(
@@ -157,12 +158,12 @@ def _check_ring_folds(fan: EarwigFan) -> None:
 
 
 def _azimuths(fan: EarwigFan, count: int) -> Array:
-    """Polar angles of the radii to the ring vertices, rad, shape (count,), the middle vein at 0."""
+    """Return the polar angles of the radii to the ring vertices, rad, shape (count,), with the middle vein at 0."""
     return np.array([(vein - int(fan.units)) * fan.sector_angle for vein in range(count)], dtype=np.float64)
 
 
 def _on_circle(radius: float, azimuths: Array) -> Array:
-    """Points around the origin at z = 0, shape (count, 3)."""
+    """Return points on a circle around the origin at z = 0, shape (count, 3)."""
     points: Array = np.zeros((len(azimuths), 3))
     points[:, 0] = radius * np.cos(azimuths)
     points[:, 1] = radius * np.sin(azimuths)
@@ -170,45 +171,45 @@ def _on_circle(radius: float, azimuths: Array) -> Array:
 
 
 def _layers(fan: EarwigFan, count: int) -> Indices:
-    """How many folded layers lie inside every vein, (count,)."""
+    """Return the number of folded layers inside every vein, (count,)."""
     veins = np.arange(count, dtype=np.int64)
     return veins if fan.tangent == "right" else 2 * int(fan.units) - veins
 
 
 def _side(fan: EarwigFan) -> int:
-    """+1 where proximal veins pass the hub on the right, -1 on the left."""
+    """Return +1 where proximal veins pass the hub on the right, -1 on the left."""
     return 1 if fan.tangent == "right" else -1
 
 
 def hub_points(fan: EarwigFan) -> Array:
-    """Place the points where the proximal veins touch the hub.
+    """Compute the points where the proximal veins touch the hub.
 
-    The radius to such a point is perpendicular to the tangent, so it stands 90 deg - epsilon beside the radius to the
-    ring vertex.
+    The radius to such a point is perpendicular to the tangent, so the angle between it and the radius to the ring
+    vertex is 90 deg - epsilon.
 
     Returns:
-        m, shape (2 n + 1, 3), counterclockwise, z = 0; the centre of the hub is the origin.
+        Positions, m, shape (2 n + 1, 3), counterclockwise, z = 0; the centre of the hub is the origin.
     """
     return _on_circle(fan.hub_radius, _azimuths(fan, fan.vein_count) - _side(fan) * (math.pi / 2 - fan.epsilon))
 
 
 def ring_vertices(fan: EarwigFan, continued: bool = False, fold: int = 0) -> Array:
-    """Place the points where the veins cross a ring fold, of a single one the middle one on +x.
+    """Compute the points where the veins cross a ring fold; with one ring fold the middle point is on +x.
 
     Args:
-        fan: the fan.
-        continued: add the next vertex of the pattern continued, which gives the last vein a ring crease to turn about.
-        fold: which of the ring folds, from the hub outwards, from 0.
+        fan: dimensions of the fan.
+        continued: whether to add the next vertex of the continued pattern, which gives the last vein a ring crease.
+        fold: number of the ring fold, counted outwards from the hub from 0.
 
     Returns:
-        m, shape (2 n + 1, 3) or, continued, (2 n + 2, 3), counterclockwise, z = 0.
+        Positions, m, shape (2 n + 1, 3), or (2 n + 2, 3) if continued, counterclockwise, z = 0.
     """
     azimuths = _azimuths(fan, fan.vein_count + continued)
     vertices = _on_circle(fan.ring_radius, azimuths)
     if fan.ring_folds == 1:
         return vertices
     layers, apart = _layers(fan, len(azimuths))[:, None], _side(fan) * fan.epsilon
-    # veins are not square to what they fold about, see `ring_directions`: along them it is farther
+    # veins are oblique to their fold lines, see `ring_directions`, so the distance along a vein is longer
     along = fan.pitch * layers / math.cos(fan.sector_angle / 2 - apart)
     vertices = vertices + along * _on_circle(1.0, azimuths + apart)
     if fold == 0:
@@ -218,19 +219,19 @@ def ring_vertices(fan: EarwigFan, continued: bool = False, fold: int = 0) -> Arr
 
 
 def _beyond_ring(fan: EarwigFan, azimuths: Array) -> Array:
-    """Directions of veins beyond the ring fold, of those whose ring vertices have these polar angles, rad.
+    """Return the directions of veins beyond the ring fold, rad, from the polar angles of their ring vertices.
 
-    A vein leaves its ring vertex at epsilon from the radius, on the other side than it arrives (the deflection
-    2 epsilon satisfies Kawasaki 1989).
+    The angle between the vein and the radius is epsilon before and after the ring vertex, on opposite sides of the
+    radius (the deflection 2 epsilon satisfies Kawasaki 1989).
     """
     return azimuths - _side(fan) * fan.epsilon
 
 
 def ring_directions(fan: EarwigFan) -> Array:
-    """Along what every vein folds at its ring folds, from its ring vertex to the next one of the pattern continued.
+    """Return the fold axes of the veins at their ring folds, from a ring vertex to the next of the continued pattern.
 
-    With two ring folds, of the fan with one: a layer folds about lines of its own that are parallel to those of the
-    layers around it, and is a pitch further out than the one before only where that ends.
+    With two ring folds these are the axes of the same fan with one: a layer folds about lines that are parallel to
+    those of its neighbours, and it is one pitch further out than the previous layer only at the end of that layer.
 
     Returns:
         Unit vectors, shape (2 n + 1, 3).
@@ -241,38 +242,38 @@ def ring_directions(fan: EarwigFan) -> Array:
 
 
 def tips(fan: EarwigFan) -> Array:
-    """Place the outer ends of the distal veins.
+    """Compute the outer ends of the distal veins.
 
     Returns:
-        m, shape (2 n + 1, 3), counterclockwise, z = 0.
+        Positions, m, shape (2 n + 1, 3), counterclockwise, z = 0.
     """
     directions = _beyond_ring(fan, _azimuths(fan, fan.vein_count))
     return ring_vertices(fan, fold=fan.ring_folds - 1) + _on_circle(fan.distal_length, directions)
 
 
 def vein_gaps(fan: EarwigFan, shares: Array) -> Array:
-    """Measure how far the axis of a proximal vein is from that of its neighbour.
+    """Compute the distance of the axis of a proximal vein from that of its neighbour.
 
     Args:
-        fan: the fan; of neighbours that are not all alike the first two count.
-        shares: where on the vein, 0 at the hub and 1 at the ring fold, shape (M,).
+        fan: dimensions of the fan; where the distances differ between veins, the first two veins count.
+        shares: positions along the vein, 0 at the hub and 1 at the ring fold, shape (M,).
 
     Returns:
         Distance to the nearest point of the neighbouring proximal vein, m, shape (M,).
     """
     hub, ring = hub_points(fan)[:2], ring_vertices(fan)[:2]
     gaps = []
-    for here, there in ((0, 1), (1, 0)):
-        points = hub[here] + np.outer(shares, ring[here] - hub[here])
-        length = float(np.linalg.norm(ring[there] - hub[there])) if fan.pitch else fan.proximal_length
-        along = (ring[there] - hub[there]) / length
-        nearest = np.clip((points - hub[there]) @ along, 0, length)
-        gaps.append(np.linalg.norm(points - hub[there] - np.outer(nearest, along), axis=1))
+    for vein, neighbour in ((0, 1), (1, 0)):
+        points = hub[vein] + np.outer(shares, ring[vein] - hub[vein])
+        length = float(np.linalg.norm(ring[neighbour] - hub[neighbour])) if fan.pitch else fan.proximal_length
+        along = (ring[neighbour] - hub[neighbour]) / length
+        nearest = np.clip((points - hub[neighbour]) @ along, 0, length)
+        gaps.append(np.linalg.norm(points - hub[neighbour] - np.outer(nearest, along), axis=1))
     return np.asarray(np.minimum(*gaps))
 
 
 def _senses(fan: EarwigFan) -> tuple[Indices, Indices]:
-    """Senses of the veins (2 n + 1,) and of the ring creases (2 n,), +1 valley and -1 mountain.
+    """Return the senses of the veins (2 n + 1,) and of the ring creases (2 n,), +1 valley and -1 mountain.
 
     Neighbouring veins fold in opposite senses. The smallest sector of a ring vertex lies between the proximal crease
     and the ring crease on the vein's tangent side, and the two need opposite senses (big-little-big lemma).
@@ -283,24 +284,24 @@ def _senses(fan: EarwigFan) -> tuple[Indices, Indices]:
 
 
 def vein_roles(ring_folds: int) -> tuple[str, ...]:
-    """What the parts of a vein across so many ring folds are called, from the hub outwards."""
+    """Return the names of the segments of a vein, from the hub outwards, for a number of ring folds."""
     return ("proximal", *["gusset"] * (ring_folds - 1), "distal")
 
 
 def earwig_pattern(fan: EarwigFan) -> CreasePattern:
     """Draw the crease pattern of a fan.
 
-    Vertices: hub points, ring vertices of every ring fold, tips, each counterclockwise; with hub radius 0 the hub
-    points are one vertex. Edges, by role: "proximal", "gusset" between two ring folds, and "distal" for every vein,
+    Vertices: hub points, ring vertices of every ring fold, tips, counterclockwise in every group; with hub radius 0 the
+    hub points are one vertex. Edges, by role: "proximal", "gusset" between two ring folds, and "distal" for every vein,
     then "ring", "hub" and "outer" for every panel; there are no "hub" edges with hub radius 0. The outermost veins
-    are border, their roles stay. Faces: proximal panels, those between two ring folds, then distal ones.
+    are borders with the roles of veins. Faces: proximal panels, panels between two ring folds, then distal ones.
 
-    Inside, veins with odd k are valleys and with even k mountains, all along; ring crease k, from ring vertex k to
-    k + 1, has the sense of vein k where the tangent is right and of vein k + 1 where it is left.
+    Interior veins with odd k are valleys along their whole length, those with even k mountains; ring crease k, from
+    ring vertex k to k + 1, has the sense of vein k where the tangent is right and of vein k + 1 where it is left.
 
     Returns:
         The pattern, flat in z = 0, with the fold angles of the folded fan: 180 deg on valleys, -180 deg on mountains,
-        which two ring folds share evenly, nan on borders.
+        half of it on either of two ring folds, nan on borders.
     """
     count = fan.vein_count
     pointed = fan.hub_radius < _POINT * fan.proximal_length
@@ -312,7 +313,7 @@ def earwig_pattern(fan: EarwigFan) -> CreasePattern:
     veins, panels = range(count), range(count - 1)
 
     vein_senses, ring_senses = _senses(fan)
-    vein_senses[[0, -1]] = 0  # the outermost veins are the rim of the sheet, they fold nothing
+    vein_senses[[0, -1]] = 0  # the outermost veins are the rim of the sheet and do not fold
     none = [0] * (count - 1)
     groups: list[tuple[str, list[tuple[int, int]], list[int]]] = [
         *(

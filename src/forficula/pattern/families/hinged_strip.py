@@ -1,4 +1,4 @@
-"""A strip with one crease across it: the sheet along two bars that a hinge joins."""
+"""A strip with one crease across it: the sheet around two bars that a hinge joins."""
 
 from __future__ import annotations
 
@@ -33,27 +33,27 @@ def strip_pattern(
 ) -> CreasePattern:
     """Draw a strip along two bars with the crease of their hinge across it.
 
-    Both bars lie in the middle of the strip, the sides of which are parallel to them and the ends parallel to the
-    crease: two parallelograms, each halved by its bar. The crease goes along y through the origin, the proximal bar
-    comes from -x. Folded by 180 deg the bars are as far apart as their sectors differ.
+    Both bars lie in the middle of the strip. Its sides are parallel to the bars and its ends parallel to the crease:
+    two parallelograms, both halved by their bar. The crease lies on the y axis, the proximal bar on the side of -x.
+    Folded by 180 deg, the angle between the bars is the difference of their sectors.
 
-    Vertices: of the inner end, of the crease and of the outer end three each, with rising y. Edges, by role:
-    "proximal" and "distal" along the bars, which do not fold, "ring", the crease in two, "hub" and "outer" at the ends
-    and "side". Faces: the proximal ones, then the distal ones.
+    Vertices: three at the inner end, three on the crease and three at the outer end, with ascending y. Edges, by role:
+    "proximal" and "distal" along the bars, which do not fold, "ring" for the two halves of the crease, "hub" and
+    "outer" at the ends, and "side". Faces: the proximal ones, then the distal ones.
 
     Args:
-        proximal_length: of the bar up to the crease, m.
-        distal_length: of the bar beyond it, m.
-        proximal_sector: between the bar and the half of the crease on +y, rad.
-        distal_sector: alike; 180 deg together where the bars are in line.
-        width: of the strip, along the crease, m.
-        valley: whether the crease is one, or else a mountain.
+        proximal_length: length of the bar up to the crease, m.
+        distal_length: length of the bar beyond the crease, m.
+        proximal_sector: angle between the proximal bar and the half of the crease on +y, rad.
+        distal_sector: the same angle at the distal bar, rad; the sum is 180 deg where the bars are in line.
+        width: width of the strip along the crease, m.
+        valley: whether the crease is a valley; otherwise it is a mountain.
 
     Returns:
-        The pattern, flat in z = 0, with the fold angles of the strip when folded flat.
+        The pattern, flat in z = 0, with the fold angles of the flat-folded strip.
 
     Raises:
-        InputError: a length that is not > 0, or a sector that is not between 0 and 180 deg.
+        InputError: a length is not > 0, or a sector is not between 0 and 180 deg.
     """
     check_lengths({"proximal_length": proximal_length, "distal_length": distal_length, "width": width})
     check_angle("proximal_sector", proximal_sector, 0, math.pi)

@@ -1,4 +1,4 @@
-"""Kresling's pattern: towers of twisted prisms, and the lengths that make them snap."""
+"""The Kresling pattern: towers of twisted prisms, their crease lengths and their second stable state."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from forficula.pattern.fold_angles import kept_as_built
 
 
 class KreslingLengths(NamedTuple):
-    """How long the creases between two polygons are.
+    """Lengths of the creases between two polygons.
 
     Attributes:
-        mountain: of the mountain creases, m.
-        valley: of the valley creases, m.
+        mountain: length of the mountain creases, m.
+        valley: length of the valley creases, m.
     """
 
     mountain: Array
@@ -29,11 +29,11 @@ class KreslingLengths(NamedTuple):
 
 
 class KreslingState(NamedTuple):
-    """How two polygons stand to one another.
+    """Position of the upper polygon of a layer relative to the lower one.
 
     Attributes:
-        height: of the upper one above the lower one, m.
-        twist: by which it is turned, rad.
+        height: height of the upper polygon above the lower one, m.
+        twist: rotation of the upper polygon against the lower one, rad.
     """
 
     height: float
@@ -49,33 +49,33 @@ def kresling_pattern(
     alternating: bool = False,
     end_plates: bool = False,
 ) -> CreasePattern:
-    """Draw a Kresling tower around the z axis, as it stands.
+    """Draw a Kresling tower around the z axis in its built state.
 
-    Regular polygons lie one above another, each turned by the twist against the one below. From a corner a mountain
-    crease leads to the same corner of the next polygon and a valley crease to the one after it in the sense of the
-    twist, which leaves triangles (Kresling 2008, Proc. IASS-IACM; Cai and others 2015, doi 10.1115/1.4030158).
+    Regular polygons lie one above another, each rotated by the twist against the one below. From every corner a
+    mountain crease leads to the same corner of the next polygon and a valley crease to the corner after it in the sense
+    of the twist, which gives triangles (Kresling 2008, Proc. IASS-IACM; Cai and others 2015, doi 10.1115/1.4030158).
 
     Vertices: polygon by polygon, from the bottom, counterclockwise seen from above, the first at the azimuth 0. Facets:
-    layer by layer, two for every side, the one that stands on the lower polygon first; then the end plates, the lower
+    layer by layer, two for every side, the one with its side on the lower polygon first; then the end plates, the lower
     one first. Roles: "mountain", "valley", and "polygon" for sides of polygons between two facets.
 
     Args:
-        sides: of every polygon.
-        layers: one above another.
-        radius: of the circle through the corners, m.
-        height: of a layer, m.
-        twist: of every layer, rad; positive turns counterclockwise, seen from above, on the way up.
-        alternating: whether every second layer is twisted the other way.
-        end_plates: whether polygons close the tower below and above.
+        sides: number of sides of every polygon.
+        layers: number of layers.
+        radius: radius of the circle through the corners, m.
+        height: height of a layer, m.
+        twist: twist of every layer, rad; positive is counterclockwise upwards, seen from above.
+        alternating: whether every second layer is twisted in the opposite sense.
+        end_plates: whether polygons close the tower at the bottom and at the top.
 
     Returns:
-        The pattern, its facets counterclockwise seen from outside, with its fold angles as built: it is folded from no
-        flat sheet. Where else its creases let it stand, `kresling_other_state` says. Polygon creases have the letter of
-        how they are built.
+        The pattern with facets counterclockwise seen from outside and with its fold angles as built; the tower does not
+        unfold to a flat sheet. `kresling_other_state` gives its second state. Polygon creases are assigned by their
+        fold angles as built.
 
     Raises:
-        InputError: a number that is no whole one, or below 3 sides or 1 layer; a length that is not > 0; a twist that
-            is 0, or so large that the valley creases pass one another on the axis, at 180 deg - 360 deg / sides.
+        InputError: a number is not whole, or below 3 sides or 1 layer; a length is not > 0; the twist is 0, or so large
+            that the valley creases meet on the axis, at 180 deg - 360 deg / sides.
     """
     _check_tower(sides, radius, height, twist)
     check_count("layers", layers, 1)
@@ -105,9 +105,10 @@ def kresling_pattern(
 
 
 def kresling_lengths(sides: int, radius: float, height: ArrayLike, twist: ArrayLike) -> KreslingLengths:
-    """Measure the creases between two polygons, wherever they stand: all that the energy of a Kresling truss needs.
+    """Compute the lengths of the creases between two polygons, from which the energy of a Kresling truss follows.
 
-    Mountain creases are the chord of the twist high, valley creases that of the twist and one side more:
+    A mountain crease spans the height and the chord of the twist, a valley crease the height and the chord of the twist
+    plus one side:
     mountain^2 = height^2 + 4 radius^2 sin^2(twist / 2),
     valley^2 = height^2 + 4 radius^2 sin^2(twist / 2 + 180 deg / sides)
     (Cai and others 2015, doi 10.1115/1.4030158; Liu and Paulino 2017, doi 10.1098/rspa.2017.0348). With bars of the
@@ -115,16 +116,16 @@ def kresling_lengths(sides: int, radius: float, height: ArrayLike, twist: ArrayL
     sides EA / 2 ((mountain - b)^2 / b + (valley - c)^2 / c).
 
     Args:
-        sides: of the polygons.
-        radius: of the circles through their corners, m.
-        height: of one above the other, m, any shape.
-        twist: by which it is turned, in the sense in which the tower is twisted, rad, any shape that fits.
+        sides: number of sides of the polygons.
+        radius: radius of the circles through their corners, m.
+        height: height of the upper polygon above the lower one, m, any shape.
+        twist: rotation of the upper polygon in the sense of the tower's twist, rad, any shape that fits `height`.
 
     Returns:
-        m, in the shape of both.
+        Lengths, m, in the common shape of `height` and `twist`.
 
     Raises:
-        InputError: a number that is no whole one, below 3 sides; a radius that is not > 0.
+        InputError: the number of sides is not whole or is below 3, or the radius is not > 0.
     """
     check_count("sides", sides, 3)
     check_lengths({"radius": radius})
@@ -136,23 +137,23 @@ def kresling_lengths(sides: int, radius: float, height: ArrayLike, twist: ArrayL
 
 
 def kresling_other_state(sides: int, radius: float, height: float, twist: float) -> KreslingState:
-    """Find where else a layer can stand with all its creases as long as they are.
+    """Compute the second state of a layer in which all creases have the same lengths.
 
-    The difference of the squares of the lengths, 4 radius^2 sin(180 deg / sides) sin(twist + 180 deg / sides), fixes
-    the sine, and the sine two twists: the other one is 180 deg - 360 deg / sides less the given one. The length of the
-    mountain creases then fixes the height.
+    The difference of the squared lengths, 4 radius^2 sin(180 deg / sides) sin(twist + 180 deg / sides), determines the
+    sine, and two twists have this sine: the other one is 180 deg - 360 deg / sides minus `twist`. The length of the
+    mountain creases then determines the height.
 
     Args:
-        sides: of the polygons.
-        radius: of the circles through their corners, m.
-        height: of the layer, m.
-        twist: of the layer, rad.
+        sides: number of sides of the polygons.
+        radius: radius of the circles through their corners, m.
+        height: height of the layer, m.
+        twist: twist of the layer, rad.
 
     Returns:
-        The other state, twisted in the same sense. At the twist of 90 deg - 180 deg / sides both are one.
+        The other state, twisted in the same sense. At a twist of 90 deg - 180 deg / sides both states are the same.
 
     Raises:
-        InputError: as `kresling_pattern`; or creases too short for another state.
+        InputError: as for `kresling_pattern`; or the creases are too short for a second state.
     """
     _check_tower(sides, radius, height, twist)
     other = math.pi - 2 * math.pi / sides - abs(twist)
@@ -164,7 +165,7 @@ def kresling_other_state(sides: int, radius: float, height: float, twist: float)
 
 
 def _check_tower(sides: int, radius: float, height: float, twist: float) -> None:
-    """Refuse what gives no twisted prism."""
+    """Raise InputError for values that do not give a twisted prism."""
     check_count("sides", sides, 3)
     check_lengths({"radius": radius, "height": height})
     most = math.pi - 2 * math.pi / sides

@@ -13,12 +13,12 @@ from forficula.pattern.facet_sheet import Creases, sheet_of_facets
 
 
 class MiuraSize(NamedTuple):
-    """The box around a Miura sheet.
+    """Bounding box of a Miura sheet.
 
     Attributes:
-        width: across the columns, along x, m.
-        length: across the rows, along y, with the points of the zigzag at either end, m.
-        height: along z, m.
+        width: size along x, across the columns, m.
+        length: size along y, across the rows, including the zigzag at both ends, m.
+        height: size along z, m.
     """
 
     width: float
@@ -31,30 +31,30 @@ def miura_pattern(
 ) -> CreasePattern:
     """Draw a Miura sheet, flat or folded.
 
-    The straight creases run along y in the flat sheet, one line between every two columns, and alternate between
-    mountain and valley along each line. The zigzag creases lie across, one line between every two rows, at constant z
-    however far the sheet is folded; such a line is all mountain or all valley, and all zigzag creases fold by one size,
-    `fold`. With theta half of that, the inclination of the facets to the plane of the sheet, H, S, L and V of Schenk
-    and Guest 2013 (doi 10.1073/pnas.1217998110, equations 1 to 4) give the places: vertex i of line j lies at
-    (i S, j L, 0), by V further along y where i is odd and by H up where j is odd. The straight creases fold by
-    2 atan(cos(acute_angle) tan(theta)), less than the zigzag ones (Huffman 1976; Tachi 2009).
+    The straight creases are parallel to y in the flat sheet, one line between every two columns, and alternate between
+    mountain and valley along every line. The zigzag creases lie across them, one line between every two rows, and
+    remain at constant z in every folded state. Such a line is all mountain or all valley, and all zigzag creases fold
+    by the same size, `fold`. With theta = fold / 2, the inclination of the facets to the plane of the sheet, the
+    positions follow from H, S, L and V of Schenk and Guest 2013 (doi 10.1073/pnas.1217998110, equations 1 to 4):
+    vertex i of line j is at (i S, j L, 0), shifted by V along y where i is odd and by H along z where j is odd. The
+    straight creases fold by 2 atan(cos(acute_angle) tan(theta)), less than the zigzag ones (Huffman 1976; Tachi 2009).
 
     Vertices: line by line along x, the lines along y. Facets: likewise. Roles: "straight" and "zigzag".
 
     Args:
-        columns: of parallelograms, along x.
-        rows: of parallelograms, along y.
-        long_side: of a parallelogram, along the straight creases, m; it may be the shorter one.
-        short_side: of a parallelogram, along the zigzag creases, m.
-        acute_angle: of a parallelogram, rad.
+        columns: number of parallelograms along x.
+        rows: number of parallelograms along y.
+        long_side: side of a parallelogram along the straight creases, m; it may be the shorter one.
+        short_side: side of a parallelogram along the zigzag creases, m.
+        acute_angle: acute angle of a parallelogram, rad.
         fold: size of the fold angle of the zigzag creases as built, rad; 0 is flat.
 
     Returns:
-        The pattern as built, with the fold angles of the sheet that is folded flat.
+        The pattern as built, with the fold angles of the flat-folded sheet.
 
     Raises:
-        InputError: a number that is no whole one, 1 or more; a length that is not > 0; an acute angle outside 0 to
-            90 deg; a fold below 0 or of 180 deg and more, where all facets lie on one another.
+        InputError: a number is not whole or is below 1; a length is not > 0; the acute angle is outside 0 to 90 deg;
+            the fold is below 0, or 180 deg or more, where all facets lie on one another.
     """
     check_count("columns", columns, 1)
     check_count("rows", rows, 1)
@@ -86,18 +86,18 @@ def miura_pattern(
 def miura_size(
     columns: int, rows: int, long_side: float, short_side: float, acute_angle: float, fold: float = 0.0
 ) -> MiuraSize:
-    """Say how large a Miura sheet is (Schenk and Guest 2013, equations 1 to 4).
+    """Compute the bounding box of a Miura sheet (Schenk and Guest 2013, equations 1 to 4).
 
     Args:
-        columns: as in `miura_pattern`, as are the others.
-        rows: of parallelograms.
-        long_side: along the straight creases, m.
-        short_side: along the zigzag creases, m.
-        acute_angle: of a parallelogram, rad.
+        columns: number of parallelograms along x, as for `miura_pattern`.
+        rows: number of parallelograms along y.
+        long_side: side along the straight creases, m.
+        short_side: side along the zigzag creases, m.
+        acute_angle: acute angle of a parallelogram, rad.
         fold: size of the fold angle of the zigzag creases, rad.
 
     Raises:
-        InputError: as `miura_pattern`.
+        InputError: as for `miura_pattern`.
     """
     check_count("columns", columns, 1)
     check_count("rows", rows, 1)
@@ -106,7 +106,7 @@ def miura_size(
 
 
 def _unit(long_side: float, short_side: float, acute_angle: float, fold: float) -> tuple[float, float, float, float]:
-    """S, V, L and H of Schenk and Guest 2013, m, written so that nothing is infinite on the way."""
+    """Compute S, V, L and H of Schenk and Guest 2013, m, in a form without infinite intermediate values."""
     check_lengths({"long_side": long_side, "short_side": short_side})
     check_angle("acute_angle", acute_angle, 0, math.pi / 2)
     check_angle("fold", fold, 0, math.pi, low_too=True)

@@ -1,4 +1,4 @@
-"""A strip of panels one after another: pleats, or the folds of a letter."""
+"""A strip of panels with parallel creases between them, such as pleats or the folds of a letter."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ import numpy as np
 from forficula.errors import InputError
 from forficula.pattern.crease_pattern import CreasePattern
 
-# share of the whole strip; a shorter panel is lost in the rounding of the coordinates
+# share of the whole strip; a shorter panel is below the rounding of the coordinates
 _POINT = 1e-12
 
 
 def pleat_pattern(panel_lengths: Sequence[float], width: float, assignment: str) -> CreasePattern:
     """Draw a strip along x, with a crease across it between every two panels.
 
-    Edges, by role: "crease" between panels, in their order, then "end" at either end and "side" along every panel.
-    So crease k, between facets k and k + 1, is edge k. Vertices: those on y = 0, then those on y = width.
+    Edges, by role: "crease" between panels, in their order, then "end" at both ends and "side" along every panel. So
+    crease k, between facets k and k + 1, is edge k. Vertices: those on y = 0, then those on y = width.
 
     Args:
-        panel_lengths: of the panels along the strip, m, two or more.
-        width: of the strip, m.
-        assignment: a letter for every crease, "M" (mountain) or "V" (valley).
+        panel_lengths: lengths of the panels along the strip, m, two or more.
+        width: width of the strip, m.
+        assignment: one letter per crease, "M" (mountain) or "V" (valley).
 
     Returns:
-        The pattern, flat in z = 0, with the fold angles of the strip that is folded flat.
+        The pattern, flat in z = 0, with the fold angles of the flat-folded strip.
 
     Raises:
-        InputError: a length that is not > 0, or none that can be drawn beside the others; letters that are others, or
-            not one for every crease.
+        InputError: a length is not > 0 or is too small beside the others; there is another letter, or not one letter
+            per crease.
     """
     count = len(panel_lengths)
     if count < 2:

@@ -1,4 +1,4 @@
-"""One vertex with any sectors around it: flat, a cone, a saddle, or four facets folded."""
+"""One vertex with any sectors around it: flat, a cone, a saddle, or four folded facets."""
 
 from __future__ import annotations
 
@@ -17,42 +17,42 @@ from forficula.pattern.facet_sheet import Creases, sheet_of_facets
 from forficula.pattern.fold_angles import kept_as_built
 
 _LETTERS = "MVFU"
-_ROUNDING = 1e-9  # rad; sectors that add up to 360 deg but for so much are flat
+_ROUNDING = 1e-9  # rad; sectors whose sum differs from 360 deg by no more are flat
 
 
 def vertex_pattern(
     sectors: Sequence[float], lengths: float | Sequence[float], assignment: str = "", fold: float | None = None
 ) -> CreasePattern:
-    """Draw one vertex with triangles around it, whose sectors add up to 360 deg or not.
+    """Draw one vertex with triangles around it, with any sum of sectors.
 
-    Where they do, it is flat. Where they add up to less, it is a cone: all creases at one inclination below the plane
-    of the vertex, or above it where more of them are valleys than mountains. Where they add up to more, it is a saddle:
-    creases in turn as much above the plane as below it, the first one above, or below where it is a valley; with an odd
-    number the last one lies in the plane. The azimuth between two creases at the inclinations e and f and with the
-    sector s between them follows from the law of cosines on the sphere,
+    With a sum of 360 deg the vertex is flat. With a smaller sum it is a cone: all creases have the same inclination
+    below the plane of the vertex, or above it if there are more valleys than mountains. With a larger sum it is a
+    saddle: creases are alternately above and below the plane by the same inclination, the first one above, or below if
+    it is a valley; with an odd number of creases the last one lies in the plane. The azimuth between two creases with
+    the inclinations e and f and the sector s between them follows from the law of cosines on the sphere,
     sin^2(azimuth / 2) = (sin^2(s / 2) - sin^2((e - f) / 2)) / (cos e cos f), and all azimuths add up to 360 deg.
 
-    Four creases can be folded instead, by `fold` at the first one: that fixes the second and the fourth crease, and the
-    third is where the sectors to both meet, two places (a spherical four-bar linkage; Huffman 1976), of which its
-    letter takes one.
+    Instead, a vertex of four creases can be folded by `fold` at the first crease. This determines the second and the
+    fourth crease; the third has two possible positions (a spherical four-bar linkage; Huffman 1976), between which its
+    letter decides.
 
     Vertices: the vertex, at the origin, then the ends of the creases, counterclockwise, the first crease on or above
     +x. Facet k lies between creases k and k + 1, and crease k is edge k. Role: "crease".
 
     Args:
-        sectors: between neighbouring creases, counterclockwise, three or more, rad.
-        lengths: of the creases, m; one for all, or one for each.
-        assignment: a letter for every crease, M, V, F or U; none leaves it to how the vertex is built.
-        fold: size of the fold angle of the first crease as built, of four that are mountains or valleys, rad; none lets
-            the vertex be flat, a cone or a saddle.
+        sectors: angles between neighbouring creases, counterclockwise, three or more, rad.
+        lengths: length of the creases, m; one for all, or one per crease.
+        assignment: one letter per crease, M, V, F or U; if empty, the fold angles as built decide.
+        fold: size of the fold angle of the first crease as built, for four creases that are mountains or valleys, rad;
+            with None the vertex is flat, a cone or a saddle.
 
     Returns:
-        The pattern as built. With letters its fold angles are those of a vertex that is folded flat, whether it can be
-        or not; without, they are as built, and nan where it is flat.
+        The pattern as built. With letters, its fold angles are those of the flat-folded vertex, even if it cannot fold
+        flat; without letters, they are as built, and nan where it is flat.
 
     Raises:
-        InputError: fewer than three sectors, or one outside 0 to 180 deg; a length that is not > 0; letters that are
-            others, or not one for every crease; sectors or a fold that do not close around the vertex.
+        InputError: there are fewer than three sectors, or one is outside 0 to 180 deg; a length is not > 0; there is
+            another letter, or not one letter per crease; the sectors or the fold do not close around the vertex.
     """
     total, each = _checked(sectors, lengths, assignment)
     count, flat = len(sectors), abs(total - 2 * math.pi) <= _ROUNDING
@@ -74,7 +74,7 @@ def vertex_pattern(
 def _checked(
     sectors: Sequence[float], lengths: float | Sequence[float], assignment: str
 ) -> tuple[float, Sequence[float]]:
-    """The sum of the sectors, rad, and a length for every crease, m."""
+    """Check the arguments, and return the sum of the sectors, rad, and a length per crease, m."""
     count = len(sectors)
     if count < 3:
         raise InputError(f"pattern.sectors: need 3 or more, got {count}")
@@ -96,7 +96,7 @@ def _checked(
 
 
 def _senses(letters: str, surplus: float) -> Array:
-    """Which creases lie above the plane of the vertex, 1, and which below, -1; of a flat one all 0."""
+    """Return 1 for creases above the plane of the vertex, -1 for those below; all 0 for a flat vertex."""
     count = len(letters)
     if surplus < 0:
         return np.full(count, 1.0 if letters.count("V") > letters.count("M") else -1.0)
@@ -107,7 +107,7 @@ def _senses(letters: str, surplus: float) -> Array:
 
 
 def _evenly(sectors: Array, senses: Array) -> Array:
-    """Directions of creases that are all as much inclined to the plane, shape (creases, 3)."""
+    """Return the directions of creases with the same inclination to the plane, shape (creases, 3)."""
     inclined = _inclination(sectors, senses) * senses
     angles, largest = _azimuths(sectors, inclined), int(np.argmax(sectors))
     # the largest sector closes the circle: on a cone it may take more than half a turn
@@ -123,7 +123,7 @@ def _evenly(sectors: Array, senses: Array) -> Array:
 
 
 def _azimuths(sectors: Array, inclined: Array) -> Array:
-    """Angles about the axis between neighbouring creases, by the law of cosines on the sphere, 0 to pi, rad."""
+    """Return the azimuths between neighbouring creases, by the law of cosines on the sphere, 0 to pi, rad."""
     following = np.roll(inclined, -1)
     square = np.sin(sectors / 2) ** 2 - np.sin((inclined - following) / 2) ** 2
     share = np.clip(square / (np.cos(inclined) * np.cos(following)), 0, 1)
@@ -132,7 +132,7 @@ def _azimuths(sectors: Array, inclined: Array) -> Array:
 
 
 def _inclination(sectors: Array, senses: Array) -> float:
-    """How much creases are inclined for the azimuths to add up to a whole turn, rad."""
+    """Return the inclination of the creases at which the azimuths add up to a whole turn, rad."""
     largest = int(np.argmax(sectors))
     apart = np.abs(senses - np.roll(senses, -1))
     saddle = apart > 0
@@ -147,30 +147,30 @@ def _inclination(sectors: Array, senses: Array) -> float:
     if not senses.any():
         return 0.0
     if not saddle.any():
-        most = (math.pi - float(sectors[largest])) / 2  # there the largest sector takes half a turn
+        most = (math.pi - float(sectors[largest])) / 2  # where the largest sector takes half a turn
         return float(scipy.optimize.brentq(surplus if surplus(most) >= 0 else surplus_of_others, 0.0, most, xtol=1e-15))
-    most = min(float(np.min(sectors[saddle] / apart[saddle])), math.pi / 2)  # there a facet is upright
+    most = min(float(np.min(sectors[saddle] / apart[saddle])), math.pi / 2)  # where a facet is vertical
     if surplus(most) > 0:
         _refuse_saddle(sectors)
     return float(scipy.optimize.brentq(surplus, 0.0, most, xtol=1e-15))
 
 
 def _refuse_saddle(sectors: Array) -> NoReturn:
-    """Say that the creases cannot go up and down in turn."""
+    """Raise InputError because the creases cannot alternate above and below the plane."""
     listed = ", ".join(f"{angle:.6g}" for angle in np.degrees(sectors).tolist())
     raise InputError(
-        f"pattern.sectors: need sectors that close with creases above and below the plane in turn, got {listed} deg"
+        f"pattern.sectors: need sectors that close with creases alternately above and below the plane, got {listed} deg"
     )
 
 
 def _folded_four(sectors: Sequence[float], letters: str, fold: float) -> Array:
-    """Directions of four creases, the first along +x, the first facet in z = 0, shape (4, 3)."""
+    """Return the directions of four creases, the first along +x, the first facet in z = 0, shape (4, 3)."""
     check_angle("fold", fold, 0, math.pi, low_too=True)
     if len(sectors) != 4:
         raise InputError(f"pattern.fold: need four creases to fold by one angle, got {len(sectors)}")
     if letters[0] not in "MV" or letters[2] not in "MV":
         raise InputError(
-            f'pattern.assignment: need "M" or "V" at creases 0 and 2, which fold says the way to, got "{letters}"'
+            f'pattern.assignment: need "M" or "V" at creases 0 and 2 where pattern.fold is given, got "{letters}"'
         )
     first, second, third, fourth = sectors
     rho = fold if letters[0] == "V" else -fold
@@ -202,5 +202,5 @@ def _folded_four(sectors: Sequence[float], letters: str, fold: float) -> Array:
 
 
 def _clipped(difference: float, first: float, fourth: float) -> float:
-    """A cosine from its product with two sines, kept from -1 to 1."""
+    """Return a cosine from its product with two sines, limited to -1 to 1."""
     return min(max(difference / (math.sin(first) * math.sin(fourth)), -1.0), 1.0)

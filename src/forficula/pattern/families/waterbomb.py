@@ -1,4 +1,4 @@
-"""The waterbomb: its base, one vertex that snaps, and its tessellation."""
+"""The waterbomb: its base, which is one bistable vertex, and its tessellation."""
 
 from __future__ import annotations
 
@@ -20,31 +20,31 @@ Apex = Literal["up", "down"]
 def waterbomb_base(side: float, fold: float = 0.0, apex: Apex = "up") -> CreasePattern:
     """Draw the waterbomb base: a square with eight creases that meet in its centre, diagonals M and midlines V.
 
-    It snaps: with the creases folded the same ways, the centre stands above the rim or below it (Hanna, Lund, Lang,
-    Magleby and Howell 2014, doi 10.1088/0964-1726/23/9/094009). Both are built of facets that stay flat, symmetric
-    about the centre, all diagonals at one inclination and all midlines at another. Two neighbouring midlines are 90 deg
-    apart about the axis, and the two sectors of 45 deg between them fold by the angle rho of the diagonal: the law of
-    cosines on the sphere, once in the triangle of those sectors and once about the axis, gives sin(rho / 2) for the
-    sine of the midlines' inclination, which is so half of rho; likewise that of the diagonals is half of the fold angle
-    of the midlines. With b = rho / 2 the sector between a midline and a diagonal then asks for the inclination
-    atan(sqrt(2) tan b) - atan(sin b) of the diagonals, with the midlines, where the apex is up, and
-    atan(sqrt(2) tan b) + atan(sin b) where it is down.
+    The base is bistable: with the creases folded in the same senses, the centre is above the rim or below it (Hanna,
+    Lund, Lang, Magleby and Howell 2014, doi 10.1088/0964-1726/23/9/094009). In both states the facets are flat and the
+    shape is symmetric about the centre: all diagonals have one inclination and all midlines another. Two neighbouring
+    midlines are 90 deg apart about the axis, and the two sectors of 45 deg between them fold by the angle rho of the
+    diagonal. The law of cosines on the sphere, once in the triangle of those sectors and once about the axis, gives
+    sin(rho / 2) for the sine of the midlines' inclination, which is therefore rho / 2; in the same manner the
+    inclination of the diagonals is half of the fold angle of the midlines. With b = rho / 2 the sector between a
+    midline and a diagonal then requires the inclination atan(sqrt(2) tan b) - atan(sin b) of the diagonals, on the side
+    of the midlines, with the apex up, and atan(sqrt(2) tan b) + atan(sin b) with the apex down.
 
     Vertices: the centre, then counterclockwise the end of a midline, on +x, that of a diagonal, and so on. Crease k
-    goes to vertex k + 1 and is edge k but for their order. Roles: "diagonal" and "midline".
+    leads to vertex k + 1; the order of the edges differs. Roles: "diagonal" and "midline".
 
     Args:
-        side: of the square, m.
+        side: side of the square, m.
         fold: size of the fold angle of the diagonals as built, rad; 0 is flat.
-        apex: whether the centre lies above the rim as built or below it.
+        apex: whether the centre is above the rim as built or below it.
 
     Returns:
         The pattern as built. Its fold angles are those of the base folded to four flaps, apex up: diagonals -180 deg,
         midlines 90 deg. With four mountains and four valleys it does not fold flat (Maekawa).
 
     Raises:
-        InputError: a side that is not > 0, an apex neither up nor down, a fold outside 0 to 180 deg or, with the apex
-            down, to 90 deg, where the diagonals meet above the centre.
+        InputError: the side is not > 0, the apex is neither up nor down, or the fold is outside 0 to 180 deg or, with
+            the apex down, 0 to 90 deg, where the diagonals meet above the centre.
     """
     check_lengths({"side": side})
     if apex not in get_args(Apex):
@@ -66,32 +66,32 @@ def waterbomb_base(side: float, fold: float = 0.0, apex: Apex = "up") -> CreaseP
 
 
 def waterbomb_pattern(columns: int, rows: int, side: float) -> CreasePattern:
-    """Draw a sheet of waterbombs, flat: squares in rows, every second row shifted by half a square.
+    """Draw a flat waterbomb tessellation: squares in rows, with every second row shifted by half a square.
 
-    Every square has its two diagonals and the midline along y, six creases at its centre; six meet at every inner
-    corner, too, two diagonals, two sides along the row, and a side between squares that goes on as a midline in the
+    Every square has two diagonals and the midline along y, six creases at its centre. Six creases meet at every inner
+    corner, too: two diagonals, two sides along the row, and a side between squares that continues as a midline in the
     next row (Chen, Feng, Ma, Peng and You 2016, doi 10.1098/rspa.2015.0846). Diagonals are mountains, all others
-    valleys; turned over it is the other way round. The sheet is a rectangle: rows 1, 3, 5 and so on begin and end
-    with half a square.
+    valleys; seen from the other side these are exchanged. The sheet is a rectangle: rows 1, 3, 5 and so on begin and
+    end with half a square.
 
-    It is flat as built: vertices of six creases leave the flat state in many ways, and no closed form is known of a
-    way that all rows share; evenly folded it curls to a tube, and waves may run along that, from row to row by a
-    recurrence (Imada and Tachi 2022, J. Mech. Robot. 14, 041009).
+    The sheet is built flat, because vertices of six creases leave the flat state in many ways and there is no closed
+    form of a folded state of all rows. Evenly folded it curls to a tube, along which waves may occur that follow a
+    recurrence between rows (Imada and Tachi 2022, J. Mech. Robot. 14, 041009).
 
-    Vertices: the corners and middles of sides along each line between rows, line by line; then the centres, row by row.
-    Facets: triangles, row by row, three in every half square. Roles: "diagonal", "midline", "row" for sides along a
-    row, "side" for those between two squares.
+    Vertices: the corners and the midpoints of sides along the lines between rows, line by line; then the centres, row
+    by row. Facets: triangles, row by row, three in every half square. Roles: "diagonal", "midline", "row" for sides
+    along a row, "side" for those between two squares.
 
     Args:
-        columns: of squares, along x.
-        rows: of squares, along y.
-        side: of a square, m.
+        columns: number of squares along x.
+        rows: number of squares along y.
+        side: side of a square, m.
 
     Returns:
-        The pattern, flat in z = 0, with the fold angles of the sheet that is folded flat.
+        The pattern, flat in z = 0, with the fold angles of the flat-folded sheet.
 
     Raises:
-        InputError: a number that is no whole one, 1 or more, or a side that is not > 0.
+        InputError: a number is not whole or is below 1, or the side is not > 0.
     """
     check_count("columns", columns, 1)
     check_count("rows", rows, 1)

@@ -1,4 +1,4 @@
-"""What files call the kinds of edges: letters and words of assignments and layers."""
+"""Letters and words that files use for the kinds of edges, in assignments and layers."""
 
 from __future__ import annotations
 
@@ -27,13 +27,14 @@ _LETTERS = {letter: "F" if letter == "J" else letter for letter in "BMVFUCJ"}
 
 
 def letter_of_name(name: str) -> str | None:
-    """Find what kind of edge a name means, such as "v", "Mountain folds" or "layer_cut_2".
+    """Find the kind of edge that a name means, such as "v", "Mountain folds" or "layer_cut_2".
 
-    A single letter is that of the FOLD format, "J" (join) flat; otherwise the name holds one of the words that origami
-    programs use, such as mountain, valley, border, boundary, cut, flat, facet, auxiliary, unassigned or hinge.
+    A single letter is read as in the FOLD format, with "J" (join) as flat. Other names need to contain one of the words
+    that origami programs use, such as mountain, valley, border, boundary, cut, flat, facet, auxiliary, unassigned or
+    hinge.
 
     Returns:
-        One of "BMVFUC"; None where the name says nothing, or two things.
+        One of "BMVFUC"; None where the name contains no such word, or words of different kinds.
     """
     if (letter := name.strip().upper()) in _LETTERS:
         return _LETTERS[letter]

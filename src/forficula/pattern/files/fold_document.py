@@ -1,4 +1,4 @@
-"""What a FOLD file holds: its JSON, the keys of a frame with what it inherits, and the frame that is asked for."""
+"""The content of a FOLD file: its JSON, its frames with the keys that they inherit, and the choice of a frame."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ FoldFrame = dict[str, object]
 
 
 def fold_document(file: Path) -> FoldFrame:
-    """Parse the JSON of a file; the result is the key frame, too.
+    """Parse the JSON of a file; the result is also the key frame.
 
     Raises:
-        InputError: it cannot be read, or is no FOLD file of version 1.
+        InputError: the file cannot be read, or is not a FOLD file of version 1.
     """
     try:
         document = json.loads(read_bytes(file).decode("utf-8-sig"), parse_constant=_refuse_constant)
@@ -42,15 +42,15 @@ def fold_document(file: Path) -> FoldFrame:
 
 
 def _refuse_constant(name: str) -> NoReturn:
-    """NaN and Infinity are no JSON, and no place for a vertex."""
+    """Raise InputError for NaN and Infinity, which are not part of JSON."""
     raise InputError(f"need finite numbers only, got {name}")
 
 
 def list_at(frame: FoldFrame, key: str) -> list[object]:
-    """Take a list that must be there.
+    """Return the list of a key that is required.
 
     Raises:
-        InputError: it is missing, or no list.
+        InputError: the key is missing, or its value is not a list.
     """
     if key not in frame:
         raise InputError(f"{key}: need a list, but the key is missing")
@@ -61,14 +61,14 @@ def list_at(frame: FoldFrame, key: str) -> list[object]:
 
 
 def all_frames(document: FoldFrame) -> list[FoldFrame]:
-    """List the frames of a file, the key frame first, each with what it inherits from its parents.
+    """List the frames of a file, the key frame first, with the keys that they inherit from their parents.
 
-    A frame that inherits and names no parent is taken to mean the key frame, as Origami Simulator writes it. Every
-    frame without a `frame_unit` has that of the file.
+    A frame that inherits without a parent inherits from the key frame, as Origami Simulator writes it. Every frame
+    without a `frame_unit` has that of the file.
 
     Raises:
-        InputError: a frame is no object, names a parent that is not there or inherits from itself, or has another
-            number of vertices than the edges that it inherits.
+        InputError: a frame is not an object, has a parent that does not exist, inherits from itself, or has another
+            number of vertices than the parent whose edges it inherits.
     """
     others = list_at(document, "file_frames") if "file_frames" in document else []
     known = {0: document}
@@ -82,9 +82,9 @@ def all_frames(document: FoldFrame) -> list[FoldFrame]:
 
 
 def _inherit(frames: Sequence[object], number: int, known: dict[int, FoldFrame]) -> None:
-    """Add a frame with what it inherits to those that are known already; number 0 is the key frame.
+    """Add a frame with its inherited keys to the known frames; number 0 is the key frame.
 
-    Parents are looked up one by one and not by recursion: a chain of them may be as long as a film.
+    Parents are looked up in a loop and not by recursion, because the chain of parents of an animation can be long.
     """
     below: dict[int, FoldFrame] = {}
     while number not in known:
@@ -101,14 +101,14 @@ def _inherit(frames: Sequence[object], number: int, known: dict[int, FoldFrame])
     above = known[number]
     for number, frame in reversed(below.items()):
         if "vertices_coords" in frame and "vertices_coords" in above and "edges_vertices" not in frame:
-            own, others = (len(list_at(each, "vertices_coords")) for each in (frame, above))
-            if own != others:
-                raise InputError(f"vertices_coords: need {others} positions, as many as in the parent, got {own}")
+            count, needed = (len(list_at(each, "vertices_coords")) for each in (frame, above))
+            if count != needed:
+                raise InputError(f"vertices_coords: need {needed} positions, as many as in the parent, got {count}")
         above = known[number] = above | frame
 
 
 def _parent(frame: FoldFrame, count: int) -> int:
-    """The number of a frame's parent."""
+    """Return the number of the parent of a frame."""
     parent = frame.get("frame_parent", 0)
     if isinstance(parent, bool) or not isinstance(parent, int) or not 0 <= parent <= count:
         raise InputError(f"frame_parent: need the number of a frame, 0 to {count}, got {as_written(parent)}")
@@ -116,24 +116,25 @@ def _parent(frame: FoldFrame, count: int) -> int:
 
 
 def frame_classes(frame: FoldFrame) -> list[object]:
-    """The classes of a frame, such as "creasePattern" or "foldedForm".
+    """Return the classes of a frame, such as "creasePattern" or "foldedForm".
 
     Raises:
-        InputError: they are no list.
+        InputError: the classes are not a list.
     """
     return list_at(frame, "frame_classes") if "frame_classes" in frame else []
 
 
 def chosen_frame(frames: Sequence[FoldFrame], chosen: int | str | None) -> int:
-    """Find the frame that is asked for.
+    """Find the number of the chosen frame.
 
     Args:
-        frames: of a file, as `all_frames` lists them.
-        chosen: a number, 0 for the key frame; a title; or a class, which means the first frame that has it. Without
-            it: the key frame, or where that has no vertices the first crease pattern, or the first frame, that has.
+        frames: frames of a file, as `all_frames` lists them.
+        chosen: a number, 0 for the key frame; a title; or a class, for the first frame with this class. With None: the
+            key frame, or, if it has no vertices, the first crease pattern with vertices, or else the first frame with
+            vertices.
 
     Raises:
-        InputError: there is none.
+        InputError: there is no such frame.
     """
     if chosen is None:
         placed = [number for number, frame in enumerate(frames) if frame.get("vertices_coords")]

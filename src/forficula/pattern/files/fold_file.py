@@ -46,19 +46,19 @@ _MOST_NAMED = 8
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Sheet:
-    """A pattern and how it came from its frame: what was kept, how it was turned, what is to be said."""
+    """A pattern and the relation to its frame: the vertices and edges used, the rotation, and remarks."""
 
     pattern: CreasePattern
     vertices: Indices  # numbers in the file
-    edges: Indices
-    counts: tuple[int, int]  # of vertices and edges in the file
+    edges: Indices  # numbers in the file
+    counts: tuple[int, int]  # numbers of vertices and edges in the file
     plane: SheetPlane | None
     remarks: list[str]
     unit: float | None = None  # given or chosen, m
 
 
 def read_fold(path: str | os.PathLike[str], unit: float | None = None, frame: int | str | None = None) -> CreasePattern:
-    """Read a pattern from a FOLD file, as `fold_pattern` does, without its remarks."""
+    """Read a pattern from a FOLD file, like `fold_pattern` but without its remarks."""
     return fold_pattern(path, unit, frame)[0]
 
 
@@ -71,33 +71,33 @@ def fold_pattern(
 ) -> tuple[CreasePattern, list[str]]:
     """Read a pattern from a FOLD file.
 
-    What files of other programs leave out is found, as far as it can be:
+    Data that files of other programs lack is added where possible:
 
-    - Lengths are converted by `frame_unit`; where that is missing or "unit", by the unit given here.
-    - Two coordinates get z = 0. A sheet in any other plane is turned into z = 0 with the side up from which its faces
-      run counterclockwise (see `sheet_plane`); what is folded stays as it lies.
-    - Faces of a flat sheet are turned counterclockwise, those of another so that all go round alike; where the file has
-      none they are found between the edges, or for a folded sheet taken from a flat frame with the same edges. In a
-      folded form that lies flat, the ones turned over are clockwise.
-    - Without assignments edges are valleys and mountains by the sign of their fold angle, flat at 0, border at the rim
-      and unassigned otherwise; a join, "J", is flat, and border between two faces is a cut. Without a fold angle
-      valleys get 180 deg, mountains -180 deg, flat edges 0; borders, cuts and what is unassigned have none.
-    - Flat edges that end inside a face, edges without a face and vertices without an edge are left out, and the numbers
-      of those behind them move up.
+    - Lengths are converted by `frame_unit`; if it is missing or "unit", by the argument `unit`.
+    - Positions with two coordinates get z = 0. A flat sheet in any other plane is rotated into z = 0 with that side up
+      from which its faces are counterclockwise (see `sheet_plane`); a folded sheet is not moved.
+    - Faces of a flat sheet are made counterclockwise, those of other sheets made to have one orientation. If the file
+      has no faces, they are found between the edges, or for a folded sheet copied from a flat frame with the same
+      edges. In a folded form that lies flat, the faces that are turned over are clockwise.
+    - Without assignments, edges are valleys or mountains by the sign of their fold angle, flat at 0, borders at the rim
+      and unassigned otherwise; a join, "J", is flat, and a border between two faces is a cut. Without a fold angle,
+      valleys get 180 deg, mountains -180 deg and flat edges 0; borders, cuts and unassigned edges have none.
+    - Flat edges that end inside a face, edges without a face and vertices without an edge are left out, and later
+      numbers move up.
 
     Args:
-        path: the file.
-        unit: length of the file's unit, m, where the file names none; if it names another, one of the two is wrong.
-        frame: number (0 is the key frame), title or class of a frame; without it the key frame, or where that has no
-            vertices the first crease pattern.
+        path: path of the file.
+        unit: length of the file's unit, m, for a file without one; a different unit in the file is an error.
+        frame: number (0 is the key frame), title or class of a frame; with None the key frame, or, if it has no
+            vertices, the first crease pattern.
         choose_unit: as for `read_pattern`.
 
     Returns:
-        The pattern in metres and radians, and remarks: what was found, turned or left out.
+        The pattern in metres and radians, and remarks on changes to the data of the file.
 
     Raises:
-        InputError: the file cannot be read, is no FOLD file, has no unit of length, or holds what is no pattern; the
-            message names the file and the key.
+        InputError: the file cannot be read, is not a FOLD file, has no unit of length, or does not contain a valid
+            pattern; the message names the file and the key.
     """
     try:
         sheet = _sheet(all_frames(fold_document(Path(path))), unit, frame, choose_unit=choose_unit)
@@ -113,25 +113,25 @@ def read_folded_frames(
     *,
     choose_unit: bool = False,
 ) -> list[Frame]:
-    """Read the folded states of a FOLD file: those of its `file_frames` whose classes have "foldedForm".
+    """Read the folded states of a FOLD file: the frames in `file_frames` with the class "foldedForm".
 
-    Where a frame says `frame_inherit`, what it does not hold is that of its parent; every frame without a
-    `frame_unit` has that of the file. Two coordinates get z = 0. States are turned as the pattern is, and vertices and
-    edges that the pattern leaves out are left out.
+    A frame with `frame_inherit` has the missing keys of its parent; every frame without a `frame_unit` has that of the
+    file. Positions with two coordinates get z = 0. The states are rotated like the pattern, and vertices and edges that
+    the pattern leaves out are left out.
 
     Args:
-        path: the file.
-        unit: as for `read_fold`.
-        frame: that of the pattern, as for `read_fold`; it is no folded state of itself.
+        path: path of the file.
+        unit: length of the file's unit, m, as for `read_fold`.
+        frame: frame of the pattern, as for `read_fold`; it does not count as a folded state.
         choose_unit: as for `read_pattern`.
 
     Returns:
-        Of each state: title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,), nan
-        where there is none; as `write_fold` takes them.
+        Title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,), nan where there is
+        none, of every state, in the format of `write_fold`.
 
     Raises:
-        InputError: the file cannot be read, is no FOLD file, has no unit of length, or holds what is no pattern or no
-            folded state; the message names the file, the frame and the key.
+        InputError: the file cannot be read, is not a FOLD file, has no unit of length, or contains an invalid pattern
+            or folded state; the message names the file, the frame and the key.
     """
     states: list[Frame] = []
     try:
@@ -150,7 +150,7 @@ def read_folded_frames(
 
 
 def _folded_state(frame: FoldFrame, unit: float | None, sheet: _Sheet) -> Frame:
-    """Title, positions and fold angles of a frame."""
+    """Read the title, positions and fold angles of a frame."""
     coords = coords_in_metres(frame, unit)
     edge_count = len(edges_of(frame, len(coords))) if "edges_vertices" in frame or "faces_vertices" in frame else 0
     fold_angles, _ = fold_angles_of(frame, edge_count)
@@ -164,7 +164,7 @@ def _folded_state(frame: FoldFrame, unit: float | None, sheet: _Sheet) -> Frame:
 def _sheet(
     frames: Sequence[FoldFrame], unit: float | None, chosen: int | str | None, *, choose_unit: bool = False
 ) -> _Sheet:
-    """The pattern of a frame."""
+    """Read the pattern of the chosen frame."""
     number = chosen_frame(frames, chosen)
     try:
         choose_unit = choose_unit and unit is None and lacks_unit(frames[number])
@@ -176,13 +176,13 @@ def _sheet(
     sheet = replace(sheet, unit=unit, remarks=[*[CHOSEN_UNIT] * choose_unit, *sheet.remarks])
     if chosen is None and number:
         title = as_written(str(frames[number].get("frame_title", "")))
-        remark = f"file_frames[{number - 1}]: taken, {title}, for the key frame has no vertices"
+        remark = f"file_frames[{number - 1}]: used, {title}, because the key frame has no vertices"
         return replace(sheet, remarks=[remark, *sheet.remarks])
     return sheet
 
 
 def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _Sheet:
-    """Turn the keys of a frame into a pattern."""
+    """Convert the keys of a frame to a pattern."""
     frame = frames[number]
     coords = coords_in_metres(frame, unit)
     edges = check_edges(edges_of(frame, len(coords)), coords)
@@ -203,7 +203,7 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
     else:
         faces, turned = turned_alike(faces)
         if turned:
-            remarks.append(f"faces_vertices: {len(turned)} of {len(faces)} turned round, to go round as the others do")
+            remarks.append(f"faces_vertices: {len(turned)} of {len(faces)} reversed to the orientation of the others")
     faces_at = Counter(frozenset(side) for face in faces for side in face_sides(face))
     counts = np.array([faces_at[frozenset(ends)] for ends in edges.tolist()])
     letters = letters or letters_by_angle(given_angles, counts == 1)
@@ -222,20 +222,21 @@ def _sheet_of(frames: Sequence[FoldFrame], number: int, unit: float | None) -> _
 
 
 def _laid_flat(coords: Array, plane: SheetPlane, remarks: list[str]) -> Array:
-    """The vertices of a flat sheet at one z; those that are there already keep their bits."""
+    """Move the vertices of a flat sheet to one z; positions that are there already do not change in any bit."""
     if plane.rotation[2, 2] != 1:
         toward = listed(f"{share:.3g}" for share in plane.rotation[2].tolist())
-        remarks.append(f"vertices_coords: the sheet is turned into z = 0, up was along ({toward.replace(' and', ',')})")
+        up = toward.replace(" and", ",")
+        remarks.append(f"vertices_coords: the sheet is rotated into z = 0; in the file, up is along ({up})")
         coords = plane.turned(coords)
         coords[:, 2] = 0
     elif np.ptp(coords[:, 2]) > 0:
-        remarks.append("vertices_coords: z that differ by less than 1e-6 of the sheet's size are taken as one")
+        remarks.append("vertices_coords: z values that differ by less than 1e-6 of the sheet's size are taken as equal")
         coords[:, 2] = coords[:, 2].mean()
     return coords
 
 
 def _is_folded_flat(coords: Array, faces: Sequence[Sequence[int]], frame: FoldFrame) -> bool:
-    """Whether a folded form lies flat, some faces turned over."""
+    """Return whether a frame is a folded form that lies flat with some faces turned over."""
     if "foldedForm" not in frame_classes(frame):
         return False
     sides = [side for face in faces for side in face_sides(face)]
@@ -244,7 +245,7 @@ def _is_folded_flat(coords: Array, faces: Sequence[Sequence[int]], frame: FoldFr
 
 
 def _edges_that_close(edges: Indices, letters: Sequence[str] | None) -> Indices:
-    """Numbers of the edges without flat ones that end freely; raise InputError where others do."""
+    """Return the numbers of the edges without flat ones that have a free end; raise InputError if others have one."""
     kept = np.arange(len(edges))
     while True:
         degrees = np.bincount(edges[kept].ravel(), minlength=edges.max() + 1)
@@ -257,15 +258,15 @@ def _edges_that_close(edges: Indices, letters: Sequence[str] | None) -> Indices:
     parts = len(np.unique(parts_of(int(edges.max()) + 1, edges[kept])[used]))
     if parts != 1:
         raise InputError(
-            "faces_vertices: need the key in the file, for without it faces are found only between edges that hang"
-            f" together, got {parts} parts"
+            "faces_vertices: need the key in the file, because without it faces are found only between edges that are"
+            f" connected, got {parts} separate pieces"
         )
     if free.any():
         edge = int(kept[np.argmax(free)])
         vertex = next(end for end in edges[edge].tolist() if degrees[end] == 1)
         raise InputError(
-            f"edges_vertices[{edge}]: need edges that go on to the next, got one that ends freely at vertex {vertex};"
-            ' lead it on, leave it out, or assign it "F" (flat), which leaves it out'
+            f"edges_vertices[{edge}]: need edges without a free end, got one with a free end at vertex {vertex};"
+            ' extend it, remove it, or assign it "F" (flat), which leaves it out'
         )
     return kept
 
@@ -277,7 +278,7 @@ def _found_faces(
     edges: Indices,
     kept: Indices,
 ) -> list[list[int]]:
-    """Faces between the edges of a flat sheet, or of a flat frame with the same edges."""
+    """Find the faces between the edges of a flat sheet, or of a flat frame with the same edges."""
     if flat is not None:
         check_edges_apart(flat[:, :2], edges[kept], kept)
         return faces_between(flat, edges[kept])
@@ -295,13 +296,13 @@ def _found_faces(
             check_edges_apart(turned[:, :2], edges, kept)
             return faces_between(turned, edges)
     raise InputError(
-        "faces_vertices: need the key in the file, for without it faces are found only in a flat sheet, got a solid"
-        " shape, and no flat frame with the same edges"
+        "faces_vertices: need the key in the file, because without it faces are found only in a flat sheet, got a shape"
+        " that is not flat, and no flat frame with the same edges"
     )
 
 
 def _with_cuts(letters: Sequence[str], counts: Indices, remarks: list[str]) -> list[str]:
-    """Letters with border between two faces as cuts, which FOLD knew no letter for before 1.2."""
+    """Replace borders between two faces by cuts, for which FOLD had no letter before version 1.2."""
     inside = [edge for edge, letter in enumerate(letters) if letter == "B" and counts[edge] > 1]
     if inside:
         remarks.append(f"edges_assignment: border between two faces taken as a cut, {_named('edge', inside)}")
@@ -309,7 +310,7 @@ def _with_cuts(letters: Sequence[str], counts: Indices, remarks: list[str]) -> l
 
 
 def _check_geometry(pattern: CreasePattern, kept: Indices, counts: Indices, *, lies_flat: bool) -> None:
-    """Refuse what cannot be built."""
+    """Raise InputError for a sheet that cannot be built."""
     coords, edges, faces = pattern.vertices_coords, pattern.edges_vertices, pattern.faces_vertices
     if (counts > 2).any():
         edge = int(np.argmax(counts > 2))
@@ -349,7 +350,7 @@ def _without_loose_ends(whole: CreasePattern, edges: Indices, plane: SheetPlane 
 
 
 def _named(what: str, numbers: Sequence[int]) -> str:
-    """A few numbers in words, such as "edges 3 and 5"."""
+    """Return a few numbers in words, such as "edges 3 and 5"."""
     plural = {"edge": "edges", "vertex": "vertices"}[what]
     shown = [str(number) for number in numbers[:_MOST_NAMED]]
     if len(numbers) > _MOST_NAMED:
@@ -358,18 +359,19 @@ def _named(what: str, numbers: Sequence[int]) -> str:
 
 
 def turned_alike(faces: Sequence[Sequence[int]]) -> tuple[list[list[int]], list[int]]:
-    """Turn faces round so that two that share an edge go along it either way, as few of each piece as that takes.
+    """Reverse faces so that two faces that share an edge pass along it in opposite directions.
 
-    Of a piece of which half would do, those unlike its first face are turned.
+    As few faces as possible of every connected piece are reversed; if both choices reverse half of them, the first face
+    is not reversed.
 
     Args:
-        faces: the vertices of each, one after another.
+        faces: vertices of the faces, in order around them.
 
     Returns:
-        The faces, and the numbers of those that were turned.
+        The faces, and the numbers of the reversed ones.
 
     Raises:
-        InputError: faces that no turning makes alike: the sheet has one side only.
+        InputError: no choice works, because the sheet has one side only.
     """
     neighbours = _neighbours(faces)
     sense: dict[int, bool] = {}
@@ -385,8 +387,8 @@ def turned_alike(faces: Sequence[Sequence[int]]) -> tuple[list[list[int]], list[
                     piece.append(other)
                 elif sense[other] != (sense[face] == alike):
                     raise InputError(
-                        f"faces_vertices[{other}]: need a sheet of two sides, got one of one side only, as a Moebius"
-                        f" strip is: it cannot go round like face {face}"
+                        f"faces_vertices[{other}]: need a sheet with two sides, got one with only one side, like a"
+                        f" Moebius strip: its orientation cannot match that of face {face}"
                     )
         unlike = [face for face in piece if not sense[face]]
         turned += unlike if 2 * len(unlike) <= len(piece) else [face for face in piece if sense[face]]
@@ -395,7 +397,7 @@ def turned_alike(faces: Sequence[Sequence[int]]) -> tuple[list[list[int]], list[
 
 
 def _neighbours(faces: Sequence[Sequence[int]]) -> dict[int, list[tuple[int, bool]]]:
-    """Of each face those that share an edge of two faces with it, and whether the two go along it either way."""
+    """Return the neighbours of every face across edges, and whether both pass along the edge in opposite directions."""
     at = defaultdict[frozenset[int], list[tuple[int, tuple[int, int]]]](list)
     for number, face in enumerate(faces):
         for side in face_sides(face):

@@ -15,8 +15,8 @@ from forficula.pattern.files.fold_document import FoldFrame, list_at
 from forficula.quantities import as_written, show_value
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "in": 0.0254, "pt": 0.0254 / 72}
-_FOLDED_FLAT = 180 * (1 + 1e-9)  # deg; more is only rounding
-_LARGEST = 1e100  # squares of lengths must be numbers
+_FOLDED_FLAT = 180 * (1 + 1e-9)  # deg, with an allowance for rounding
+_LARGEST = 1e100  # squares of lengths must be finite
 _SMALLEST_SHEET, _LARGEST_SHEET = 1e-12, 1e12  # m
 _TARGETS = {"M": -math.pi, "V": math.pi, "F": 0.0}
 
@@ -39,17 +39,17 @@ def lacks_unit(frame: FoldFrame) -> bool:
 
 
 def metres_of(frame: FoldFrame, unit: float | None) -> float:
-    """Take the length of the file's unit.
+    """Return the length of the file's unit.
 
     Args:
-        frame: of the file.
-        unit: that is given beside the file, m; None where there is none.
+        frame: frame of the file.
+        unit: length of the unit from the caller, m; None where there is none.
 
     Returns:
-        m.
+        Length of the unit, m.
 
     Raises:
-        InputError: neither says a length, or both do and they differ: one of them must be wrong.
+        InputError: neither the frame nor the caller gives a unit of length, or they contradict each other.
     """
     if unit is not None and not (math.isfinite(unit) and unit > 0):
         raise InputError(f"unit: need a length > 0, got {unit:g} m")
@@ -58,13 +58,13 @@ def metres_of(frame: FoldFrame, unit: float | None) -> float:
     if unit is None and known is None:
         got = "no frame_unit" if name is None else as_written(name)
         raise InputError(
-            f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}; say how long its unit is: in a"
-            ' design pattern.unit = "1 cm", on the command line --unit "1 cm"'
+            f"frame_unit: need a unit of length, one of {', '.join(_METRES)}, got {got}; set the length of the unit: in"
+            ' a design pattern.unit = "1 cm", on the command line --unit "1 cm"'
         )
     if unit is not None and known is not None and not math.isclose(unit, known, rel_tol=1e-9):
         raise InputError(
-            f"frame_unit: need no other unit beside that of the file, {as_written(name)}, got {show_value(unit, 'm')};"
-            " leave it out, or change frame_unit"
+            f"frame_unit: need no unit that contradicts that of the file, {as_written(name)}, got"
+            f" {show_value(unit, 'm')}; remove it, or change frame_unit"
         )
     if known is not None:
         return known
@@ -73,14 +73,14 @@ def metres_of(frame: FoldFrame, unit: float | None) -> float:
 
 
 def coords_in_metres(frame: FoldFrame, unit: float | None) -> Array:
-    """Take the positions, m, shape (N, 3), z = 0 where there are two coordinates.
+    """Return the positions in m, shape (N, 3), z = 0 where there are two coordinates.
 
     Args:
-        frame: of the file.
-        unit: that is given beside the file, m; None where there is none.
+        frame: frame of the file.
+        unit: length of the unit from the caller, m; None where there is none.
 
     Raises:
-        InputError: what `coords_of` and `metres_of` raise, or a sheet larger than worlds or smaller than atoms.
+        InputError: as for `coords_of` and `metres_of`, or the sheet is larger than 1e12 m or smaller than 1e-12 m.
     """
     coords, metres = coords_of(frame), metres_of(frame, unit)
     extent = float(np.ptp(coords, axis=0).max())
@@ -94,10 +94,10 @@ def coords_in_metres(frame: FoldFrame, unit: float | None) -> Array:
 
 
 def coords_of(frame: FoldFrame) -> Array:
-    """Take the positions in the file's unit, shape (N, 3), z = 0 where there are two coordinates.
+    """Return the positions in the file's unit, shape (N, 3), z = 0 where there are two coordinates.
 
     Raises:
-        InputError: there are none, or an entry is no position.
+        InputError: there are no positions, or an entry is not a position.
     """
     rows: list[list[float]] = []
     for vertex, position in enumerate(list_at(frame, "vertices_coords")):
@@ -114,7 +114,7 @@ def coords_of(frame: FoldFrame) -> Array:
 
 
 def _number(value: object, key: str) -> float:
-    """A finite number, none of JSON's other kinds."""
+    """Convert a JSON value to a finite number."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(f"{key}: need a number, got {value!r}")
     try:
@@ -127,10 +127,10 @@ def _number(value: object, key: str) -> float:
 
 
 def vertex_lists(frame: FoldFrame, key: str, vertex_count: int) -> list[list[int]]:
-    """Take lists of existing vertices; whole numbers may be written as 2.0.
+    """Return lists of existing vertices; whole numbers may be written as 2.0.
 
     Raises:
-        InputError: the key is missing, or an entry is no list of existing vertices.
+        InputError: the key is missing, or an entry is not a list of existing vertices.
     """
     lists: list[list[int]] = []
     for number, vertices in enumerate(list_at(frame, key)):
@@ -138,8 +138,8 @@ def vertex_lists(frame: FoldFrame, key: str, vertex_count: int) -> list[list[int
         if not isinstance(vertices, list):
             raise InputError(f"{where}: need a list of vertices, got {vertices!r}")
         checked: list[int] = []
-        for given in vertices:
-            vertex = int(given) if isinstance(given, float) and given.is_integer() else given
+        for value in vertices:
+            vertex = int(value) if isinstance(value, float) and value.is_integer() else value
             if isinstance(vertex, bool) or not isinstance(vertex, int):
                 raise InputError(f"{where}: need whole numbers, got {vertex!r}")
             check_vertex(where, vertex, vertex_count)
@@ -169,13 +169,13 @@ def edges_of(frame: FoldFrame, vertex_count: int) -> Indices:
 
 
 def letters_of(frame: FoldFrame, edge_count: int) -> list[str] | None:
-    """Take the letters of the edges: small ones and words count, "J" (join) is flat, null is unassigned.
+    """Return the letters of the edges; lowercase letters and words are allowed, "J" (join) is flat, null unassigned.
 
     Returns:
-        None where the frame has none.
+        None where the frame has no letters.
 
     Raises:
-        InputError: too many or too few, or one that says nothing.
+        InputError: there are too many or too few letters, or one is unknown.
     """
     if "edges_assignment" not in frame:
         return None
@@ -190,10 +190,10 @@ def letters_of(frame: FoldFrame, edge_count: int) -> list[str] | None:
 
 
 def values_of(frame: FoldFrame, key: str, edge_count: int) -> list[object]:
-    """Take one value for each edge.
+    """Return the values of a key with one value per edge.
 
     Raises:
-        InputError: the key is missing, or the number of values is another.
+        InputError: the key is missing, or the number of values differs from the number of edges.
     """
     values = list_at(frame, key)
     if len(values) != edge_count:
@@ -203,15 +203,15 @@ def values_of(frame: FoldFrame, key: str, edge_count: int) -> list[object]:
 
 
 def fold_angles_of(frame: FoldFrame, edge_count: int, letters: Sequence[str] | None = None) -> tuple[Array, list[str]]:
-    """Take the fold angles.
+    """Return the fold angles.
 
-    FOLD 1.0 calls them "edges_foldAngles"; under that name Origami Simulator wrote radians.
+    The key is "edges_foldAngles" in FOLD 1.0; Origami Simulator wrote radians under that name.
 
     Returns:
-        rad, shape (E,), nan where the file has none, and remarks.
+        Fold angles, rad, shape (E,), nan where the file has none, and remarks.
 
     Raises:
-        InputError: too many or too few, or one beyond 180 deg or against the letter of its edge.
+        InputError: there are too many or too few, or one is beyond 180 deg or contradicts the letter of its edge.
     """
     key = "edges_foldAngles" if "edges_foldAngle" not in frame and "edges_foldAngles" in frame else "edges_foldAngle"
     if key not in frame:
@@ -244,10 +244,10 @@ def fold_angles_of(frame: FoldFrame, edge_count: int, letters: Sequence[str] | N
 
 
 def letters_by_angle(fold_angles: Array, rim: Flags) -> list[str]:
-    """Choose letters where a file has none: by the sign of the fold angle, border on the rim, unassigned otherwise.
+    """Assign letters by the sign of the fold angle, for a file without any; border at the rim, unassigned otherwise.
 
     Args:
-        fold_angles: rad, shape (E,), nan where there is none.
+        fold_angles: fold angles, rad, shape (E,), nan where there is none.
         rim: whether an edge has a face on one side only, shape (E,).
     """
     return [
@@ -257,14 +257,14 @@ def letters_by_angle(fold_angles: Array, rim: Flags) -> list[str]:
 
 
 def target_angles(letters: Sequence[str], fold_angles: Array) -> Array:
-    """Fill in fold angles by the letters: -180 deg on mountains, 180 deg on valleys, 0 on flat edges.
+    """Set missing fold angles by the letters: -180 deg on mountains, 180 deg on valleys, 0 on flat edges.
 
     Args:
-        letters: of the edges, E.
-        fold_angles: rad, shape (E,), nan where there is none.
+        letters: letters of the edges, E.
+        fold_angles: fold angles, rad, shape (E,), nan where there is none.
 
     Returns:
-        rad, shape (E,), nan on borders, cuts and where nothing is assigned.
+        Fold angles, rad, shape (E,), nan on borders, cuts and unassigned edges without an angle.
     """
     targets = np.array([_TARGETS.get(letter, math.nan) for letter in letters])
     folding = np.array([letter not in "BC" for letter in letters])

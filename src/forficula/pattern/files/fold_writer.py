@@ -30,21 +30,22 @@ def write_fold(
 ) -> None:
     """Write a pattern, and folded states of it, to a FOLD 1.2 file.
 
-    The file holds metres and degrees, valleys positive. It is complete or not there at all: it is written under
-    another name in the same folder, then renamed. `read_fold` reads a pattern that was read from a FOLD file back with
-    the same bits; of other patterns fold angles may differ in the last one, for the file holds degrees.
+    Lengths in the file are in metres, angles in degrees with valleys positive. The file is written under another name
+    in the same folder and then renamed, so that it is never incomplete. If a pattern comes from a FOLD file,
+    `read_fold` reads exactly the same values again; in other patterns the last bit of fold angles can differ, because
+    the file contains degrees.
 
     Args:
-        pattern: the sheet; it becomes the key frame.
-        path: the file, replaced where it exists.
+        pattern: pattern of the sheet; it becomes the key frame.
+        path: path of the file; an existing file is replaced.
         frames: folded states: title, positions of the vertices in m, shape (N, 3), and fold angles in rad, shape (E,),
             nan where there is none.
         own: further values of the vertices, edges or faces, numbers, text or None, by key, such as "edges_stiffness".
-            In the file the keys stand in the namespace "forficula:", so that other programs pass them over.
+            In the file the keys are in the namespace "forficula:", which other programs ignore.
 
     Raises:
-        InputError: a folded state of another shape or with positions that are not finite, own values of another number,
-            or a file that cannot be written.
+        InputError: a folded state has another shape or positions that are not finite, `own` has another number of
+            values, or the file cannot be written.
     """
     document: dict[str, object] = {
         "file_spec": 1.2,
@@ -69,7 +70,7 @@ def write_fold(
 
 
 def _own_values(pattern: CreasePattern, key: str, values: Sequence[object]) -> list[object]:
-    """Values that FOLD knows no key for."""
+    """Check further values, for which FOLD has no key."""
     counts = {
         "vertices": len(pattern.vertices_coords),
         "edges": len(pattern.edges_vertices),
@@ -87,12 +88,12 @@ def _own_values(pattern: CreasePattern, key: str, values: Sequence[object]) -> l
 
 
 def _degrees_or_null(angles: Array) -> list[float | None]:
-    """Fold angles as FOLD writes them."""
+    """Convert fold angles to the form of FOLD files."""
     return [None if math.isnan(angle) else _degrees(angle) for angle in angles.tolist()]
 
 
 def _degrees(angle: float) -> float:
-    """The shortest number of degrees that `math.radians` turns into the same bits, or the nearest number."""
+    """Return the shortest number of degrees that `math.radians` converts to exactly the same angle, or the nearest."""
     nearest = math.degrees(angle)
     rounded = [float(f"{nearest:.{digits}g}") for digits in (12, 14, 15, 16)]
     beside = [math.nextafter(nearest, math.inf), math.nextafter(nearest, -math.inf)]
@@ -102,7 +103,7 @@ def _degrees(angle: float) -> float:
 def _folded_frame(
     pattern: CreasePattern, number: int, title: str, coords: Array, fold_angles: Array
 ) -> dict[str, object]:
-    """A folded state that inherits the rest from the key frame."""
+    """Return a folded state that inherits the other keys from the key frame."""
     if coords.shape != pattern.vertices_coords.shape or not np.isfinite(coords).all():
         raise InputError(
             f"frames[{number}]: need finite positions, shape {pattern.vertices_coords.shape}, got shape {coords.shape}"

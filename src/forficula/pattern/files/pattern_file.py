@@ -1,4 +1,4 @@
-"""Crease patterns read from files, by the ending of the name."""
+"""Crease patterns read from files; the ending of the file name gives the format."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ def read_pattern(
     """Read a crease pattern from a FOLD file (.fold) or a drawing (.svg, .dxf).
 
     Args:
-        path: the file.
-        unit: length of the file's unit, m, where the file does not say it.
+        path: path of the file.
+        unit: length of the file's unit, m, for a file without one.
         frame: number, title or class of a frame of a FOLD file.
-        tolerance: how near lines of a drawing must be to meet, m.
-        choose_unit: whether to take the largest dimension as 20 cm where neither the file nor `unit` gives a length;
-            a remark says so.
+        tolerance: largest distance between lines of a drawing that meet, m.
+        choose_unit: whether to take the largest dimension as 20 cm if neither the file nor `unit` gives a length; a
+            remark says so.
 
     Returns:
-        The pattern, as `fold_pattern` or `read_drawing` reads it, and its remarks.
+        The pattern, as `fold_pattern` or `read_drawing` reads it, and remarks.
 
     Raises:
-        InputError: another ending, a choice that the kind of file does not have, or what these raise.
+        InputError: the file has another ending, an option does not apply to its format, or an error of these functions.
     """
     file = Path(path)
     check_may_read(file)

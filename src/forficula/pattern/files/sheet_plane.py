@@ -1,4 +1,4 @@
-"""The plane in which a flat sheet lies, turned into a plane of constant z."""
+"""The plane of a flat sheet, and its rotation into a plane of constant z."""
 
 from __future__ import annotations
 
@@ -11,39 +11,39 @@ from forficula.arrays import Array
 from forficula.pattern.geometry import polygon_normal
 from forficula.pattern.rotation import rotation_to_z
 
-_FLAT = 1e-6  # share of the sheet's size that vertices may lie off its plane: single precision is good to 1e-7
+_FLAT = 1e-6  # largest distance from the plane, as a share of the sheet's size; single precision is 1e-7
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SheetPlane:
-    """How a sheet is turned so that its plane is one of constant z: x -> rotation x, then z lowered.
+    """Motion that brings the plane of a sheet to z = 0: a rotation, then a shift along -z.
 
     Attributes:
-        rotation: shape (3, 3).
-        height: z of the plane once turned, m; the sheet is lowered by it.
+        rotation: rotation matrix, shape (3, 3).
+        height: z of the plane after the rotation, m; the sheet is lowered by it.
     """
 
     rotation: Array
     height: float
 
     def turned(self, points: Array) -> Array:
-        """Turn points of the sheet, or of a folded state of it, m, shape (N, 3)."""
+        """Move points of the sheet, or of a folded state of it, m, shape (N, 3)."""
         moved: Array = points @ self.rotation.T - np.array([0.0, 0.0, self.height])
         return moved + 0.0  # no -0.0
 
 
 def sheet_plane(points: Array, faces: Sequence[Sequence[int]]) -> SheetPlane | None:
-    """Find the plane of a flat sheet and the side of it that is up.
+    """Find the plane of a flat sheet and its upper side.
 
     FOLD lists the vertices of a face counterclockwise as seen from above; where the faces agree, that side is up, and
-    valleys stay valleys. Otherwise up is along the axis to which the plane is most nearly square. So a sheet in the
-    xz plane with up along y, as Origami Simulator writes it, is seen from +y, x to the right and -z upwards:
-    (x, y, z) becomes (x, -z, y). In general the turn is the smallest that brings up to z. A sheet in a plane of
-    constant z is not turned.
+    valleys remain valleys. Otherwise up is along the axis to which the plane is most nearly perpendicular. So a sheet
+    in the xz plane with up along y, as Origami Simulator writes it, is seen from +y, with x to the right and -z
+    upwards: (x, y, z) becomes (x, -z, y). The rotation is the smallest one that brings up to z. A sheet in a plane of
+    constant z is not rotated.
 
     Args:
-        points: m, shape (N, 3).
-        faces: their vertices; none where they are not known.
+        points: positions of the vertices, m, shape (N, 3).
+        faces: vertices of the faces; empty where they are not known.
 
     Returns:
         None where the sheet is not flat, to 1e-6 of its size.
