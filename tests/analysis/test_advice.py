@@ -1,4 +1,4 @@
-"""The advice of a failing run helps, can be followed as it is given, and is not given where it would lead away."""
+"""The advice on a failing run helps, names values that a design can have, and is omitted where it would not help."""
 
 import re
 
@@ -17,7 +17,7 @@ DESIGNS = 14
 
 
 def joints():
-    """Random joints of which most fail, of a fixed seed."""
+    """Return random joints, most of which fail, drawn with a fixed seed."""
     rng = np.random.default_rng(4)
 
     def log(least, most):
@@ -50,7 +50,7 @@ def outcomes(designs):
 
 @pytest.fixture(scope="module")
 def advised():
-    """The design, the outcome and the margin of joints that fail with an advice."""
+    """Return design, outcome and margin of the failing joints that have an advice."""
     designs = joints()
     found = [(design, *each) for design, each in zip(designs, outcomes(designs), strict=True)]
     return [each for each in found if each[1].advised.values]

@@ -1,4 +1,4 @@
-"""Which way a sheet leaves its flat state, and what is said to have decided it."""
+"""The branch on which a sheet leaves its flat state, and the reported cause of that choice."""
 
 import pytest
 
@@ -11,7 +11,7 @@ STAGE = {"name": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
 
 
 def flat(**values):
-    """A flat Miura sheet of four facets, nothing held, for an instant."""
+    """Return a flat Miura sheet of four facets without supports, run for an instant."""
     changes = {
         "pattern.columns": 2,
         "pattern.rows": 2,

@@ -1,4 +1,4 @@
-"""How far panels pass through each other, held to planted cases turned any way."""
+"""Depth to which panels pass through each other, compared with known cases in random orientations."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ turns = st.tuples(*[st.floats(-np.pi, np.pi)] * 3).map(lambda angles: Rotation.f
 
 
 def sheet(first, second, across=4, along=3):
-    """A flat rectangle from the origin as a mesh, and its nodes, (node, 3)."""
+    """Return a flat rectangle with one corner at the origin as a mesh, and its nodes, (node, 3)."""
     u, v = np.meshgrid(np.linspace(0, 1, along + 1), np.linspace(0, 1, across + 1), indexing="ij")
     nodes = u.ravel()[:, None] * np.asarray(first, float) + v.ravel()[:, None] * np.asarray(second, float)
     corners = np.arange(len(nodes)).reshape(u.shape)
@@ -71,7 +71,7 @@ def test_two_panels_that_fold_at_a_common_edge_do_not_cross(angle, turn):
 
 @pytest.mark.parametrize("height", [-0.2, 0.2])
 def test_plates_that_cross_in_the_middle_have_passed_by_the_part_that_reaches_less_far(height):
-    """Of a plate that leans through another by 30 deg, the ends reach length * sin."""
+    """The ends of a plate that crosses another one at 30 deg reach length * sin(30 deg)."""
     floor, flat = sheet([4, 0, 0], [0, 3, 0])
     along = np.array([np.cos(np.pi / 6), 0, np.sin(np.pi / 6)])
     leaning, nodes = sheet(2 * along, [0, 1, 0])
@@ -90,7 +90,7 @@ def test_a_finer_mesh_gives_the_same_depth():
 
 
 def test_nodes_of_panels_move_with_their_bodies(reference_run):
-    """Those at the edges of margins and on the next vein's axis are nodes of the membrane, too."""
+    """Nodes at the edges of margins and on the axis of the next vein belong to the membrane, too."""
     row = int(np.argmin(reference_run.angles("ring")[:, 1]))
     proximal = panel_places(reference_run, [row])[0][0]
     recorded = reference_run.series["membrane_position"][row]
@@ -112,7 +112,7 @@ def test_the_reference_wing_passes_through_itself_and_gives_a_warning(reference_
 
 
 def test_thick_panels_that_contact_lets_through_give_a_warning(reference_run):
-    """Their middles cross: they are deeper in each other, the thicker they are."""
+    """Their midplanes cross, so the depth grows with their thickness."""
     thick = replace(reference_run.structure, contact=Contact(thickness=0.03, stops=Stops(time_constant=4e-4)))
     (told,) = (each for each in run_warnings(replace(reference_run, structure=thick)) if "pass through" in each)
     assert "more than contact should allow" in told

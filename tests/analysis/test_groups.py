@@ -1,4 +1,4 @@
-"""Dimensionless groups against closed forms, computed by hand of a design's numbers (shared figures: similarity)."""
+"""Dimensionless groups compared with closed forms that are computed by hand from a design's numbers."""
 
 import json
 import math
@@ -135,7 +135,7 @@ def test_a_plate_on_a_crease_has_the_inertia_of_a_plate_about_its_edge():
 
 
 def two_flaps(held=()):
-    """Two corners beside a crease along y, of 1 g at 3 cm and of 2 g at 1 cm."""
+    """Return two corners beside a crease along y: 1 g at 3 cm and 2 g at 1 cm."""
     places = [(0.0, 0.0), (0.0, 0.1), (-0.03, 0.05), (0.01, 0.05)]
     masses = [1.0, 1.0, 1e-3, 2e-3]
     return Structure(
@@ -186,7 +186,7 @@ def test_every_named_design_has_groups_that_json_can_hold(name):
 
 
 def test_tendons_across_two_ring_folds_have_no_groups():
-    """They have no single moment k a b."""
+    """Such tendons have no single moment k a b."""
     assert groups(load_design("binder2025-thick")) is None
 
 

@@ -28,7 +28,7 @@ ROUNDING = 1e-12  # of sums of some hundred numbers of like size
 def planted(
     times=(0.0, 1.2), angles=(0.0, 0.0), *, ends=ENDS, goals=None, diverged_at=None, design=REFERENCE, **series
 ):
-    """A record with an angle, deg, of all ring hinges and other series that run straight between some times, s.
+    """Return a record with one angle, deg, of all ring hinges and other series, piecewise linear between times, s.
 
     Series are (times, values) with values of one number or one of every hinge or tendon; `proximal_work` and
     `distal_work` are those of the motors. Goals are reached at the end of a stage where nothing else is said, rest as
@@ -361,7 +361,7 @@ def test_a_missed_goal_is_not_a_success_whatever_the_angles():
 
 @pytest.mark.parametrize(("until", "status"), [("folded", "moving"), ("ring < -150 deg", "moving")])
 def test_a_missed_goal_given_as_text_is_reported_as_one_given_by_name(until, status):
-    """A hinge's weak push goes nowhere, and its stage runs out of time: no state is held, however it is written."""
+    """A weak push on a hinge reaches nothing within the stage's time: no state is held, in both notations."""
     design = with_values(REFERENCE, {"protocol.fold_torque": 0.01, "protocol.stages.1.until": until})
     outcome = measure(ff.run(design, confirm=False))
     assert outcome.verdict.value == status

@@ -1,4 +1,4 @@
-"""A run says where its tendons move far faster than their material was ever tested."""
+"""A run warns where its tendons stretch far faster than in the tests of their material."""
 
 from dataclasses import replace
 from importlib import import_module
@@ -26,7 +26,7 @@ def design(**law):
 
 
 def moving(speed, *, start=1.5, of=None, rows=11):
-    """A record of two tendons: one that is pulled at a speed in m/s, one that stays slack and moves fast."""
+    """Return a record of two tendons: one stretched at a speed in m/s, one slack and fast."""
     time = np.linspace(0, 1e-3, rows)
     length = np.stack([start * LENGTH + speed * time, 0.5 * LENGTH + 100 * abs(speed) * (time - 1e-3)], axis=1)
     series = MappingProxyType({"tendon_length": length})
@@ -37,7 +37,7 @@ def moving(speed, *, start=1.5, of=None, rows=11):
 
 
 def tables(wing):
-    """Its tendons as a table, SI."""
+    """Return the record's tendons as a table, SI."""
     return wing.tendon.as_tables(lambda value, _: value)
 
 

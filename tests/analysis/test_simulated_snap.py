@@ -17,13 +17,13 @@ from forficula.structure import hinges_of, structure_of
 
 
 def snap_of(record):
-    """Of the hinge of an inner tendon."""
+    """Return the simulated snap of the hinge of an inner tendon."""
     crossed = crossed_hinges(record.structure, 2)
     return simulated_snap(record, next(each for each in crossed if each.tendon == inner_tendon(record.structure)))
 
 
 def folding(record, angle):
-    """A record whose hinges all fold as they are told, rad over s, before anything opens."""
+    """Return a record whose hinges all fold along the given angles, rad over s, before any opens."""
     time = np.linspace(0, 0.2, 2001)
     fold = angle(time)
     angles = np.zeros((len(time), len(record.structure.hinges)))

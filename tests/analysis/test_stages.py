@@ -1,4 +1,4 @@
-"""What became of every stage: its drive, its goal, how long it took, and what its torques did."""
+"""Results of every stage: its drive, its goal, its duration, and the work of its torques."""
 
 import json
 from dataclasses import replace

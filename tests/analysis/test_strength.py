@@ -1,4 +1,4 @@
-"""The largest strains, stresses and folds of a run, of places that are planted, beside closed forms."""
+"""The largest strains, stresses and folds of a run, computed from given positions, compared with closed forms."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ STRETCH = 1.02
 
 
 def planted(kind):
-    """A sheet as built, then stretched evenly by 2 % along x."""
+    """Return a record of a sheet as built, then stretched evenly by 2 % along x."""
     design = load_design("miura-sheet", {"facet.kind": kind, "pattern.fold": "0 deg", "support": []})
     structure = structure_of(design)
     built = np.array([body.position for body in structure.bodies])
@@ -94,7 +94,7 @@ def test_a_diverged_run_has_no_strains():
 
 
 def test_a_bar_with_a_stress_above_its_strength_gives_a_warning():
-    """The same run beside a strength above and below its largest stress."""
+    """The same run with a strength above and below its largest stress."""
     stage = {"name": "fold", "drive": "fold", "until": "time", "hold": 0.0, "time_limit": 0.02}
     values = {"pattern.columns": 1, "pattern.rows": 2, "measure": [], "support": []}
     values |= {"protocol.timestep": 2e-5, "protocol.stages": [stage], "facet.youngs_modulus": 2e7}

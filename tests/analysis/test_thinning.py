@@ -1,4 +1,4 @@
-"""A thinned record means the same, to the bit, and shows every motion."""
+"""A thinned record has the same outcome, bit for bit, and shows every motion."""
 
 from dataclasses import asdict, replace
 
@@ -12,7 +12,7 @@ from tests.places import places
 
 
 def same(one, other):
-    """Whether two outcomes have the same bits."""
+    """Return whether two outcomes are equal bit for bit."""
     # what finds advice knows its own record
     return repr(asdict(replace(one, advise=None))) == repr(asdict(replace(other, advise=None)))
 

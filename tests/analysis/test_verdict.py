@@ -1,4 +1,4 @@
-"""Every verdict: from planted records, from real runs, and as it is told."""
+"""Every verdict: from constructed records, from runs, and as a text."""
 
 import json
 import math
@@ -29,12 +29,12 @@ def short(**values):
 
 
 def moving(record):
-    """As if the time limits had ended its stages."""
+    """Return a record in which the time limits ended all stages."""
     return replace(record, stages=tuple(replace(end, at_rest=False) for end in record.stages))
 
 
 def missing(record, joule):
-    """With so much energy that nobody accounts for."""
+    """Return a record in which this much energy is unaccounted for."""
     lost = record.series["stop_work"].copy()
     lost[-1] -= joule
     return replace(record, series={**record.series, "stop_work": lost})
@@ -221,7 +221,7 @@ def test_a_timestep_far_too_long_diverges_and_never_folds(timestep):
 
 @pytest.fixture(scope="module")
 def bent():
-    """A wing whose hinges are at -79 deg after its first stage."""
+    """Return a wing whose hinges are at -79 deg after its first stage."""
     stages = [SETTLE.model_dump() | {"time_limit": 0.002}, FOLD.model_dump() | {"time_limit": 0.002}]
     values = {
         "protocol.initial_overbend": "-79 deg",
@@ -235,7 +235,7 @@ def bent():
 
 @pytest.fixture(scope="module")
 def doubtful():
-    """A run whose membrane is too stiff for its timestep."""
+    """Return a run whose membrane is too stiff for its timestep."""
     record = ff.run(short(membrane__youngs_modulus="20 MPa"), confirm=False)
     return record, measure(record)
 

@@ -1,7 +1,7 @@
-"""Joints that are tied: two pendulums have the frequencies of closed forms, and work is booked where a motor turns.
+"""Coupled joints: the frequencies of two pendulums have closed forms, and work is counted at the driven joint.
 
-Two alike, I phi'' = -k phi each, with a spring kc between them: sqrt(k / I) side by side, sqrt((k + 2 kc) / I) against
-each other. Tied rigidly at a ratio r: sqrt((k0 + r^2 k1) / (I (1 + r^2))).
+Two equal ones, I phi'' = -k phi, with a spring kc between them: sqrt(k / I) in phase, sqrt((k + 2 kc) / I) in
+antiphase. Rigidly coupled at a ratio r: sqrt((k0 + r^2 k1) / (I (1 + r^2))).
 """
 
 import math
@@ -30,7 +30,7 @@ FOLDING = [
 
 
 def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNESS), senses=(1, -1), **values):
-    """Two bars beside each other, each on a hinge with a spring, one spring between them; no tendon pulls."""
+    """Return two bars side by side, each on a sprung hinge, with a spring between them and slack tendons."""
     hinge = one_hinge(0.11, start=0.0, **values)
 
     def build(own, units):
@@ -51,7 +51,7 @@ def pendulums(one_hinge, starts, *, tie, ratio=1.0, springs=(STIFFNESS, STIFFNES
 
 
 def swing(model):
-    """Times and angles in own senses."""
+    """Return times, and angles in the hinges' own senses."""
     record = simulate([model])[0]
     return record, record.time, record.series["hinge_angle"]
 

@@ -1,4 +1,4 @@
-"""Points that a drive takes along, with whatever force it needs."""
+"""Drives that displace points, with whatever force this takes."""
 
 import numpy as np
 import pytest
@@ -40,17 +40,17 @@ def stage(drive, limit):
 
 
 def sheet(*stages, **values):
-    """Two by two parallelograms, the first held."""
+    """Return two by two parallelograms, the first held."""
     return with_values(MIURA, SOFT | {"drive": [LIFT], "protocol.stages": list(stages)} | values)
 
 
 def _without(key):
-    """The drive without one of its keys."""
+    """Return the drive without one of its keys."""
     return {name: value for name, value in LIFT.items() if name != key}
 
 
 def moved(record, point, axis):
-    """How far a point has gone from where it was, m, (time,)."""
+    """Return the distance of a point from its first position, m, (time,)."""
     places = record.series["point_position"][:, point, axis]
     return places - places[0]
 
@@ -70,7 +70,7 @@ def test_a_displaced_point_follows_its_target_and_is_released():
 
 
 def test_a_displacement_starts_at_the_present_position():
-    """Springs that rest further on have lifted it before: it does not go back to where it was built."""
+    """Growing rest angles have lifted the point before: it does not return to its built position."""
     further = {"name": "further", "kind": "rest-angle", "of": "creases", "angle": 0.3, "rise": 0.05}
     both = sheet(stage("further", 0.1), stage(["further", "lift"], 0.15), drive=[further | {"rise": 0.0}, LIFT])
     (record,) = simulate([compile_model(both)])

@@ -1,4 +1,4 @@
-"""What is missing of the energy, as a share of what torques, springs and weight gave or took."""
+"""The energy residual, as a share of the energies that torques, springs and weight gave or took."""
 
 import pytest
 

@@ -19,7 +19,7 @@ TORQUE, PUSHED = 0.02, 0.02  # N m; s
 
 
 def pushed(friction: str, timestep: str = "0.1 ms") -> Record:
-    """Push a joint without damping, whose tendon is slack, with 2 N cm for 20 ms, then let it go."""
+    """Push an undamped joint with a slack tendon by 2 N cm for 20 ms, then release it."""
     stages = [
         {"name": name, "drive": drive, "until": "time", "hold": "0 s", "time_limit": limit}
         for name, drive, limit in (("settle", "none", "1 ms"), ("fold", "fold", "20 ms"), ("release", "none", "0.2 s"))
@@ -39,7 +39,7 @@ def pushed(friction: str, timestep: str = "0.1 ms") -> Record:
 
 
 def travelled(record: Record) -> np.ndarray:
-    """How far the hinge has folded from its start, rad, (time,)."""
+    """Return the hinge's angle from its start, rad, (time,)."""
     angle = record.series["hinge_angle"][:, 0]
     return angle[0] - angle
 

@@ -1,4 +1,4 @@
-"""Goals as text, lists of drives and states by name, in runs."""
+"""Goals given as text, lists of drives, and named states, in runs."""
 
 from dataclasses import replace
 
@@ -112,7 +112,7 @@ def test_a_state_that_a_stage_names_is_that_of_its_end():
 
 
 def with_gap(*, until="time", **protocol):
-    """The reference whose outer tips' distance is watched, on a protocol of one driven stage."""
+    """Return the reference with a gauge between its outer tips, and a protocol of one driven stage."""
     settle = SHORT.protocol.stages[0]
     fold = SHORT.protocol.stages[1].model_copy(update={"until": until, "time_limit": 0.1})
     changed = SHORT.protocol.model_copy(
@@ -192,7 +192,7 @@ SLOW = {
 
 
 def test_nothing_is_stuck_while_its_torque_rises():
-    """Of 3 N cm within 2 s, 0.203 N cm, which the letter's stops hold, come after 0.135 s: longer than a window."""
+    """Rising to 3 N cm in 2 s, the torque reaches 0.203 N cm, held by the stops, at 0.135 s: later than a window."""
     letter = ff.load_design("letter-fold", SLOW)
     assert letter.protocol.window < 0.203 / 3 * 2
     outcome = measure(ff.run(letter, confirm=False))

@@ -1,4 +1,4 @@
-"""Springs of hinges: a pendulum about its resting angle has the period of the closed form, and its energy is kept.
+"""Springs of hinges: a pendulum about its rest angle has the period of the closed form and keeps its energy.
 
 I phi'' = -k (phi - phi0): omega = sqrt(k / I). With a weight m g a that pulls towards phi = pi/2 the small swings about
 the balance have k + m g a sin(phi) in its place.
@@ -19,7 +19,7 @@ STIFFNESS, REST = 0.05, math.radians(40)  # N m/rad; folding
 
 
 def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
-    """One bar whose tendon is slack, on a hinge with a spring; angles are > 0 when folding."""
+    """Return a bar with a slack tendon on a sprung hinge; angles are > 0 when folding."""
     # as long as the tendon ever gets
     hinge = one_hinge(0.11, **values)
 
@@ -34,7 +34,7 @@ def pendulum(one_hinge, *, stiffness=STIFFNESS, rest=REST, sense=1, **values):
 
 
 def period_of(times, away):
-    """Of a swing, from where it passes the middle upwards, between rows."""
+    """Return the period, from upward passages of the middle, interpolated between rows."""
     rows = np.flatnonzero((away[:-1] < 0) & (away[1:] >= 0))
     moments = times[rows] - away[rows] * (times[rows + 1] - times[rows]) / (away[rows + 1] - away[rows])
     return float(np.mean(np.diff(moments)))

@@ -21,7 +21,7 @@ def ring_hinges(wing):
 
 
 def placed(wing, data, role):
-    """Points of a role in a state of the engine, m, (point, 3)."""
+    """Return the points of a role in a state of the engine, m, (point, 3)."""
     points = [number for number, point in enumerate(wing.structure.points) if point.role == role]
     at_origin = wing.sites[points] < 0
     if at_origin.all():

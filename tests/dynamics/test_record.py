@@ -24,7 +24,7 @@ SIZES = {"hinge": 12, "tendon": 3, "motor": 2, "point": 15, "axis": 3, "node": 2
 
 
 def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
-    """A record of random numbers; no wing moved."""
+    """Return a record of random numbers, without a run."""
     random = np.random.default_rng(seed)
     series = {
         name: random.normal(size=(times, *(SIZES[dimension] for dimension in dimensions)))
@@ -46,7 +46,7 @@ def planted(seed=0, goal_times=(None, 0.02), diverged_at=None, times=5):
 
 @pytest.fixture(scope="module")
 def short_run():
-    """A run of 30.4 ms, that is 152 steps: at rest up to 10.4 ms, then folding until time is up."""
+    """Return a run of 30.4 ms, or 152 steps: at rest up to 10.4 ms, then folding up to its time limit."""
     stages = [
         {"name": "settle", "drive": "none", "until": "time", "hold": 0.0, "time_limit": 0.0104},
         {"name": "fold", "drive": "fold", "until": "folded", "hold": 0.0, "time_limit": 0.02},
@@ -177,7 +177,7 @@ def test_a_record_that_was_cut_off_is_one_error(tmp_path):
 
 
 def flips(size, count):
-    """Places of bits, spread over a file, and those of its checksum."""
+    """Return positions of bits spread over a file, and those of its checksum."""
     random = np.random.default_rng(11)
     return sorted({*random.integers(0, 8 * size, count).tolist(), *range(8 * (size - 90), 8 * size, 3)})
 

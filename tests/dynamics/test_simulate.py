@@ -1,4 +1,4 @@
-"""Runs side by side: what wings share is run once, what is not asked for is not kept, and no bit depends on either."""
+"""Batches of runs: shared stages run once and only requested records are kept, without changing a bit."""
 
 import importlib
 import threading
@@ -38,7 +38,7 @@ MODULE = importlib.import_module("forficula.dynamics.stepping.simulate")
 
 
 def sharing(fold, unfold, stages=5):
-    """A wing with the engine model of the others, and its own torques and as many of the stages."""
+    """Return a wing with the others' engine model, its own torques and a number of its stages."""
     protocol = SHORT.protocol.model_copy(
         update={"fold_torque": fold, "unfold_torque": unfold, "stages": SHORT.protocol.stages[:stages]}
     )

@@ -1,4 +1,4 @@
-"""Tendons of a material in the compiled model, and what a run keeps of them."""
+"""Tendons of a material in the compiled model and in the record of a run."""
 
 import importlib
 import json
@@ -212,7 +212,7 @@ def test_a_tendon_that_the_flat_wing_stretches_beyond_its_yield_has_yielded_ther
 
 
 def test_a_wing_is_not_stuck_before_its_branches_have_relaxed():
-    """It rests short of its goal: without branches for the window, 10 ms, with one for three of its times."""
+    """It rests short of its goal: without branches for the window of 10 ms, with one for three relaxation times."""
     waits = []
     for branches in ([], [{"modulus": 1e3, "time": 0.02}]):
         held = with_values(

@@ -1,4 +1,4 @@
-"""Tendons of one structure with laws of their own: each is what its own law says, and the account closes."""
+"""Tendons of one structure with different laws: each follows its own law, and the energy balance closes."""
 
 from dataclasses import replace
 
@@ -29,7 +29,7 @@ def of_law(**law):
 
 
 def mixed(*designs):
-    """The wing of the first design with the tendon of another design on each vein; None for none."""
+    """Return the first design's wing with the tendon of another design on each vein; None for no tendon."""
 
     def build(own, units):
         structure = structure_of(own)
@@ -117,7 +117,7 @@ def test_a_tendon_that_yields_beside_others_that_do_not():
 
 
 def maxwell_energy(record, number):
-    """Energy of a tendon's branches along its recorded lengths, J, by the exact solution over steps of one velocity."""
+    """Return the energy of a tendon's branches, J, by the exact solution for lengths linear between rows."""
     length, timestep = record.series["tendon_length"][:, number], record.design.protocol.timestep
     # a row for every step, but two where stages meet
     rows = np.concatenate([[True], np.diff(record.time) > timestep / 2])

@@ -161,7 +161,7 @@ def changed_step(design, timestep):
 
 
 def test_a_tendon_without_a_largest_length_affects_the_timestep():
-    """Over creases that open; with a stiff tendon the step is that of its mode, which is faster than all others."""
+    """Across opening creases; a stiff tendon's mode is the fastest and sets the timestep."""
     snap, band = ff.load_design("four-plate-snap"), {"name": "band", "from": "vertex 1", "to": "vertex 3"}
     soft, stiff = (
         stable_timestep(

@@ -1,8 +1,8 @@
-"""A stage that waits ages what it holds as stepping through the time would.
+"""A waiting stage ages the held state as simulating the whole time would.
 
 A hinge that its tendon holds against a weight is a standard linear solid under a load: quasi-statically its angle obeys
 an ordinary differential equation, which is integrated here (Dormand and Prince 1980). A tendon that only just holds its
-bar lets go when k + k1 exp(-t / tau) has fallen to what the weight asks for.
+bar releases it when k + k1 exp(-t / tau) has fallen to the stiffness that the weight requires.
 """
 
 import math
@@ -31,12 +31,12 @@ def stage(name, until="rest", limit=3.0, wait=None, drive="none"):
 
 
 def held(one_hinge, *stages, **values):
-    """The record of a bar."""
+    """Return the record of a bar."""
     return simulate([built(one_hinge, *stages, **values)])[0]
 
 
 def built(one_hinge, *stages, start=TAUT, gravity=-GRAVITY, law=LAW, **values):
-    """A bar that its weight pulls upright, folded by 90 deg, its tendon beyond, rather damped; a row every 10 ms."""
+    """Return a damped bar, folded by 90 deg: its weight pulls it upright, its tendon further; rows every 10 ms."""
     return one_hinge(
         REST,
         timestep=5e-4,
@@ -66,7 +66,7 @@ def angles(record):
 
 
 def creeping(record):
-    """The angle over the clock from the second stage on, by the equation of what rests under its weight."""
+    """Return the angle over time from the second stage on, by the quasi-static equation under the weight."""
     vein, reach = record.design.vein, record.design.pattern.distal_length
     moment = vein.density * math.pi * vein.diameter**2 / 4 * reach * GRAVITY * reach / 2
     spring, branch = SPRING * AREA / REST, BRANCH * AREA / REST
@@ -76,7 +76,7 @@ def creeping(record):
         return 2 * ARM * np.cos(angle / 2)
 
     def pull(angle):
-        """Of the branch, so that the tendon's lever holds the weight's."""
+        """Return the branch's stiffness with which the tendon's lever holds the weight."""
         return -moment * np.cos(angle) / (ARM * np.sin(angle / 2)) - spring * (length(angle) - REST)
 
     def rate(_, angle, step=1e-6):
@@ -145,7 +145,7 @@ def test_without_branches_a_month_changes_nothing(one_hinge):
 
 
 def test_a_bar_that_its_tendon_holds_open_falls_when_that_has_relaxed(one_hinge, reference):
-    """In the overbend a taut tendon presses the bar onto its stop, and its weight pulls it off."""
+    """In the overbend a taut tendon presses the bar against its stop, and the weight pulls it off."""
     # opened by a drive, its branch is fresh; folding is only there for unfolding to follow
     stages = [
         stage("fold", until="time", limit=0.01, drive="fold"),
@@ -215,7 +215,7 @@ def test_designs_without_a_wait_keep_their_hashes(reference):
 
 
 def fading(time):
-    """What a month leaves of a branch."""
+    """Return the share of a branch's force that remains after a month."""
     return math.exp(-30 * 86400 / time)
 
 

@@ -1,4 +1,4 @@
-"""What the paper reports beside planted tables in which the answer is known, one way and the other."""
+"""The paper's claims compared with constructed tables that confirm or contradict them."""
 
 import json
 import math
@@ -38,7 +38,7 @@ def mask(columns):
 
 
 def papers_table():
-    """A table in which every claim of the paper holds."""
+    """Return a table in which every claim of the paper holds."""
     folds, opens = mask(FOLD), mask(OPEN)
     assert (folds.sum(), opens.sum()) == (32, 13)
     stiffness, rest_length = np.meshgrid(np.arange(1, 7), np.arange(10), indexing="ij")

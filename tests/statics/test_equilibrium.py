@@ -1,4 +1,4 @@
-"""Equilibria and barriers of mechanisms that are no wings: a von Mises truss and a Kresling cell of sprung bars.
+"""Equilibria and barriers of mechanisms other than wings: a von Mises truss and a Kresling cell of elastic bars.
 
 Von Mises truss (von Mises 1923; Bazant and Cedolin 1991, Stability of Structures, section 4.4): two bars of length L0
 from two supports, half a span s on either side, meet at an apex at the height r, L0^2 = s^2 + r^2. With springs of
@@ -27,7 +27,7 @@ FORCE = 1e-9  # slope that counts as none
 
 
 def springs(squares, slopes, curvatures, stiffness, lengths):
-    """Sum of k / 2 (L - L0)^2 and its derivatives, from those of L^2, (case, bar), (..., i), (..., i, j)."""
+    """Return the sum of k / 2 (L - L0)^2 and its derivatives, from those of L^2, (case, bar), (..., i), (..., i, j)."""
     length = np.sqrt(squares)
     by = slopes / (2 * length[..., None])
     outer = by[..., :, None] * by[..., None, :]
@@ -67,7 +67,7 @@ class Truss:
         return energy - position @ self.load, slope - self.load, curvature
 
     def path(self, heights):
-        """Along the upright, x = 0."""
+        """Return the path along the vertical, x = 0."""
         energy, slope, _ = self.energy(np.stack([np.zeros_like(heights), heights], axis=1))
         return energy, slope[:, 1]
 
@@ -76,7 +76,7 @@ class Truss:
 
 
 class Kresling:
-    """A Kresling cell of radius 1 that is without energy at two heights; coordinates are height and twist."""
+    """A Kresling cell of radius 1 with zero energy at two heights; coordinates are height and twist."""
 
     def __init__(self, high=2.0, low=1.3, corners=6, mountain=3.0, valley=1.0):
         step = 2 * math.pi / corners
@@ -95,7 +95,7 @@ class Kresling:
         return springs(squares, slopes, curvatures, self.stiffness, self.lengths)
 
     def path(self, twists):
-        """The least energy over the height at every twist, and its slope (envelope theorem)."""
+        """Return the least energy over all heights at every twist, and its slope (envelope theorem)."""
         start = np.stack([np.full_like(twists, self.states[:, 0].mean()), twists], axis=1)
         found = descend(
             self.energy,

@@ -1,4 +1,4 @@
-"""The wing along its rigid fold: energies of its hinges, its moment, its states, and what does not exist."""
+"""The wing along its rigid fold: energies of its hinges, its moment, its states, and designs without such a fold."""
 
 import math
 
@@ -80,7 +80,7 @@ def test_the_moment_is_what_the_energy_loses_by_the_pleat_angle(wing):
 @given(st.floats(0.012, 0.03), st.floats(12, 30), st.floats(0.05, 0.1), st.floats(1000, 6000))
 @example(0.015, 20.0, 0.09, 1000.0)
 def test_a_cambered_wing_is_pressed_on_its_overbend_and_climbs_to_flat(hub, sector, rest, stiffness):
-    """Panels hardly stretch: the torques are the tendons', by how the ring moves with the pleats."""
+    """Panels hardly stretch, so the torques are the tendons', by the kinematics of ring and pleats."""
     wing = design(hub, sector, rest, stiffness)
     path, hinge = fold_path(wing, 181), tendon_hinges(structure_of(wing))[0]
     first, second = path.states[:2]

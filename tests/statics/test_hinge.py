@@ -1,4 +1,4 @@
-"""Statics of one tendon across one hinge against geometry in space, differentiation, and closed forms."""
+"""Statics of one tendon across one hinge, compared with vector geometry, differences, and closed forms."""
 
 import math
 
@@ -21,7 +21,7 @@ ANGLES = st.floats(-math.pi, math.radians(30))
 
 
 def equal_arms(rest_length=0.0, arm=0.055, **changes):
-    """The ideal hinge of the paper's tendons, 10 N/cm."""
+    """Return the ideal hinge of the paper's tendons, 10 N/cm."""
     law = ElasticLaw(rest_length=rest_length, linear=1000.0)
     fixed = {"overbend": math.radians(3), "fold_limit": math.pi, "inertia": 2e-5}
     return TendonHinge(law=law, proximal_arm=arm, distal_arm=arm, **{**fixed, **changes})
@@ -29,7 +29,7 @@ def equal_arms(rest_length=0.0, arm=0.055, **changes):
 
 @st.composite
 def hinges(draw):
-    """Arms of any ratio up to four, at any slant, and laws that stiffen and soften; taut by a hundredth at least."""
+    """Return hinges with arm ratios up to four, any slant, stiffening or softening laws, stretched by 1 % at least."""
     proximal = draw(st.floats(0.01, 0.1))
     distal = proximal * draw(st.floats(0.25, 4))
     # within 1/20 of each other the ends nearly meet, and a difference quotient no longer sees the passage
@@ -54,7 +54,7 @@ def hinges(draw):
 
 
 def stiffness_scale(hinge):
-    """Of the second derivative, N m."""
+    """Return the scale of the second derivative, N m."""
     law, longest = hinge.law, float(hinge.length(0))
     slope = law.linear + 2 * abs(law.quadratic) * longest + 3 * law.cubic * longest**2
     return slope * hinge.proximal_arm * hinge.distal_arm
@@ -79,7 +79,7 @@ def test_the_stiffness_is_the_falling_slope_of_the_moment(hinge, angle):
 
 
 def test_where_the_ends_meet_the_hinge_is_a_pendulum_at_rest():
-    """With no resting length U = k a^2 (1 + cos(angle)) for equal arms."""
+    """Without resting length, U = k a^2 (1 + cos(angle)) for equal arms."""
     hinge = equal_arms()
     angles = np.linspace(-math.pi, 0.05, 50)
     full = 1000 * 0.055**2
@@ -91,7 +91,7 @@ def test_where_the_ends_meet_the_hinge_is_a_pendulum_at_rest():
 
 
 def turned(vector, axis, angle):
-    """Rodrigues 1840."""
+    """Return turned points (Rodrigues 1840)."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return vector * cosine + np.cross(axis, vector) * sine + axis * (axis @ vector) * (1 - cosine)
 
@@ -130,7 +130,7 @@ def test_the_length_is_that_of_a_distal_vein_turned_about_its_ring_crease(values
 
 @pytest.mark.parametrize("fold", [-3.0, -1.5, 0.7])
 def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
-    """With all veins on one ray each (no hub) the first panel folds along its ring crease alone."""
+    """Without a hub every vein lies on one ray, so the first panel folds along its ring crease alone."""
     design = with_values(REFERENCE, {"pattern.hub_radius": 0.0})
     pattern = earwig_pattern(design.fan)
     panel = [0, 1, 2, 4, 5]  # centre, ring vertices and tips of the first panel
@@ -154,7 +154,7 @@ def test_the_length_is_that_of_the_pattern_folded_along_its_ring(fold):
 
 
 def test_the_bar_turns_with_the_inertia_of_its_volume():
-    """The integral over the cylinder of density times distance squared from the axis, by Gauss's rule, in space."""
+    """The integral over the cylinder of density times squared distance from the axis, by Gaussian quadrature."""
     design = with_values(REFERENCE, {"vein.diameter": 0.03, "hinge.armature": 0.0})
     length, radius, density = design.pattern.distal_length, design.vein.diameter / 2, design.vein.density
     nodes, weights = np.polynomial.legendre.leggauss(4)
@@ -246,7 +246,7 @@ def test_no_angle_has_a_larger_torque_against_opening_than_the_peak(hinge):
 
 @given(st.floats(0, 0.999))
 def test_the_peak_of_equal_arms_is_at_its_closed_form(share):
-    """d/d angle of k a^2 (2 s c - 2 lambda s), s and c of half the angle: 2 c^2 - lambda c - 1 = 0."""
+    """d/d angle of k a^2 (2 s c - 2 lambda s), s and c: sine and cosine of half the angle: 2 c^2 - lambda c - 1 = 0."""
     cosine = (share + math.sqrt(share**2 + 8)) / 4
     sine = math.sqrt(1 - cosine**2)
     peak = peak_opening_torque(equal_arms(rest_length=0.11 * share))

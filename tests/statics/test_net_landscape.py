@@ -1,8 +1,8 @@
-"""Landscapes of sliding points, held to the closed form of von Mises' truss: a flat pyramid whose apex snaps through.
+"""Landscapes of sliding points, compared with the closed form of a von Mises truss: a pyramid that snaps through.
 
 Four bars of stiffness k and length L, at a height h of the apex over the rim: the force is 4 k (L / l - 1) h with
 l^2 = L^2 - rise^2 + h^2, the barrier 2 k (L - sqrt(L^2 - rise^2))^2 (e.g. Bazant and Cedolin 2010, section 4.4). The
-creases of the pyramid are so soft that they hardly count.
+creases of the pyramid are soft enough to be neglected.
 """
 
 from dataclasses import replace
@@ -32,7 +32,7 @@ def landscape(told):
 
 @pytest.fixture(scope="module")
 def slanting():
-    """Stiffness of the bars to the apex, N/m."""
+    """Return the stiffness of the bars to the apex, N/m."""
     (stiffness,) = {round(each.stiffness, 9) for each in structure_of(pyramid()).springs if 0 in each.points}
     return stiffness
 
@@ -141,7 +141,7 @@ def test_the_summary_has_units_in_its_keys_and_plain_numbers(landscape):
 
 
 def test_a_transition_that_its_drive_cannot_make_has_no_least_value():
-    """Pulled up, a pyramid gets no lower."""
+    """A pyramid that is pulled up does not snap down."""
     stages = [{"name": "pull", "drive": "pull", "until": "height < 19 cm", "hold": 0.0, "time_limit": 1.0}]
     done = {"name": "rest", "drive": "none", "until": "rest", "state": "low", "hold": 0.0, "time_limit": 1.0}
     found = energy_landscape(pyramid(**{"protocol.stages": [*stages, done]}))
@@ -166,7 +166,7 @@ def test_progress_is_reported(landscape, told):
 
 
 def pressed(direction):
-    """The landscape of a pyramid whose apex is displaced through its rim."""
+    """Return the landscape of a pyramid whose apex is displaced through the plane of its rim."""
     _, pull = pyramid().drive
     press = {"name": "push", "kind": "displacement", "of": "vertex 0", "direction": direction, "distance": RISE}
     return energy_landscape(pyramid(drive=[press, pull.model_dump(exclude_none=True)]))

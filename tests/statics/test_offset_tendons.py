@@ -1,7 +1,7 @@
-"""Tendons whose ends stand off the bars: the barrier is not at straight, and everything else goes with it.
+"""Tendons whose ends are offset from the bars: the barrier is not at straight, which shifts all other numbers.
 
 The table is a joint's of 10 N/cm and 9 cm between arms of 5.5 cm, with a stop at 3 deg and both ends at a height above
-the hinge's axis, measured on vectors (reference/make.md).
+the hinge's axis, computed from vectors (docs/model/theory.md, section Tendon off the hinge axis).
 """
 
 import math
@@ -56,7 +56,7 @@ def test_the_joint_has_the_values_of_the_table(height, barrier, torque, top):
 
 @st.composite
 def hinges(draw):
-    """Any arms, tops on both sides of both stops of the overbend, taut or slack there."""
+    """Return hinges with any arms, energy maxima on either side of both overbend stops, taut or slack there."""
     arm = draw(st.floats(0.03, 0.08))
     return TendonHinge(
         law=ElasticLaw(rest_length=draw(st.floats(0, 2.2)) * arm, linear=draw(st.floats(100, 6000))),

@@ -1,4 +1,4 @@
-"""The whole potential: its derivatives, its parts, the work of torques, and where structures rest."""
+"""The total potential: its derivatives, its parts, the work of torques, and states of rest."""
 
 import math
 from dataclasses import replace
@@ -42,7 +42,7 @@ def test_the_potential_is_the_energy_of_sheet_and_tendons_minus_the_work_of_torq
 
 
 def check_derivatives(structures, angles, torques):
-    """Slope and curvature of the first case against central differences."""
+    """Compare slope and curvature of the first case with central differences."""
     small, count = 1e-5, angles.shape[1]
     _, slope, curvature = potential(structures, angles, torques)
     many, steps = structures.repeated(count), small * np.eye(count)
@@ -65,7 +65,7 @@ def test_slope_and_curvature_are_its_derivatives(seed, proximal, distal):
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10_000), st.booleans(), st.integers(2, 8))
 def test_slope_and_curvature_of_any_tree_are_its_derivatives(seed, membranes, bodies):
-    """With tendons across one hinge and across several, springs, weights, and a motor on some hinges."""
+    """Trees with tendons across one or several hinges, springs, weights, and a motor on some hinges."""
     built = tree(seed, bodies, gravity=9.81, membranes=membranes, limit=100.0)
     count = len(built.hinges)
     some = tuple(range(0, count, 2))
@@ -76,7 +76,7 @@ def test_slope_and_curvature_of_any_tree_are_its_derivatives(seed, membranes, bo
 
 @given(st.integers(0, 10_000))
 def test_the_energy_of_a_tree_is_that_of_its_tendons_springs_and_weights(seed):
-    """Tendons by the distance of their ends, weights by the height of their centres, one rotation after another."""
+    """Tendons by the distance of their ends, weights by the height of their centres, by successive rotations."""
     built = tree(seed, gravity=9.81, membranes=False, limit=100.0)
     angles = np.random.default_rng(seed).uniform(-2, 2, len(built.hinges))
     points = turned_one_by_one(built, angles)
@@ -199,7 +199,7 @@ def test_wings_of_another_pattern_are_refused():
 
 
 def test_a_hinge_comes_to_rest_where_its_tendon_is_slack_at_a_right_angle():
-    """The torque that counts as none is 0 there: a slope of the size of its rounding must do."""
+    """The torque that counts as zero is 0 here, so a slope of the size of rounding must be accepted."""
     joint = ensemble_of([load_design("binder2025-joint", {"tendon.rest_length": "8 cm"})])
     assert torque_scale(joint) == 0
     for torque in (0.001, 0.02):

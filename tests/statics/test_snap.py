@@ -1,4 +1,4 @@
-"""The snap of one hinge against the pendulum's elliptic integral and against its integrated motion."""
+"""The snap of one hinge, compared with a pendulum's elliptic integral and with its integrated motion."""
 
 import math
 
@@ -37,7 +37,7 @@ OTHERS = [
 
 
 def motion(hinge, start, duration):
-    """Integrate inertia times angular acceleration = moment, from rest past straight; angle and speed at the end."""
+    """Integrate inertia * acceleration = moment from rest just past straight; return final angle and speed."""
 
     def rates(_, state):
         return [state[1], float(hinge.moment(state[0])) / hinge.inertia]

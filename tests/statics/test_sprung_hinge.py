@@ -1,4 +1,4 @@
-"""A hinge with a spring of its own under its tendon, held to numbers found otherwise."""
+"""A hinge with a spring in parallel with its tendon, compared with independently computed numbers."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""The energy of nets: its slope and curvature, what moving and scaling does to it, its parts in closed form."""
+"""The energy of nets: its slope and curvature, invariance and scaling, and closed forms of its parts."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from tests.statics.net.nets import miura, sheet, truss
 
 
 def everything(scale=1.0, moved=lambda nodes: nodes):
-    """A folded sheet with tendons, one that ends inside a facet, and membranes; lengths and stiffness to scale."""
+    """Return a folded sheet with membranes and tendons, one ending inside a facet; `scale` of length and stiffness."""
     nodes, facets = miura(2, 2, fold=0.7)
     nodes = moved(scale * nodes)
     net = sheet(nodes, facets, axial=1e4 * scale, crease=scale, facet=1e2 * scale)[0]

@@ -1,4 +1,4 @@
-"""Loads: where they act, and which are refused."""
+"""Loads: where they act, and which are rejected."""
 
 from dataclasses import replace
 from itertools import combinations

@@ -1,4 +1,4 @@
-"""Load paths: what ends them, what is reported on them; single cases in closed form are in tests/validation."""
+"""Load paths: what ends them, and what they report; cases with closed forms are in tests/validation."""
 
 import time
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Rest: from where it starts downhill, proven by inertia; what does not settle says so."""
+"""Minimization: it goes downhill from its start, proves the minimum by a matrix's inertia, and reports failures."""
 
 import time
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Structures of sliding points as nets: what is taken over, and in which sense."""
+"""Conversion of structures of sliding points to nets: parts and signs."""
 
 import numpy as np
 import pytest
@@ -59,7 +59,7 @@ def test_laws_of_mountains_are_those_of_valleys_seen_from_behind():
 
 
 def test_springs_that_rest_further_on_push_as_the_torque_does_that_their_law_has():
-    """For a linear law and a locking one: moment(angle, further) is the moment less stiffness x further."""
+    """For a linear and a locking law: moment(angle, shift) is the moment less stiffness x shift."""
     net = net_of(MIURA)
     motors = [motor.kind for motor in MIURA.motors]
     assert motors == ["rest-angle"]

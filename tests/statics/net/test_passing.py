@@ -1,4 +1,4 @@
-"""Panels that pass through one another."""
+"""Panels that pass through each other."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ TWO = np.array([[0, 1, 2], [3, 4, 5]])
 
 
 def pair(low, high):
-    """A triangle across the floor, and one upright through it between two heights."""
+    """Return a horizontal triangle, and an upright one that passes through it between two heights."""
     nodes = [[-1, -1, 0], [2, -1, 0], [-1, 2, 0], [0, 0, low], [0.1, 0, low], [0, 0.1, high]]
     return truss(nodes, [(0, 1)], stiffness=1.0)
 

@@ -1,4 +1,4 @@
-"""What the parts of a net bear, and what moves with masses that are spread or missing."""
+"""Loads in the parts of a net, and its motion with consistent, lumped or missing masses."""
 
 from dataclasses import replace
 
